@@ -14,14 +14,14 @@
 #include "cli/exit_status.h"
 #include "cli/print.h"
 #include "engine/drawing_path.h"
-#include "engine/system/host_of_parts.h"
+#include "engine/system/parts_host.h"
 
 namespace {
 
 using namespace gsim;
 
-constexpr double kAnywhere_mm = 1e6;
-constexpr std::array<double, 3> kNowhere_mm{kAnywhere_mm, kAnywhere_mm, kAnywhere_mm};
+constexpr double kUnbounded_mm = 1e6;
+constexpr std::array<double, 3> kUnset_mm{kUnbounded_mm, kUnbounded_mm, kUnbounded_mm};
 
 struct AutopathArguments {
     engine::DrawingRequest request;
@@ -29,12 +29,12 @@ struct AutopathArguments {
     std::string units;
     std::string contours;  ///< Empty: a drawing or a flat part.
     std::string axis = "wall";
-    engine::SurfaceChoice surface;
+    engine::SurfaceCuttingOptions surface;
     std::uint64_t bridges = 0;
-    engine::CuttingPlace place;
-    std::array<double, 3> start_mm = kNowhere_mm;
-    std::array<double, 3> box_low_mm{-kAnywhere_mm, -kAnywhere_mm, -kAnywhere_mm};
-    std::array<double, 3> box_high_mm = kNowhere_mm;
+    engine::CuttingCellOptions work_cell;
+    std::array<double, 3> start_mm = kUnset_mm;
+    std::array<double, 3> box_low_mm{-kUnbounded_mm, -kUnbounded_mm, -kUnbounded_mm};
+    std::array<double, 3> box_high_mm = kUnset_mm;
     bool report = false;
     double max_cpu_s = apps::kMaxCpu_s;
     bool no_confine = false;
@@ -46,75 +46,78 @@ using Kind = text::DiagnosticKind;
 constexpr const char* kAutopath = "autopath";
 
 void add_material_options(apps::CommandLine& line, AutopathArguments& arguments) {
-    engine::CuttingChoice& cutting = arguments.request.cutting;
+    engine::CuttingOptions& cutting = arguments.request.cutting;
     line.begin_group("Material");
     line.add("--material", &cutting.material, "material, as the materials file names it");
-    line.add("--thickness", &cutting.thickness_mm, "of the material (that of the solid)").called("MM");
+    line.add("--thickness", &cutting.thickness_mm, "of the material (that of the solid)")
+        .with_value_name("MM");
     line.add("--quality", &cutting.quality, "of the edge, 1 (just through) to 5 (finest)");
     line.add("--materials", &cutting.materials, "materials file (TOML) instead of the built-in one")
-        .of_file(apps::FileKind::input, {".toml"});
+        .takes_file(apps::FileKind::input, {".toml"});
     line.add("--speed", &cutting.speed_mm_min, "cutting speed, instead of the material's")
-        .called("MM/MIN")
+        .with_value_name("MM/MIN")
         .within(1e-3, 1e6);
     line.add("--kerf", &cutting.kerf_mm, "width of the cut, instead of the material's")
-        .called("MM")
+        .with_value_name("MM")
         .within(1e-3, 100);
     line.add("--pierce", &cutting.pierce_s, "time of a pierce, instead of the material's")
-        .called("SECONDS")
+        .with_value_name("SECONDS")
         .within(0, 3600);
-    line.add("--moving-pierce", &cutting.moving_pierce,
+    line.add("--moving-pierce", &cutting.dynamic_pierce,
              "move the nozzle to and fro on the lead while it pierces, which takes less time");
-    line.add("--straighten", &cutting.straighten,
+    line.add("--straighten", &cutting.taper_compensation,
              "lean the jet against the taper of its kerf, so that sides get straight");
     line.add("--report", &arguments.report, "print how the values were found and what the job costs")
-        .not_with("--json");
+        .exclude_option("--json");
 }
 
 void add_path_options(apps::CommandLine& line, AutopathArguments& arguments) {
-    engine::CuttingWays& ways = arguments.request.ways;
+    engine::CuttingPathOptions& ways = arguments.request.ways;
     line.begin_group("Path");
     line.add("--at", &ways.origin_mm,
              "where the drawing's origin, on the material's upper side, lies in the work frame, in mm")
-        .called("X Y Z")
+        .with_value_name("X Y Z")
         .within(-1e6, 1e6)
-        .shows_default();
-    line.add("--lead", &ways.lead_mm, "radius of leads (three kerfs)").called("MM").within(0.05, 1000);
+        .show_default();
+    line.add("--lead", &ways.lead_mm, "radius of leads (three kerfs)")
+        .with_value_name("MM")
+        .within(0.05, 1000);
     line.add("--safe-height", &ways.safe_height_mm, "height of ways between cuts")
-        .called("MM")
+        .with_value_name("MM")
         .within(0, 10'000)
-        .shows_default();
+        .show_default();
     line.add("--cut-height", &ways.cut_height_mm, "height of the nozzle's tip over the material")
-        .called("MM")
+        .with_value_name("MM")
         .within(0, 1000)
-        .shows_default();
+        .show_default();
     line.add("--bevel", &ways.bevel_deg,
              "lean of the jet, but for edges that have a bevel of their own; above 0 the part is smaller "
              "below")
-        .called("DEG")
+        .with_value_name("DEG")
         .within(-60, 60)
-        .shows_default();
+        .show_default();
 }
 
 void add_reading_options(apps::CommandLine& line, AutopathArguments& arguments) {
-    engine::DrawingChoice& reading = arguments.request.reading;
+    engine::DrawingOptions& reading = arguments.request.reading;
     line.begin_group("Drawing or solid");
     line.add("--unit", &arguments.units, "of the drawing (what the drawing says)").one_of({"mm", "inch"});
     line.add("--layer", &reading.layers, "only what is on this layer; may be given more than once (DXF)");
     line.add("--tolerance", &reading.gap_mm, "join ends that are nearer than this")
-        .called("MM")
+        .with_value_name("MM")
         .within(1e-6, 10)
-        .shows_default();
+        .show_default();
     line.add("--curve-tolerance", &reading.curve_tolerance_mm, "how far arcs may be off splines and ellipses")
-        .called("MM")
+        .with_value_name("MM")
         .within(1e-5, 10)
-        .shows_default();
+        .show_default();
     line.add("--up", &reading.up, "where the upper side looks (that of the largest face; STEP, IGES)")
         .one_of({"x", "y", "z", "-x", "-y", "-z"});
     line.add("--flip", &reading.flip, "turn the plate over (STEP, IGES)");
 }
 
 void add_surface_options(apps::CommandLine& line, AutopathArguments& arguments) {
-    engine::ContourChoice& contours = arguments.surface.contours;
+    engine::ContourSelection& contours = arguments.surface.contours;
     line.begin_group("Parts that are not flat (STEP, IGES)");
     line.add("--contours", &arguments.contours,
              "cut these closed loops of edges of faces, or the edges that --edge names; the other options of "
@@ -122,7 +125,7 @@ void add_surface_options(apps::CommandLine& line, AutopathArguments& arguments) 
         .one_of({"holes", "outlines", "all", "edges"});
     line.add("--side", &contours.side, "only those of faces that look to this side")
         .one_of({"x", "y", "z", "-x", "-y", "-z"})
-        .shows_default();
+        .show_default();
     line.add("--face", &contours.faces,
              "only those of this face: its number in the file (#57), name, layer or colour (red; 255,128,0); "
              "may be given more than once");
@@ -130,72 +133,72 @@ void add_surface_options(apps::CommandLine& line, AutopathArguments& arguments) 
              "only those that have this edge, by its number in the file (#95); may be given more than once");
     line.add("--choose", &arguments.surface.choose,
              "only those of which the function that this script returns is true")
-        .of_file(apps::FileKind::input, {".lua"});
+        .takes_file(apps::FileKind::input, {".lua"});
     line.add("--bridges", &arguments.bridges, "leave so many places of each contour uncut")
         .within(0, 1000)
-        .shows_default();
+        .show_default();
     line.add("--bridge-width", &arguments.surface.bridge_mm, "how wide each stays")
-        .called("MM")
+        .with_value_name("MM")
         .within(0, 100)
-        .shows_default();
+        .show_default();
     line.add("--start", &arguments.start_mm, "where the program begins and ends, in the work frame, in mm")
-        .called("X Y Z")
-        .within(-kAnywhere_mm, kAnywhere_mm);
+        .with_value_name("X Y Z")
+        .within(-kUnbounded_mm, kUnbounded_mm);
     line.add("--box-low", &arguments.box_low_mm, "only those in a box of the file: its low corner, in mm")
-        .called("X Y Z")
-        .within(-kAnywhere_mm, kAnywhere_mm);
+        .with_value_name("X Y Z")
+        .within(-kUnbounded_mm, kUnbounded_mm);
     line.add("--box-high", &arguments.box_high_mm, "its high corner, in mm")
-        .called("X Y Z")
-        .within(-kAnywhere_mm, kAnywhere_mm);
+        .with_value_name("X Y Z")
+        .within(-kUnbounded_mm, kUnbounded_mm);
     line.add("--axis", &arguments.axis, "where the jet goes: along the walls, or along the face's normal")
         .one_of({"wall", "normal"})
-        .shows_default();
-    line.add("--lean", &arguments.surface.lean_deg,
+        .show_default();
+    line.add("--lean", &arguments.surface.tilt_deg,
              "lean to the side, from the normal; above 0 the part is smaller below")
-        .called("DEG")
+        .with_value_name("DEG")
         .within(-80, 80)
-        .shows_default();
-    line.add("--tilt", &arguments.surface.tilt_deg, "lean forwards, with the nozzle ahead")
-        .called("DEG")
+        .show_default();
+    line.add("--tilt", &arguments.surface.lead_angle_deg, "lean forwards, with the nozzle ahead")
+        .with_value_name("DEG")
         .within(-60, 60)
-        .shows_default();
-    line.add("--max-lean", &arguments.surface.max_lean_deg,
+        .show_default();
+    line.add("--max-lean", &arguments.surface.max_tilt_deg,
              "refuse edges where the jet leans more from the normal")
-        .called("DEG")
+        .with_value_name("DEG")
         .within(0, 85)
-        .shows_default();
+        .show_default();
 }
 
-void add_place_options(apps::CommandLine& line, AutopathArguments& arguments) {
+void add_cell_options(apps::CommandLine& line, AutopathArguments& arguments) {
     using apps::FileKind;
-    engine::CuttingPlace& place = arguments.place;
+    engine::CuttingCellOptions& work_cell = arguments.work_cell;
     line.begin_group("Machine and cell");
-    line.add("--cell", &place.cell,
+    line.add("--cell", &work_cell.cell,
              "cell file (TOML): ways between cuts lead past its bodies, and cuts that they are in the way of "
              "are refused; it may name machine and machine data")
-        .of_file(FileKind::input, {".toml"});
-    line.add("--machine", &place.machine,
+        .takes_file(FileKind::input, {".toml"});
+    line.add("--machine", &work_cell.machine,
              "machine that cuts, with its own bodies where no cell is named (that of the cell)")
-        .of_file(FileKind::input, {".toml"});
-    line.add("--machine-data", &place.machine_data, "where G54 lies on it (at the machine's zero)")
-        .of_file(FileKind::input, {".txt"});
+        .takes_file(FileKind::input, {".toml"});
+    line.add("--machine-data", &work_cell.machine_data, "where G54 lies on it (at the machine's zero)")
+        .takes_file(FileKind::input, {".txt"});
 }
 
 void add_autopath_options(apps::CommandLine& line, AutopathArguments& arguments) {
     using apps::FileKind;
     line.add("drawing", &arguments.request.drawing,
              "drawing: .dxf, .svg; flat part: .step, .stp, .iges, .igs")
-        .of_file(FileKind::input, {".dxf", ".svg", ".step", ".stp", ".iges", ".igs"})
-        .must_be_given();
+        .takes_file(FileKind::input, {".dxf", ".svg", ".step", ".stp", ".iges", ".igs"})
+        .make_required();
     line.begin_group("Output");
     line.add("-o,--output", &arguments.output,
              "write the path to this file; it appears only if all went well")
-        .of_file(FileKind::output, {".json"});
+        .takes_file(FileKind::output, {".json"});
     add_material_options(line, arguments);
     add_path_options(line, arguments);
     add_reading_options(line, arguments);
     add_surface_options(line, arguments);
-    add_place_options(line, arguments);
+    add_cell_options(line, arguments);
     line.begin_group("Limits");
     apps::add_cpu_option(line, arguments.max_cpu_s);
     apps::add_confine_option(line, arguments.no_confine);
@@ -207,22 +210,22 @@ void add_autopath_options(apps::CommandLine& line, AutopathArguments& arguments)
                      "by your own figures, to a part program");
 }
 
-engine::SurfaceChoice surface_choice(const AutopathArguments& arguments) {
-    engine::SurfaceChoice choice = arguments.surface;
-    choice.contours.kind = arguments.contours;
-    choice.contours.along_walls = arguments.axis == "wall";
-    choice.bridges = static_cast<int>(arguments.bridges);
-    if (arguments.start_mm != kNowhere_mm) choice.start_mm = arguments.start_mm;
+engine::SurfaceCuttingOptions surface_options(const AutopathArguments& arguments) {
+    engine::SurfaceCuttingOptions jet_options = arguments.surface;
+    jet_options.contours.kind = arguments.contours;
+    jet_options.contours.along_walls = arguments.axis == "wall";
+    jet_options.bridges = static_cast<int>(arguments.bridges);
+    if (arguments.start_mm != kUnset_mm) jet_options.start_mm = arguments.start_mm;
     const auto& low = arguments.box_low_mm;
     const auto& high = arguments.box_high_mm;
-    choice.contours.box_mm = {low[0], low[1], low[2], high[0], high[1], high[2]};
-    return choice;
+    jet_options.contours.box_mm = {low[0], low[1], low[2], high[0], high[1], high[2]};
+    return jet_options;
 }
 
 /// Returns an option that applies to contours although none are requested; empty: no such option.
-std::string lonely_option(const AutopathArguments& arguments) {
+std::string option_without_contours(const AutopathArguments& arguments) {
     const AutopathArguments none;
-    const engine::SurfaceChoice& given = arguments.surface;
+    const engine::SurfaceCuttingOptions& given = arguments.surface;
     if (!arguments.contours.empty()) return {};
     if (given.contours.side != none.surface.contours.side) return "--side";
     if (!given.contours.faces.empty()) return "--face";
@@ -234,18 +237,19 @@ std::string lonely_option(const AutopathArguments& arguments) {
     if (arguments.box_low_mm != none.box_low_mm) return "--box-low";
     if (arguments.box_high_mm != none.box_high_mm) return "--box-high";
     if (arguments.axis != none.axis) return "--axis";
-    if (given.lean_deg != none.surface.lean_deg) return "--lean";
-    if (given.tilt_deg != none.surface.tilt_deg) return "--tilt";
-    return given.max_lean_deg != none.surface.max_lean_deg ? "--max-lean" : "";
+    if (given.tilt_deg != none.surface.tilt_deg) return "--lean";
+    if (given.lead_angle_deg != none.surface.lead_angle_deg) return "--tilt";
+    return given.max_tilt_deg != none.surface.max_tilt_deg ? "--max-lean" : "";
 }
 
-engine::DrawingRequest request_of(const AutopathArguments& arguments) {
+engine::DrawingRequest make_request(const AutopathArguments& arguments) {
     engine::DrawingRequest request = arguments.request;
-    request.host = engine::host_of_parts();
+    request.host = engine::make_parts_host();
     if (!arguments.units.empty()) request.reading.unit_mm = arguments.units == "inch" ? kMmPerInch : 1;
-    if (!arguments.contours.empty()) request.surface = surface_choice(arguments);
-    const engine::CuttingPlace& place = arguments.place;
-    if (!place.cell.empty() || !place.machine.empty() || !place.machine_data.empty()) request.place = place;
+    if (!arguments.contours.empty()) request.surface = surface_options(arguments);
+    const engine::CuttingCellOptions& work_cell = arguments.work_cell;
+    if (!work_cell.cell.empty() || !work_cell.machine.empty() || !work_cell.machine_data.empty())
+        request.work_cell = work_cell;
     return request;
 }
 
@@ -256,11 +260,11 @@ tl::expected<void, std::string> write_path(const engine::DrawingPath& path, cons
     return file->commit();
 }
 
-void tell_summary(const std::string& sentence, apps::Findings& findings) {
+void report_summary(const std::string& message, apps::Findings& findings) {
     if (findings.options().json) {
-        findings.take({.severity = text::Severity::note, .kind = Kind::path, .text = sentence});
+        findings.add({.severity = text::Severity::note, .kind = Kind::path, .text = message});
     } else {
-        apps::tell(text::printable(sentence + '\n'));
+        apps::print_to_standard_error(text::printable(message + '\n'));
     }
 }
 
@@ -274,32 +278,33 @@ tl::expected<void, std::string> confine_reading(const AutopathArguments& argumen
 }
 
 /// An error of the drawing or of a script is no error of the user of this program.
-int tell_failure(apps::Findings& findings, const engine::Failure& failure) {
-    const int status = findings.fail(failure);
-    return failure.in_program ? apps::kProgramFault : status;
+int report_failure(apps::Findings& findings, const engine::Error& error) {
+    const int status = findings.fail(error);
+    return error.in_program ? apps::kProgramError : status;
 }
 
 /// Makes the path as the arguments specify, and reports errors; returns the exit status.
 int make_path(const AutopathArguments& arguments, apps::Findings& findings) {
     const apps::CpuBackstop cpu(arguments.max_cpu_s);
-    if (const auto conflict = apps::sarif_conflict(findings.options(), apps::product_name(arguments.output)))
+    if (const auto conflict =
+            apps::sarif_conflict(findings.options(), apps::product_destination(arguments.output)))
         return findings.fail(Kind::usage, *conflict);
-    if (const std::string lonely = lonely_option(arguments); !lonely.empty())
-        return findings.fail(Kind::usage, lonely + " needs --contours");
-    auto path = engine::DrawingPath::open(request_of(arguments));
+    if (const std::string orphan_option = option_without_contours(arguments); !orphan_option.empty())
+        return findings.fail(Kind::usage, orphan_option + " needs --contours");
+    auto path = engine::DrawingPath::open(make_request(arguments));
     if (!path) return findings.fail(path.error());
     if (auto confined = confine_reading(arguments, *path); !confined)
         return findings.fail(Kind::usage, confined.error());
-    if (const auto read = path->read(); !read) return tell_failure(findings, read.error());
+    if (const auto read = path->read(); !read) return report_failure(findings, read.error());
     if (arguments.report && arguments.request.cutting.material.empty())
         return findings.fail(Kind::usage, "--report needs --material and --thickness");
-    const auto made = path->make([&](const engine::Diagnostic& told) { findings.take(told); });
-    if (!made) return tell_failure(findings, made.error());
-    const auto written = write_path(*path, apps::product_name(arguments.output));
+    const auto result = path->make([&](const engine::Diagnostic& diagnostic) { findings.add(diagnostic); });
+    if (!result) return report_failure(findings, result.error());
+    const auto written = write_path(*path, apps::product_destination(arguments.output));
     if (!written) return findings.fail(Kind::output, written.error());
-    tell_summary(path->summary(), findings);
-    if (arguments.report) apps::tell(text::printable(path->job_report()));
-    return apps::kDone;
+    report_summary(path->summary(), findings);
+    if (arguments.report) apps::print_to_standard_error(text::printable(path->job_report()));
+    return apps::kSuccess;
 }
 
 int run_autopath(const AutopathArguments& arguments) {
@@ -307,7 +312,7 @@ int run_autopath(const AutopathArguments& arguments) {
     apps::Findings findings(kAutopath, arguments.findings);
     const int status = make_path(arguments, findings);
     const bool product_on_standard_output =
-        status == apps::kDone && apps::product_name(arguments.output) == os::kStandardStream;
+        status == apps::kSuccess && apps::product_destination(arguments.output) == os::kStandardStream;
     return findings.finish(status,
                            product_on_standard_output ? Stream::standard_error : Stream::standard_output);
 }
@@ -315,7 +320,7 @@ int run_autopath(const AutopathArguments& arguments) {
 }  // namespace
 
 std::unique_ptr<apps::Program> apps::make_autopath() {
-    return std::make_unique<ProgramOf<AutopathArguments>>(
+    return std::make_unique<ProgramWithArguments<AutopathArguments>>(
         kAutopath, "Makes the path of a cutting jet from a drawing (DXF, SVG) or a flat part (STEP, IGES)",
         add_autopath_options, run_autopath);
 }

@@ -15,8 +15,8 @@ namespace gsim::apps {
 /// Returns the file system access that a run may still need after its machine and its cell have been read:
 /// the folders of its programs, in which called programs are searched, those of its outputs, and further
 /// files that its request names; for a picture the programs of the system, including gnuplot.
-os::Allowed allowed_to(const RunArguments& arguments, const engine::Request& request,
-                       std::span<const std::string> programs);
+os::SandboxPolicy run_sandbox_policy(const RunArguments& arguments, const engine::Request& request,
+                                     std::span<const std::string> programs);
 
 /// Confines the process to that, unless the options say otherwise or name a controller module, because its
 /// code may access anything. `request` has the files of its names. The error is a message.

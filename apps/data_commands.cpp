@@ -6,13 +6,13 @@
 
 #include "apps/confine_run.h"
 #include "apps/data_import.h"
+#include "apps/error_message.h"
 #include "apps/machine_data_file.h"
-#include "apps/sentence_of.h"
 #include "base/os/input_file.h"
 #include "base/text/printable.h"
 #include "cli/exit_status.h"
 #include "cli/print.h"
-#include "engine/system/host_of_system.h"
+#include "engine/system/system_host.h"
 
 namespace gsim::apps {
 
@@ -21,12 +21,12 @@ using engine::MachineData;
 namespace {
 
 using Status = tl::expected<int, std::string>;
-using Sentence = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
-Status printed(const tl::expected<std::string, engine::Failure>& shown) {
-    if (!shown) return Sentence(shown.error().message);
-    print(text::printable(*shown));
-    return kDone;
+Status print_result(const tl::expected<std::string, engine::Error>& result) {
+    if (!result) return Unexpected(result.error().message);
+    print(text::printable(*result));
+    return kSuccess;
 }
 
 class Command {
@@ -38,19 +38,19 @@ class Command {
         if (arguments_.command == DataCommand::check) return check();
         return lock()
             .and_then([this] { return is_from_json() ? from_json() : open(); })
-            .and_then([this](MachineData data) { return run_on(data); });
+            .and_then([this](MachineData data) { return execute(data); });
     }
 
   private:
-    using Opened = tl::expected<MachineData, std::string>;
+    using OpenResult = tl::expected<MachineData, std::string>;
 
     std::optional<engine::LengthUnit> unit() const {
         if (arguments_.inch) return engine::LengthUnit::inch;
         return arguments_.metric ? std::optional(engine::LengthUnit::mm) : std::nullopt;
     }
 
-    MachineData::Form form() const {
-        return arguments_.findings.json ? MachineData::Form::json : MachineData::Form::text;
+    MachineData::Format form() const {
+        return arguments_.findings.json ? MachineData::Format::json : MachineData::Format::text;
     }
 
     bool is_from_json() const {
@@ -72,33 +72,33 @@ class Command {
     // Locks the file from before it is read until it is written.
     tl::expected<void, std::string> lock() {
         if (!changes_file()) return {};
-        return lock_to_change(arguments_.file, arguments_.wait_s).map([this](os::FileLock lock) {
+        return lock_for_change(arguments_.file, arguments_.wait_s).map([this](os::FileLock lock) {
             lock_.emplace(std::move(lock));
         });
     }
 
-    Opened open() const {
+    OpenResult open() const {
         std::error_code error;
         if (arguments_.create && !std::filesystem::exists(arguments_.file, error) && !error)
             return MachineData(arguments_.file, machine_);
-        return os::read_text_file(arguments_.file, os::NamedBy::command_line)
+        return os::read_text_file(arguments_.file, os::NameSource::command_line)
             .and_then([this](const std::string& text) {
-                return MachineData::read(text, arguments_.file, machine_).map_error(sentence_of);
+                return MachineData::read(text, arguments_.file, machine_).map_error(error_message);
             });
     }
 
-    Opened from_json() const {
-        return os::read_text_file(arguments_.from_json, os::NamedBy::command_line)
+    OpenResult from_json() const {
+        return os::read_text_file(arguments_.from_json, os::NameSource::command_line)
             .and_then([this](const std::string& text) {
-                return MachineData::from_json(text, arguments_.from_json, machine_).map_error(sentence_of);
+                return MachineData::from_json(text, arguments_.from_json, machine_).map_error(error_message);
             });
     }
 
-    Status run_on(MachineData& data) const {
+    Status execute(MachineData& data) const {
         const DataArguments& a = arguments_;
         switch (a.command) {
-            case DataCommand::list: return printed(data.list(form(), a.section));
-            case DataCommand::get: return printed(data.get(form(), a.section, a.id, a.field));
+            case DataCommand::list: return print_result(data.list(form(), a.section));
+            case DataCommand::get: return print_result(data.get(form(), a.section, a.id, a.field));
             case DataCommand::set: return save(data.set(a.section, a.id, a.changes, unit()), data);
             case DataCommand::reset: return save(data.reset(a.section, a.id), data);
             case DataCommand::reset_all: return save(data.reset_all(a.section), data);
@@ -110,36 +110,38 @@ class Command {
     }
 
     Status check() const {
-        return os::read_text_file(arguments_.file, os::NamedBy::command_line)
+        return os::read_text_file(arguments_.file, os::NameSource::command_line)
             .map([this](const std::string& text) {
-                const engine::Tell tell = [this](const engine::Diagnostic& told) { findings_.take(told); };
-                const auto data = MachineData::read(text, arguments_.file, machine_, tell);
-                if (!data) return kProgramFault;
-                for (const engine::Diagnostic& suspect : data->suspects()) findings_.take(suspect);
-                return kDone;
+                const engine::DiagnosticHandler on_diagnostic = [this](const engine::Diagnostic& diagnostic) {
+                    findings_.add(diagnostic);
+                };
+                const auto data = MachineData::read(text, arguments_.file, machine_, on_diagnostic);
+                if (!data) return kProgramError;
+                for (const engine::Diagnostic& warning : data->lint_warnings()) findings_.add(warning);
+                return kSuccess;
             });
     }
 
     Status convert(MachineData& data) const {
         if (is_from_json()) return save({}, data);
         if (arguments_.findings.json) {
-            if (arguments_.output.empty()) return printed(data.list(MachineData::Form::json));
-            return data.to_json().map_error(sentence_of).and_then([this](const std::string& json) {
-                return saved(arguments_.output, json);
+            if (arguments_.output.empty()) return print_result(data.list(MachineData::Format::json));
+            return data.to_json().map_error(error_message).and_then([this](const std::string& json) {
+                return write_result(arguments_.output, json);
             });
         }
-        if (!unit()) return Sentence("convert takes --inch, --metric, --json or --from-json FILE");
+        if (!unit()) return Unexpected("convert takes --inch, --metric, --json or --from-json FILE");
         return save(data.convert(*unit()), data);
     }
 
-    Status save(const tl::expected<void, engine::Failure>& changed, const MachineData& data) const {
-        if (!changed) return Sentence(changed.error().message);
-        return saved(changes_file() ? arguments_.file : arguments_.output, data.text());
+    Status save(const tl::expected<void, engine::Error>& changed, const MachineData& data) const {
+        if (!changed) return Unexpected(changed.error().message);
+        return write_result(changes_file() ? arguments_.file : arguments_.output, data.text());
     }
 
-    Status saved(const std::string& path, const std::string& text) const {
+    Status write_result(const std::string& path, const std::string& text) const {
         const auto done = lock_ ? save_text(path, text) : replace_text(path, text, arguments_.wait_s);
-        return done.map([] { return kDone; });
+        return done.map([] { return kSuccess; });
     }
 
     const DataArguments& arguments_;
@@ -163,21 +165,21 @@ tl::expected<std::optional<engine::Machine>, std::string> read_machine(const std
     if (name.empty()) return std::nullopt;
     engine::Request request;
     request.machine = name;
-    request.host = engine::host_of_system();
+    request.host = engine::make_system_host();
     return engine::Machine::read(request)
         .map([](engine::Machine machine) { return std::optional(std::move(machine)); })
-        .map_error(sentence_of);
+        .map_error(error_message);
 }
 
 }  // namespace
 
 Status run_data_command(const DataArguments& arguments, Findings& findings) {
     const auto read = read_machine(arguments.machine);
-    if (!read) return Sentence(read.error());
+    if (!read) return Unexpected(read.error());
     const engine::Machine* const machine = *read ? &**read : nullptr;
-    if (auto confined = confine(arguments); !confined) return Sentence(std::move(confined.error()));
+    if (auto confined = confine(arguments); !confined) return Unexpected(std::move(confined.error()));
     if (arguments.command == DataCommand::import) return import_settings(arguments, machine, findings);
-    if (arguments.file.empty()) return Sentence("FILE is required: the machine data (NCFILE)");
+    if (arguments.file.empty()) return Unexpected("FILE is required: the machine data (NCFILE)");
     return Command(arguments, machine, findings).run();
 }
 

@@ -29,11 +29,11 @@ struct DataArguments {
     bool metric = false;
     bool create = false;
     bool no_confine = false;
-    double wait_s = kLongestWait_s;  ///< For files that another program changes.
-    std::string from_json;           ///< For convert.
-    std::string output;              ///< For convert; empty: the file itself, or standard output for JSON.
-    std::string source;              ///< For import: settings of a controller, or one of its tables.
-    std::string data;                ///< For import: file for offsets and tools; empty: none.
+    double wait_s = kMaxWait_s;  ///< For files that another program changes.
+    std::string from_json;       ///< For convert.
+    std::string output;          ///< For convert; empty: the file itself, or standard output for JSON.
+    std::string source;          ///< For import: settings of a controller, or one of its tables.
+    std::string data;            ///< For import: file for offsets and tools; empty: none.
 };
 
 /// Runs one command and prints its output. Returns the exit status, or an error message about options or

@@ -1,35 +1,35 @@
 #include "apps/data_import.h"
 
+#include "apps/error_message.h"
 #include "apps/machine_data_file.h"
-#include "apps/sentence_of.h"
 #include "base/os/input_file.h"
 #include "cli/exit_status.h"
 #include "cli/print.h"
-#include "engine/control_settings.h"
+#include "engine/controller_settings.h"
 
 namespace gsim::apps {
 
 namespace {
 
-using engine::ControlSettings;
-using Written = tl::expected<void, std::string>;
+using engine::ControllerSettings;
+using WriteResult = tl::expected<void, std::string>;
 
-Written write_text(const DataArguments& arguments, const std::string& text) {
+WriteResult write_text(const DataArguments& arguments, const std::string& text) {
     if (!arguments.output.empty()) return replace_text(arguments.output, text, arguments.wait_s);
     print(text);
     return {};
 }
 
-Written write_machine(const DataArguments& arguments, const ControlSettings& settings) {
-    Written written = write_text(arguments, settings.machine_file());
+WriteResult write_machine(const DataArguments& arguments, const ControllerSettings& settings) {
+    WriteResult written = write_text(arguments, settings.machine_file());
     if (!written || arguments.data.empty()) return written;
-    return settings.machine_data().map_error(sentence_of).and_then([&](const std::string& data) {
+    return settings.machine_data().map_error(error_message).and_then([&](const std::string& data) {
         return replace_text(arguments.data, data, arguments.wait_s);
     });
 }
 
-Written write_table(const DataArguments& arguments, const ControlSettings& settings) {
-    return settings.machine_data().map_error(sentence_of).and_then([&](const std::string& data) {
+WriteResult write_table(const DataArguments& arguments, const ControllerSettings& settings) {
+    return settings.machine_data().map_error(error_message).and_then([&](const std::string& data) {
         return write_text(arguments, data);
     });
 }
@@ -41,29 +41,29 @@ const std::string& import_source(const DataArguments& arguments) {
 }
 
 bool imports_table(const DataArguments& arguments) {
-    return ControlSettings::is_table(import_source(arguments));
+    return ControllerSettings::is_table(import_source(arguments));
 }
 
 tl::expected<int, std::string> import_settings(const DataArguments& arguments, const engine::Machine* machine,
                                                Findings& findings) {
     const std::string& source = import_source(arguments);
     if (source.empty()) return tl::unexpected(std::string("import needs a file: gsim-data import mill.ini"));
-    const auto text = os::read_text_file(source, os::NamedBy::command_line);
+    const auto text = os::read_text_file(source, os::NameSource::command_line);
     if (!text) return tl::unexpected(text.error());
     const engine::LengthUnit unit = arguments.inch ? engine::LengthUnit::inch : engine::LengthUnit::mm;
     const auto settings =
-        ControlSettings::read(*text, source, engine::Files(), {.unit = unit, .machine = machine});
+        ControllerSettings::read(*text, source, engine::Files(), {.unit = unit, .machine = machine});
     if (!settings) return tl::unexpected(settings.error().message);
-    for (const engine::Diagnostic& told : settings->left_out()) findings.take(told);
+    for (const engine::Diagnostic& diagnostic : settings->left_out()) findings.add(diagnostic);
     if (!imports_table(arguments) && settings->has_machine_data() && arguments.data.empty()) {
-        findings.take({.severity = text::Severity::note,
-                       .kind = text::DiagnosticKind::machine,
-                       .file = source,
-                       .text = "offsets and tools are not written; --data FILE writes them"});
+        findings.add({.severity = text::Severity::note,
+                      .kind = text::DiagnosticKind::machine,
+                      .file = source,
+                      .text = "offsets and tools are not written; --data FILE writes them"});
     }
-    const Written written =
+    const WriteResult written =
         imports_table(arguments) ? write_table(arguments, *settings) : write_machine(arguments, *settings);
-    return written.map([] { return kDone; });
+    return written.map([] { return kSuccess; });
 }
 
 }  // namespace gsim::apps

@@ -14,31 +14,31 @@ namespace {
 
 /// Writes a text to standard error and returns the exit status.
 int print_error(const std::string& text) {
-    return std::fputs(text.c_str(), stderr) >= 0 ? kDone : kUsage;
+    return std::fputs(text.c_str(), stderr) >= 0 ? kSuccess : kUsageError;
 }
 
-int write_document(const std::string& name, const std::string& text) {
+int write_output_file(const std::string& name, const std::string& text) {
     const auto written = os::write_file(name, text);
-    if (written) return kDone;
+    if (written) return kSuccess;
     print_error(written.error() + '\n');
-    return kUsage;
+    return kUsageError;
 }
 
-engine::Diagnostic plain(const text::Diagnostic& told) {
-    return {.severity = static_cast<engine::Severity>(told.severity),
-            .code = std::string(text::code_of(told.kind)),
-            .file = told.file,
-            .line = told.line,
-            .column = told.column,
-            .end_column = told.end_column,
-            .text = told.text,
-            .hint = told.hint,
-            .excerpt = told.excerpt};
+engine::Diagnostic to_diagnostic(const text::Diagnostic& diagnostic) {
+    return {.severity = static_cast<engine::Severity>(diagnostic.severity),
+            .code = std::string(text::diagnostic_code(diagnostic.kind)),
+            .file = diagnostic.file,
+            .line = diagnostic.line,
+            .column = diagnostic.column,
+            .end_column = diagnostic.end_column,
+            .text = diagnostic.text,
+            .hint = diagnostic.hint,
+            .excerpt = diagnostic.excerpt};
 }
 
 }  // namespace
 
-std::string product_name(const std::string& output) {
+std::string product_destination(const std::string& output) {
     return output.empty() ? os::kStandardStream : output;
 }
 
@@ -50,7 +50,7 @@ std::optional<std::string> sarif_conflict(const FindingOptions& options, const s
 void add_sarif_option(CommandLine& line, FindingOptions& options) {
     line.add("--sarif", &options.sarif,
              "write what was found as SARIF too, which code hosts show; - for standard output")
-        .of_file(FileKind::output, {".sarif"});
+        .takes_file(FileKind::output, {".sarif"});
 }
 
 void add_finding_options(CommandLine& line, FindingOptions& options) {
@@ -60,57 +60,57 @@ void add_finding_options(CommandLine& line, FindingOptions& options) {
     add_sarif_option(line, options);
 }
 
-void Findings::say(const std::string& text) const {
+void Findings::print_text(const std::string& text) const {
     if (options_.json) return;
-    if (text_to_ == Stream::standard_output && options_.sarif != os::kStandardStream) {
+    if (text_stream_ == Stream::standard_output && options_.sarif != os::kStandardStream) {
         apps::print(text::printable(text));
     } else {
         print_error(text::printable(text));
     }
 }
 
-void Findings::take(const engine::Diagnostic& told) {
-    all_.push_back(told);
-    say(engine::text_of(told));
+void Findings::add(const engine::Diagnostic& diagnostic) {
+    all_.push_back(diagnostic);
+    print_text(engine::diagnostic_text(diagnostic));
 }
 
-void Findings::take(const text::Diagnostic& told) {
-    take(plain(told));
+void Findings::add(const text::Diagnostic& diagnostic) {
+    add(to_diagnostic(diagnostic));
 }
 
-int Findings::fail(const engine::Failure& failure) {
-    all_.push_back(engine::diagnostic_of(failure));
-    if (!options_.json) tell_fault(program_, failure.message);
-    return kUsage;
+int Findings::fail(const engine::Error& error) {
+    all_.push_back(engine::to_diagnostic(error));
+    if (!options_.json) report_error(program_, error.message);
+    return kUsageError;
 }
 
-int Findings::fail(text::DiagnosticKind kind, std::string_view sentence, std::string_view file) {
-    return fail({.code = std::string(text::code_of(kind)),
-                 .message = std::string(sentence),
+int Findings::fail(text::DiagnosticKind kind, std::string_view message, std::string_view file) {
+    return fail({.code = std::string(text::diagnostic_code(kind)),
+                 .message = std::string(message),
                  .file = std::string(file)});
 }
 
-int Findings::finish(int status, Stream json_to) {
+int Findings::finish(int status, Stream json_stream) {
     if (options_.json) {
         const std::string document = engine::findings_json(all_, programs_);
-        if (json_to == Stream::standard_output) {
+        if (json_stream == Stream::standard_output) {
             apps::print(document);
-        } else if (print_error(document) != kDone && status == kDone) {
-            status = kUsage;
+        } else if (print_error(document) != kSuccess && status == kSuccess) {
+            status = kUsageError;
         }
     }
-    return finish_told(status);
+    return finish_reported(status);
 }
 
-int Findings::finish_told(int status) {
+int Findings::finish_reported(int status) {
     if (options_.sarif.empty()) return status;
     const std::string document = engine::findings_sarif(all_);
     if (options_.sarif == os::kStandardStream) {
         apps::print(document);
         return status;
     }
-    const int written = write_document(options_.sarif, document);
-    return status == kDone ? written : status;
+    const int written = write_output_file(options_.sarif, document);
+    return status == kSuccess ? written : status;
 }
 
 }  // namespace gsim::apps

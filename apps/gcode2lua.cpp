@@ -15,7 +15,7 @@
 #include "base/os/output_file.h"
 #include "cli/exit_status.h"
 #include "cli/print.h"
-#include "engine/system/host_of_system.h"
+#include "engine/system/system_host.h"
 #include "engine/translation.h"
 
 namespace {
@@ -38,18 +38,18 @@ constexpr const char* kGcode2lua = "gcode2lua";
 void add_translate_options(apps::CommandLine& line, TranslateArguments& arguments) {
     using apps::FileKind;
     line.add("part.nc", &arguments.input, "part program, or - for standard input")
-        .of_file(FileKind::input, {".nc", ".ngc"})
-        .shows_default();
+        .takes_file(FileKind::input, {".nc", ".ngc"})
+        .show_default();
     line.begin_group("Language");
     apps::add_language_options(line, arguments.request.language);
     line.add("--machine", &arguments.request.machine,
              "machine file (TOML): dialect and units of its programs")
-        .of_file(FileKind::input, {".toml"});
+        .takes_file(FileKind::input, {".toml"});
     line.add("--machine-data", &arguments.request.machine_data, "machine data (NCFILE) with aliases")
-        .of_file(FileKind::input, {".txt"});
+        .takes_file(FileKind::input, {".txt"});
     line.begin_group("Output");
     line.add("-o,--output", &arguments.output, "write the Lua to this file; it appears only if all went well")
-        .of_file(FileKind::output, {".lua"});
+        .takes_file(FileKind::output, {".lua"});
     line.add("--annotate", &arguments.request.annotate, "each whole source block as a trailing comment");
     line.begin_group("Instead of a translation");
     line.add("--check", &arguments.check, "only look for errors, write nothing");
@@ -60,7 +60,7 @@ void add_translate_options(apps::CommandLine& line, TranslateArguments& argument
     line.begin_group("Limits");
     line.add("--max-errors", &arguments.request.max_errors, "stop after this many errors")
         .within(1, 1'000'000)
-        .shows_default();
+        .show_default();
     apps::add_cpu_option(line, arguments.request.cpu_s);
     apps::add_confine_option(line, arguments.no_confine);
     line.add_example("gcode2lua part.nc -o part.lua", "line n of the program is line n+1 of the script");
@@ -72,7 +72,7 @@ tl::expected<void, std::string> write_lua(const engine::Translation& translation
     tl::expected<os::OutputFile, std::string> file = os::OutputFile::open(path);
     if (!file) return tl::unexpected(file.error());
     return translation.write([&](std::string_view part) { return file->write(part); })
-        .map_error([](const engine::Failure& failure) { return failure.message; })
+        .map_error([](const engine::Error& error) { return error.message; })
         .and_then([&] { return file->commit(); });
 }
 
@@ -84,14 +84,14 @@ tl::expected<void, std::string> confine_translation(const TranslateArguments& ar
     return apps::confine_to({}, std::array{arguments.output, arguments.findings.sarif});
 }
 
-tl::expected<engine::Translation, engine::Failure> open_translation(const TranslateArguments& arguments) {
+tl::expected<engine::Translation, engine::Error> open_translation(const TranslateArguments& arguments) {
     engine::TranslationRequest request = arguments.request;
-    request.host = engine::host_of_system();
+    request.host = engine::make_system_host();
     request.program = arguments.input;
     if (arguments.input != os::kStandardStream) return engine::Translation::open(std::move(request));
-    return engine::Text::of_stream(stdin, "stdin")
-        .map_error([&](std::string sentence) {
-            return engine::Failure{.code = "file", .message = std::move(sentence), .file = arguments.input};
+    return engine::Text::from_stream(stdin, "stdin")
+        .map_error([&](std::string message) {
+            return engine::Error{.code = "file", .message = std::move(message), .file = arguments.input};
         })
         .and_then([&](engine::Text text) {
             request.text = std::move(text);
@@ -103,37 +103,38 @@ tl::expected<engine::Translation, engine::Failure> open_translation(const Transl
 int translate_program(const TranslateArguments& arguments, apps::Findings& findings) {
     if (!arguments.check) {
         if (const auto conflict =
-                apps::sarif_conflict(findings.options(), apps::product_name(arguments.output)))
+                apps::sarif_conflict(findings.options(), apps::product_destination(arguments.output)))
             return findings.fail(Kind::usage, *conflict);
     }
     auto translation = open_translation(arguments);
     if (!translation) return findings.fail(translation.error());
     if (auto confined = confine_translation(arguments, *translation); !confined)
         return findings.fail(Kind::usage, confined.error());
-    const auto made = translation->make([&](const engine::Diagnostic& told) { findings.take(told); });
-    if (!made) return made.error().in_program ? apps::kProgramFault : findings.fail(made.error());
-    if (arguments.check) return apps::kDone;
-    const auto written = write_lua(*translation, apps::product_name(arguments.output));
-    return written ? apps::kDone : findings.fail(Kind::output, written.error());
+    const auto result =
+        translation->make([&](const engine::Diagnostic& diagnostic) { findings.add(diagnostic); });
+    if (!result) return result.error().in_program ? apps::kProgramError : findings.fail(result.error());
+    if (arguments.check) return apps::kSuccess;
+    const auto written = write_lua(*translation, apps::product_destination(arguments.output));
+    return written ? apps::kSuccess : findings.fail(Kind::output, written.error());
 }
 
 int run_translate(const TranslateArguments& arguments) {
     using Stream = apps::Findings::Stream;
     if (arguments.print_language) {
         apps::print(engine::language_page());
-        return apps::kDone;
+        return apps::kSuccess;
     }
     apps::Findings findings(kGcode2lua, arguments.findings);
     const int status = translate_program(arguments, findings);
-    const bool lua_on_standard_output = status == apps::kDone && !arguments.check &&
-                                        apps::product_name(arguments.output) == os::kStandardStream;
+    const bool lua_on_standard_output = status == apps::kSuccess && !arguments.check &&
+                                        apps::product_destination(arguments.output) == os::kStandardStream;
     return findings.finish(status, lua_on_standard_output ? Stream::standard_error : Stream::standard_output);
 }
 
 }  // namespace
 
 std::unique_ptr<apps::Program> apps::make_gcode2lua() {
-    return std::make_unique<ProgramOf<TranslateArguments>>(
+    return std::make_unique<ProgramWithArguments<TranslateArguments>>(
         kGcode2lua, "Translates a CNC part program (G-code) into a Lua script that gsim-run simulates",
         add_translate_options, run_translate);
 }

@@ -15,7 +15,7 @@
 #include "cli/exit_status.h"
 #include "engine/machine.h"
 #include "engine/run.h"
-#include "engine/system/host_of_system.h"
+#include "engine/system/system_host.h"
 
 namespace gsim::apps {
 
@@ -30,8 +30,8 @@ constexpr const char* kCheck = "gsim-check";
 
 void add_check_options(CommandLine& line, CheckArguments& a) {
     line.add("part.nc|part.lua", &a.programs, "programs and scripts")
-        .of_file(FileKind::input, {".nc", ".ngc", ".lua"})
-        .must_be_given();
+        .takes_file(FileKind::input, {".nc", ".ngc", ".lua"})
+        .make_required();
     add_machine_options(line, a.run);
     line.begin_group("Diagnostics");
     add_finding_options(line, a.run.findings);
@@ -44,38 +44,37 @@ void add_check_options(CommandLine& line, CheckArguments& a) {
 // Warnings are reported, but do not affect the status, except those of the process.
 int check_program(engine::Request request, const engine::Machine& machine, Findings& findings) {
     const std::string program = request.program;
-    const CpuBackstop where_nothing_asks(behind_own_limit_s(request.limits.cpu_s));
+    const CpuBackstop unchecked_backstop(backstop_limit_s(request.limits.cpu_s));
     std::vector<engine::Diagnostic> all;
     auto run = engine::Run::open(std::move(request), machine,
-                                 [&](const engine::Diagnostic& told) { all.push_back(told); });
+                                 [&](const engine::Diagnostic& diagnostic) { all.push_back(diagnostic); });
     auto prepared = run ? run->prepare() : tl::unexpected(run.error());
     if (!prepared) {
-        for (const engine::Diagnostic& told : all) findings.take(told);
-        findings.checked({.name = program, .status = "not run"});
-        return prepared.error().in_program ? kProgramFault : findings.fail(prepared.error());
+        for (const engine::Diagnostic& diagnostic : all) findings.add(diagnostic);
+        findings.add_program({.name = program, .status = "not run"});
+        return prepared.error().in_program ? kProgramError : findings.fail(prepared.error());
     }
     const auto report = run->go();
     if (!report) return findings.fail(report.error());
-    for (const engine::Diagnostic& found : report->diagnostics) findings.take(found);
-    findings.checked({report->program, std::string(name(report->status)), report->cycle_time_s});
-    if (report->lacks_file()) return kUsage;
-    if (!report->passes_check()) return kProgramFault;
-    findings.say(fmt::format("{}: nothing wrong, {:.3f} s\n", report->program, report->cycle_time_s));
-    return kDone;
+    for (const engine::Diagnostic& found : report->diagnostics) findings.add(found);
+    findings.add_program({report->program, std::string(name(report->status)), report->cycle_time_s});
+    if (report->is_file_missing()) return kUsageError;
+    if (!report->passes_check()) return kProgramError;
+    findings.print_text(fmt::format("{}: nothing wrong, {:.3f} s\n", report->program, report->cycle_time_s));
+    return kSuccess;
 }
 
 // Returns the worst status of all programs. A file that cannot be read does not keep the others from being
 // checked.
 int check_programs(const CheckArguments& arguments, Findings& findings) {
-    std::optional<CpuBackstop> backstop(std::in_place,
-                                        behind_own_limit_s(arguments.run.request.limits.cpu_s));
-    engine::Request request = request_of(arguments.run);
-    request.host = engine::host_of_system();
+    std::optional<CpuBackstop> backstop(std::in_place, backstop_limit_s(arguments.run.request.limits.cpu_s));
+    engine::Request request = make_request(arguments.run);
+    request.host = engine::make_system_host();
     // The machine is read once, before the confinement, because the files that it names may lie anywhere.
     auto machine = engine::Machine::read(request);
     if (!machine) return findings.fail(machine.error());
     for (const std::string& note : machine->notes())
-        findings.take({.severity = engine::Severity::note, .code = "machine", .text = note});
+        findings.add({.severity = engine::Severity::note, .code = "machine", .text = note});
     if (auto bodies = machine->read_bodies(); !bodies) return findings.fail(bodies.error());
     std::vector<std::string> programs;
     for (const std::string& program : arguments.programs)
@@ -84,7 +83,7 @@ int check_programs(const CheckArguments& arguments, Findings& findings) {
     if (auto confined = confine_run(arguments.run, request, programs); !confined)
         return findings.fail(text::DiagnosticKind::usage, confined.error());
     backstop.reset();
-    int status = kDone;
+    int status = kSuccess;
     for (const std::string& program : programs) {
         request.program = program;
         status = std::max(status, check_program(request, *machine, findings));
@@ -100,7 +99,7 @@ int run_check(const CheckArguments& arguments) {
 }  // namespace
 
 std::unique_ptr<Program> make_gsim_check() {
-    return std::make_unique<ProgramOf<CheckArguments>>(
+    return std::make_unique<ProgramWithArguments<CheckArguments>>(
         kCheck, "Finds what is wrong with part programs on a machine: errors, limits, zones, collisions",
         add_check_options, run_check);
 }

@@ -16,9 +16,10 @@ constexpr const char* kGsimData = "gsim-data";
 
 apps::CommandLine& add_data_command(apps::CommandLine& line, DataArguments& a, const char* name,
                                     DataCommand command, const char* description) {
-    apps::CommandLine& added = line.add_command(name, description, [&a, command] { a.command = command; });
-    added.begin_group("Options");
-    return added;
+    apps::CommandLine& subcommand =
+        line.add_command(name, description, [&a, command] { a.command = command; });
+    subcommand.begin_group("Options");
+    return subcommand;
 }
 
 void add_section(apps::CommandLine& command, DataArguments& a) {
@@ -26,20 +27,20 @@ void add_section(apps::CommandLine& command, DataArguments& a) {
 }
 
 void add_entry(apps::CommandLine& command, DataArguments& a) {
-    command.add("SECTION", &a.section, "OFFSET, TOOL, ...").must_be_given();
-    command.add("ID", &a.id, "number of the entry, code of the frame, name of the alias").must_be_given();
+    command.add("SECTION", &a.section, "OFFSET, TOOL, ...").make_required();
+    command.add("ID", &a.id, "number of the entry, code of the frame, name of the alias").make_required();
 }
 
 void add_units(apps::CommandLine& command, DataArguments& a, const char* inch, const char* metric) {
     command.add("--inch", &a.inch, inch);
-    command.add("--metric", &a.metric, metric).not_with("--inch");
+    command.add("--metric", &a.metric, metric).exclude_option("--inch");
 }
 
 void add_set(apps::CommandLine& line, DataArguments& a) {
     apps::CommandLine& set = add_data_command(line, a, "set", DataCommand::set,
                                               "change an entry, or add it to the end of its section");
     add_entry(set, a);
-    set.add("FIELD=VALUE", &a.changes, "such as X=200.5; an empty value takes it away").must_be_given();
+    set.add("FIELD=VALUE", &a.changes, "such as X=200.5; an empty value takes it away").make_required();
     add_units(set, a, "the lengths are inches; an entry in mm is converted",
               "the lengths are mm; an entry in inches is converted");
     set.add("--create", &a.create, "begin a new file where there is none");
@@ -51,9 +52,9 @@ void add_convert(apps::CommandLine& line, DataArguments& a) {
                                                   "to one unit, to JSON (--json), or from JSON");
     add_units(convert, a, "all lengths in inches", "all lengths in mm");
     convert.add("--from-json", &a.from_json, "make the file from this JSON")
-        .of_file(FileKind::input, {".json"});
+        .takes_file(FileKind::input, {".json"});
     convert.add("-o,--output", &a.output, "write here, not over the file (or, for JSON, to standard output)")
-        .of_file(FileKind::output);
+        .takes_file(FileKind::output);
 }
 
 void add_import(apps::CommandLine& line, DataArguments& a) {
@@ -62,11 +63,11 @@ void add_import(apps::CommandLine& line, DataArguments& a) {
                                                   "a machine file from a LinuxCNC .ini or from what grbl "
                                                   "answers to $$; machine data from a .tbl or .var");
     command.add("SETTINGS", &a.source, "the .ini, .tbl or .var file, or grbl's answers as text")
-        .of_file(FileKind::input, {".ini", ".tbl", ".var", ".txt"});
+        .takes_file(FileKind::input, {".ini", ".tbl", ".var", ".txt"});
     command.add("-o,--output", &a.output, "write here, not to standard output")
-        .of_file(FileKind::output, {".toml", ".txt"});
+        .takes_file(FileKind::output, {".toml", ".txt"});
     command.add("--data", &a.data, "write the offsets and tools that a machine's settings name to this file")
-        .of_file(FileKind::output, {".txt"});
+        .takes_file(FileKind::output, {".txt"});
     add_units(command, a, "lengths of a .tbl or .var are inches", "they are mm");
 }
 
@@ -85,11 +86,11 @@ void add_examples(apps::CommandLine& line) {
 }
 
 void add_data_options(apps::CommandLine& line, DataArguments& a) {
-    line.add("FILE", &a.file, "machine data (NCFILE)").of_file(apps::FileKind::changed, {".txt"});
+    line.add("FILE", &a.file, "machine data (NCFILE)").takes_file(apps::FileKind::changed, {".txt"});
     line.begin_group("Options of all commands");
     line.add("--machine", &a.machine,
              "machine file (TOML): names the axes behind X, Y and Z, and has ranges to check")
-        .of_file(apps::FileKind::input, {".toml"});
+        .takes_file(apps::FileKind::input, {".toml"});
     line.add("--json", &a.findings.json,
              "list, get, convert: print JSON; what a check finds, and mistakes, as JSON too");
     apps::add_sarif_option(line, a.findings);
@@ -118,17 +119,20 @@ void add_data_options(apps::CommandLine& line, DataArguments& a) {
 int run_data(const DataArguments& arguments) {
     apps::Findings findings(kGsimData, arguments.findings);
     const auto status = apps::run_data_command(arguments, findings);
-    const bool told = status && arguments.command != DataCommand::check;  // prints its own JSON, or none
+    const bool command_reported =
+        status && arguments.command != DataCommand::check;  // prints its own JSON, or none
     const int code =
         status ? *status : findings.fail(text::DiagnosticKind::input_file, status.error(), arguments.file);
-    return told ? findings.finish_told(code) : findings.finish(code, apps::Findings::Stream::standard_output);
+    return command_reported ? findings.finish_reported(code)
+                            : findings.finish(code, apps::Findings::Stream::standard_output);
 }
 
 }  // namespace
 
 std::unique_ptr<apps::Program> apps::make_gsim_data() {
-    return std::make_unique<ProgramOf<DataArguments>>(kGsimData,
-                                                      "Shows, changes and checks the data of a controller: "
-                                                      "offsets, points, tools, variables, aliases, zones",
-                                                      add_data_options, run_data);
+    return std::make_unique<ProgramWithArguments<DataArguments>>(
+        kGsimData,
+        "Shows, changes and checks the data of a controller: "
+        "offsets, points, tools, variables, aliases, zones",
+        add_data_options, run_data);
 }

@@ -2,16 +2,16 @@
 
 namespace gsim::apps {
 
-void add_language_options(CommandLine& line, engine::LanguageChoice& choice) {
-    line.add("--dialect", &choice.dialect,
+void add_language_options(CommandLine& line, engine::LanguageOptions& options) {
+    line.add("--dialect", &options.dialect,
              "language of the part program: ab9 (Allen-Bradley 9/Series), rs274ngc (LinuxCNC), klipper, or "
              "the "
              "name of a control; without it that of the machine file, else ab9")
-        .suggests(engine::control_names());
-    line.add("--unknown", &choice.unknown,
+        .suggest_values(engine::controller_names());
+    line.add("--unknown", &options.unknown,
              "what a code is that the dialect does not have: an error, or left out with a warning")
-        .one_of({engine::LanguageChoice::kError, engine::LanguageChoice::kWarn})
-        .shows_default();
+        .one_of({engine::LanguageOptions::kError, engine::LanguageOptions::kWarn})
+        .show_default();
 }
 
 }  // namespace gsim::apps

@@ -8,6 +8,6 @@
 namespace gsim::apps {
 
 /// Adds --dialect and --unknown.
-void add_language_options(CommandLine& line, engine::LanguageChoice& choice);
+void add_language_options(CommandLine& line, engine::LanguageOptions& options);
 
 }  // namespace gsim::apps

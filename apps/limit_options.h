@@ -10,7 +10,7 @@ namespace gsim::apps {
 
 /// Defaults of --max-cpu-seconds (a day, which no run needs) and --memory.
 inline constexpr double kMaxCpu_s = engine::Limits{}.cpu_s;
-inline constexpr std::uint64_t kMemory_mb = engine::Limits{}.memory_bytes >> 20U;
+inline constexpr std::uint64_t kDefaultMemory_mb = engine::Limits{}.memory_bytes >> 20U;
 
 /// Adds --max-cpu-seconds, an option of several programs, to the group begun last.
 void add_cpu_option(CommandLine& line, double& seconds);
@@ -26,7 +26,7 @@ class CpuBackstop {
 
 /// Returns the seconds for the CpuBackstop of a run that checks the limit itself and, if it can, reports the
 /// source location.
-double behind_own_limit_s(double seconds);
+double backstop_limit_s(double seconds);
 
 /// Adds --memory in the same group.
 void add_memory_option(CommandLine& line, std::uint64_t& megabytes);

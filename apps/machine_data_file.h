@@ -11,14 +11,14 @@
 namespace gsim::apps {
 
 /// Default for the longest wait for a file that another program is changing.
-inline constexpr double kLongestWait_s = 10;
+inline constexpr double kMaxWait_s = 10;
 
 /// Adds --wait.
 void add_wait_option(CommandLine& line, double& wait_s);
 
 /// Locks a file that the caller reads, changes and writes back. Until it is written no other program does the
 /// same. The error is a message.
-tl::expected<os::FileLock, std::string> lock_to_change(const std::string& path, double wait_s);
+tl::expected<os::FileLock, std::string> lock_for_change(const std::string& path, double wait_s);
 
 /// Writes a locked file so that at each moment either the complete old or the complete new one exists, even
 /// if the power fails. It writes a temporary file in the same folder, flushes it to the disk and renames it.

@@ -4,17 +4,17 @@
 #include <filesystem>
 #include <utility>
 
-#include "apps/sentence_of.h"
+#include "apps/error_message.h"
 
 namespace gsim::apps {
 
-using engine::Document;
+using engine::OutputKind;
 using os::OutputFile;
 
 namespace {
 
 /// "moves.left.jsonl"
-std::string with_robot(const std::string& name, const std::string& robot) {
+std::string robot_file_name(const std::string& name, const std::string& robot) {
     std::filesystem::path path(name);
     path.replace_filename(path.stem().string() + "." + robot + path.extension().string());
     return path.string();
@@ -26,8 +26,8 @@ std::span<const OutputNames::File> OutputNames::files() {
     static constexpr File kFiles[] = {
         {"--report", &OutputNames::report, std::nullopt},
         {"--view", &OutputNames::view, std::nullopt},
-#define GSIM_DOCUMENT(name, number, option, help, ...) {option, &OutputNames::name, Document::name},
-#include "engine/documents.def"
+#define GSIM_DOCUMENT(name, number, option, help, ...) {option, &OutputNames::name, OutputKind::name},
+#include "engine/outputs.def"
     };
     return kFiles;
 }
@@ -48,15 +48,15 @@ std::optional<std::string> OutputNames::conflict() const {
     return std::nullopt;
 }
 
-OutputNames OutputNames::of_robot(const std::string& robot) const {
-    OutputNames own = *this;
-    own.report.clear();
-    own.view.clear();
+OutputNames OutputNames::for_robot(const std::string& robot) const {
+    OutputNames robot_names = *this;
+    robot_names.report.clear();
+    robot_names.view.clear();
     for (const File& file : files()) {
-        std::string& name = own.*file.name;
-        if (!name.empty()) name = with_robot(name, robot);
+        std::string& name = robot_names.*file.name;
+        if (!name.empty()) name = robot_file_name(name, robot);
     }
-    return own;
+    return robot_names;
 }
 
 tl::expected<OutputFile*, std::string> Outputs::add_file(const std::string& name) {
@@ -72,25 +72,26 @@ tl::expected<std::unique_ptr<Outputs>, std::string> Outputs::open(const OutputNa
         const std::string& name = names.*file.name;
         if (name.empty()) continue;
         const auto ready =
-            file.document ? outputs->add(*file.document, name, run, robot) : OutputFile::check(name);
+            file.output_kind ? outputs->add(*file.output_kind, name, run, robot) : OutputFile::check(name);
         if (!ready) return tl::unexpected(ready.error());
     }
     return outputs;
 }
 
-tl::expected<void, std::string> Outputs::add(Document document, const std::string& name, engine::Run& run,
-                                             std::size_t robot) {
-    auto sink = sink_of(document, name);
+tl::expected<void, std::string> Outputs::add(OutputKind output_kind, const std::string& name,
+                                             engine::Run& run, std::size_t robot) {
+    auto sink = open_sink(output_kind, name);
     if (!sink) return tl::unexpected(sink.error());
-    engine::DocumentOptions options = names_.options;
+    engine::OutputOptions options = names_.options;
     options.name = name;
     options.bitmap = picture_ && picture_->bitmap();
-    return run.write(document, *std::move(sink), options, robot).map_error(sentence_of);
+    return run.write(output_kind, *std::move(sink), options, robot).map_error(error_message);
 }
 
-tl::expected<engine::TextSink, std::string> Outputs::sink_of(Document document, const std::string& name) {
-    if (document == Document::plot) {
-        auto picture = engine::Picture::named(name);
+tl::expected<engine::TextSink, std::string> Outputs::open_sink(OutputKind output_kind,
+                                                               const std::string& name) {
+    if (output_kind == OutputKind::plot) {
+        auto picture = engine::Picture::picture_for_file(name);
         if (!picture) return tl::unexpected(picture.error());
         picture_ = *std::move(picture);
         return [this](std::string_view text) {
@@ -98,13 +99,13 @@ tl::expected<engine::TextSink, std::string> Outputs::sink_of(Document document, 
             return true;
         };
     }
-    if (document == Document::path) {
+    if (output_kind == OutputKind::path) {
         // The run may have no path, so the file is created only when the path exists.
         if (auto writable = OutputFile::check(name); !writable) return tl::unexpected(writable.error());
         return [this, name, file = static_cast<OutputFile*>(nullptr)](std::string_view text) mutable {
-            if (file == nullptr && fault_.empty()) {
+            if (file == nullptr && error_.empty()) {
                 auto opened = add_file(name);
-                if (!opened) fault_ = opened.error();
+                if (!opened) error_ = opened.error();
                 if (opened) file = *opened;
             }
             return file != nullptr && file->write(text);
@@ -124,10 +125,10 @@ tl::expected<void, std::string> Outputs::write_report(const engine::Report& repo
 }
 
 tl::expected<void, std::string> Outputs::commit(const engine::Report& report) {
-    if (!fault_.empty()) return tl::unexpected(fault_);
+    if (!error_.empty()) return tl::unexpected(error_);
     if (auto written = write_report(report); !written) return written;
     for (const auto& file : files_) {
-        if (auto settled = file->settle(); !settled) return settled;
+        if (auto flushed = file->prepare_commit(); !flushed) return flushed;
     }
     for (const auto& file : files_) {
         if (auto committed = file->commit(); !committed) return committed;

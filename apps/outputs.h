@@ -20,14 +20,14 @@ struct OutputNames {
     std::string report;
     std::string view;  ///< A page with the run in it (ViewPage).
 #define GSIM_DOCUMENT(name, number, option, help, ...) std::string name;
-#include "engine/documents.def"
-    engine::DocumentOptions options;
+#include "engine/outputs.def"
+    engine::OutputOptions options;
 
     /// Output that is a file, with its option.
     struct File {
         const char* option;
         std::string OutputNames::*name;
-        std::optional<engine::Document> document;  ///< Empty: the report, the page.
+        std::optional<engine::OutputKind> output_kind;  ///< Empty: the report, the page.
     };
     static std::span<const File> files();
 
@@ -39,7 +39,7 @@ struct OutputNames {
     std::optional<std::string> conflict() const;
     /// Returns the names for one of several robots: each robot has separate files, "moves.left.jsonl", except
     /// the report and the page.
-    OutputNames of_robot(const std::string& robot) const;
+    OutputNames for_robot(const std::string& robot) const;
 };
 
 /// Files that the run of one machine writes. They appear under their names only with commit().
@@ -57,9 +57,10 @@ class Outputs {
 
   private:
     explicit Outputs(const OutputNames& names) : names_(names) {}
-    tl::expected<void, std::string> add(engine::Document document, const std::string& name, engine::Run& run,
-                                        std::size_t robot);
-    tl::expected<engine::TextSink, std::string> sink_of(engine::Document document, const std::string& name);
+    tl::expected<void, std::string> add(engine::OutputKind output_kind, const std::string& name,
+                                        engine::Run& run, std::size_t robot);
+    tl::expected<engine::TextSink, std::string> open_sink(engine::OutputKind output_kind,
+                                                          const std::string& name);
     tl::expected<os::OutputFile*, std::string> add_file(const std::string& name);
     tl::expected<void, std::string> write_report(const engine::Report& report);
 
@@ -67,7 +68,7 @@ class Outputs {
     std::vector<std::unique_ptr<os::OutputFile>> files_;
     std::optional<engine::Picture> picture_;
     std::string plot_script_;
-    std::string fault_;  ///< Error of a file that was opened during the run.
+    std::string error_;  ///< Error of a file that was opened during the run.
 };
 
 }  // namespace gsim::apps

@@ -21,7 +21,7 @@
 #include "base/text/format.h"
 #include "cli/exit_status.h"
 #include "engine/path_translation.h"
-#include "engine/system/host_of_system.h"
+#include "engine/system/system_host.h"
 
 namespace {
 
@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 using Kind = text::DiagnosticKind;
 
 constexpr double kNotGiven = std::numeric_limits<double>::quiet_NaN();
-constexpr double kGreatestTool = 99'999'999;
+constexpr double kMaxTool = 99'999'999;
 
 struct WriteArguments {
     std::string input = "-";
@@ -50,11 +50,11 @@ struct WriteArguments {
     bool verbose_words = false;
     bool separate_files = false;
     bool overwrite = false;
-    bool go_on = false;
+    bool continue_on_unknown = false;
     bool quiet = false;
     bool no_confine = false;
     double max_cpu_s = apps::kMaxCpu_s;
-    std::uint64_t memory_mb = apps::kMemory_mb;
+    std::uint64_t memory_mb = apps::kDefaultMemory_mb;
     apps::FindingOptions findings;
 };
 
@@ -67,23 +67,23 @@ constexpr std::array<std::pair<const char*, engine::Offsets>, 3> kOffsets = {
 void add_write_options(apps::CommandLine& line, WriteArguments& a) {
     using apps::FileKind;
     line.add("part.path.json|part.lua", &a.input, "path, or - for a path file on standard input")
-        .of_file(FileKind::input, {".json", ".lua"})
-        .shows_default();
+        .takes_file(FileKind::input, {".json", ".lua"})
+        .show_default();
     line.begin_group("Control and machine");
     line.add("--dialect", &a.post,
              fmt::format("how the controller wants programs: {}, or a file that ends in .toml",
                          text::joined(engine::post_names(), ", ")))
-        .called("NAME|FILE")
-        .of_file(FileKind::input, {".toml"})
-        .or_name()
-        .shows_default();
+        .with_value_name("NAME|FILE")
+        .takes_file(FileKind::input, {".toml"})
+        .or_builtin_name()
+        .show_default();
     line.add(
             "--machine", &a.machine,
             "machine file (TOML), or a LinuxCNC .ini; without it the 5-axis waterjet gantry that is built in")
-        .of_file(FileKind::input, {".toml"});
+        .takes_file(FileKind::input, {".toml"});
     line.add("--machine-data", &a.machine_data,
              "machine data (NCFILE), which say where the fixed points of the path lie")
-        .of_file(FileKind::input, {".txt"});
+        .takes_file(FileKind::input, {".txt"});
     line.add("--rotary", &a.rotary,
              "least-turn: rotary axes go the way that turns least; as-given: rotary_deg is taken as it is, "
              "the default for recorded paths")
@@ -95,32 +95,32 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
     line.add("--work-offset", &a.work_offset,
              "work offset of paths that name none and that no run has recorded; without it the one that the "
              "control's programs begin in")
-        .called("G54")
-        .suggests({"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"});
+        .with_value_name("G54")
+        .suggest_values({"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"});
     line.add("--set-offset", &a.set_offset_mm,
              "the program puts the work offset that it begins in there, in machine coordinates (G10)")
-        .called("X Y Z")
+        .with_value_name("X Y Z")
         .within(-1e6, 1e6);
     line.add(
             "--tool", &a.tool,
             "tool of paths that name none and that no run has recorded, with the length offset of its number")
-        .called("NUMBER")
-        .within(0, kGreatestTool);
+        .with_value_name("NUMBER")
+        .within(0, kMaxTool);
     line.add("--retract", &a.retract_mm,
              "machine coordinate of Z that the tool goes up to before it or the work offset changes; without "
              "it the "
              "end of the axis")
-        .called("MM")
+        .with_value_name("MM")
         .within(-1e6, 1e6);
-    line.add("--go-on", &a.go_on,
+    line.add("--go-on", &a.continue_on_unknown,
              "what the control has no word for becomes a comment, counted and listed, instead of an error");
     line.add("--tolerance", &a.tolerance_mm, "by which lines in place of an arc may be off it")
-        .called("MM")
+        .with_value_name("MM")
         .within(1e-4, 10)
-        .shows_default();
+        .show_default();
     line.begin_group("Output");
     line.add("-o,--output", &a.output, "write the program to this file; it appears only if all went well")
-        .of_file(FileKind::output, {".nc", ".ngc"});
+        .takes_file(FileKind::output, {".nc", ".ngc"});
     line.add("--separate-files", &a.separate_files, "each sub-path in a file of its own beside the output");
     line.add("--overwrite", &a.overwrite, "files of sub-paths may replace files that are there already");
     line.add("--decimals", &a.decimals, "digits behind the point of lengths in mm, in place of the post's")
@@ -140,28 +140,28 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
 }
 
 int write_program(const engine::PathTranslation& program, const WriteArguments& a, apps::Findings& findings) {
-    const std::string output = apps::product_name(a.output);
-    const std::vector<apps::TakenFile> taken = {{"the program itself", output},
-                                                {"the path", a.input},
-                                                {"the machine file", a.machine},
-                                                {"the machine data", a.machine_data},
-                                                {"the post", a.post},
-                                                {"what --sarif names", a.findings.sarif}};
-    auto files = apps::ProgramFiles::open(output, program.file_names(), taken, a.overwrite);
+    const std::string output = apps::product_destination(a.output);
+    const std::vector<apps::UsedFile> used_files = {{"the program itself", output},
+                                                    {"the path", a.input},
+                                                    {"the machine file", a.machine},
+                                                    {"the machine data", a.machine_data},
+                                                    {"the post", a.post},
+                                                    {"what --sarif names", a.findings.sarif}};
+    auto files = apps::ProgramFiles::open(output, program.file_names(), used_files, a.overwrite);
     if (!files) return findings.fail(Kind::output, files.error());
     const auto written = program.write([&](const std::string& name) {
         return [&file = files->file(name)](std::string_view text) { return file.write(text); };
     });
     if (!written) return findings.fail(written.error());
     const auto committed = files->commit();
-    return committed ? apps::kDone : findings.fail(Kind::output, committed.error());
+    return committed ? apps::kSuccess : findings.fail(Kind::output, committed.error());
 }
 
 /// A path with an error, or one that the machine or the controller cannot execute, is not a usage error.
-int report_path_failure(apps::Findings& findings, const engine::Failure& failure) {
-    if (!failure.in_program) return findings.fail(failure);
-    findings.take(text::diagnostic_of(Kind::path, failure.message));
-    return apps::kProgramFault;
+int report_path_failure(apps::Findings& findings, const engine::Error& error) {
+    if (!error.in_program) return findings.fail(error);
+    findings.add(text::to_diagnostic(Kind::path, error.message));
+    return apps::kProgramError;
 }
 
 /// Confines the process, because from here on it needs only the path and the outputs, including additional
@@ -178,9 +178,9 @@ tl::expected<std::size_t, std::string> read_standard_input(char* buffer, std::si
     return tl::unexpected(fmt::format("cannot read 'stdin': {}", std::generic_category().message(errno)));
 }
 
-engine::PathRequest request_of(const WriteArguments& a, bool to_standard_output) {
+engine::PathRequest make_request(const WriteArguments& a, bool to_standard_output) {
     engine::PathRequest request;
-    request.host = engine::host_of_system();
+    request.host = engine::make_system_host();
     request.path = a.input;
     if (a.input == os::kStandardStream) {
         request.path = "stdin";
@@ -203,15 +203,15 @@ engine::PathRequest request_of(const WriteArguments& a, bool to_standard_output)
     request.inch = a.inch;
     request.verbose_words = a.verbose_words;
     request.separate_files = a.separate_files;
-    request.go_on = a.go_on;
+    request.continue_on_unknown = a.continue_on_unknown;
     request.cpu_s = a.max_cpu_s;
     request.memory_bytes = a.memory_mb << 20U;
     return request;
 }
 
 int write_path_program(const WriteArguments& a, apps::Findings& findings) {
-    const bool to_standard_output = apps::product_name(a.output) == os::kStandardStream;
-    if (const auto conflict = apps::sarif_conflict(findings.options(), apps::product_name(a.output)))
+    const bool to_standard_output = apps::product_destination(a.output) == os::kStandardStream;
+    if (const auto conflict = apps::sarif_conflict(findings.options(), apps::product_destination(a.output)))
         return findings.fail(Kind::usage, *conflict);
     if (a.overwrite && !a.separate_files)
         return findings.fail(Kind::usage,
@@ -220,15 +220,15 @@ int write_path_program(const WriteArguments& a, apps::Findings& findings) {
         return findings.fail(Kind::usage, "--tool takes a whole number");
     if (a.separate_files && to_standard_output)
         return findings.fail(Kind::usage, "--separate-files needs --output");
-    auto program = engine::PathTranslation::open(request_of(a, to_standard_output));
+    auto program = engine::PathTranslation::open(make_request(a, to_standard_output));
     if (!program) return findings.fail(program.error());
     if (auto confined = confine_writing(a, program->path_file()); !confined)
         return findings.fail(Kind::usage, confined.error());
     if (const auto read = program->read(); !read) return report_path_failure(findings, read.error());
-    const apps::CpuBackstop of_planning(program->cpu_left_s());
+    const apps::CpuBackstop planning_backstop(program->cpu_left_s());
     if (const auto planned = program->plan(); !planned) return report_path_failure(findings, planned.error());
     for (const std::string& note : program->notes()) {
-        if (!a.quiet) findings.take({.severity = text::Severity::note, .kind = Kind::path, .text = note});
+        if (!a.quiet) findings.add({.severity = text::Severity::note, .kind = Kind::path, .text = note});
     }
     return write_program(*program, a, findings);
 }
@@ -238,7 +238,7 @@ int run_write(const WriteArguments& a) {
     apps::Findings findings(kPath2gcode, a.findings);
     const int status = write_path_program(a, findings);
     const bool product_on_standard_output =
-        status == apps::kDone && apps::product_name(a.output) == os::kStandardStream;
+        status == apps::kSuccess && apps::product_destination(a.output) == os::kStandardStream;
     return findings.finish(status,
                            product_on_standard_output ? Stream::standard_error : Stream::standard_output);
 }
@@ -246,6 +246,6 @@ int run_write(const WriteArguments& a) {
 }  // namespace
 
 std::unique_ptr<apps::Program> apps::make_path2gcode() {
-    return std::make_unique<ProgramOf<WriteArguments>>(
+    return std::make_unique<ProgramWithArguments<WriteArguments>>(
         kPath2gcode, "Writes a path of points as a part program (G-code)", add_write_options, run_write);
 }

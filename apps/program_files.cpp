@@ -13,12 +13,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::optional<std::string> fault_of_subprogram_file(const fs::path& path, const std::vector<TakenFile>& taken,
-                                                    bool overwrite) {
+std::optional<std::string> check_subprogram_file(const fs::path& path,
+                                                 const std::vector<UsedFile>& used_files, bool overwrite) {
     const std::string name = path.string();
-    const auto identity = os::identity_of(path);
-    for (const TakenFile& file : taken) {
-        if (file.path.empty() || !identity || identity != os::identity_of(file.path)) continue;
+    const auto identity = os::file_identity(path);
+    for (const UsedFile& file : used_files) {
+        if (file.path.empty() || !identity || identity != os::file_identity(file.path)) continue;
         return fmt::format(
             "the post calls the file of a subprogram '{}', which is {}; give the output another name or "
             "another folder",
@@ -40,18 +40,19 @@ std::optional<std::string> fault_of_subprogram_file(const fs::path& path, const 
 }  // namespace
 
 tl::expected<ProgramFiles, std::string> ProgramFiles::open(const fs::path& main,
-                                                           const std::vector<std::string>& beside,
-                                                           const std::vector<TakenFile>& taken,
+                                                           const std::vector<std::string>& subprogram_files,
+                                                           const std::vector<UsedFile>& used_files,
                                                            bool overwrite) {
-    for (const std::string& name : beside) {
-        if (auto fault = fault_of_subprogram_file(main.parent_path() / name, taken, overwrite))
-            return tl::unexpected(*std::move(fault));
+    for (const std::string& name : subprogram_files) {
+        if (auto message = check_subprogram_file(main.parent_path() / name, used_files, overwrite))
+            return tl::unexpected(*std::move(message));
     }
     ProgramFiles files;
-    if (auto opened = files.add("", main, os::Existing::replace); !opened)
+    if (auto opened = files.add("", main, os::ExistingFilePolicy::replace); !opened)
         return tl::unexpected(opened.error());
-    for (const std::string& name : beside) {
-        const os::Existing existing = overwrite ? os::Existing::replace : os::Existing::keep;
+    for (const std::string& name : subprogram_files) {
+        const os::ExistingFilePolicy existing =
+            overwrite ? os::ExistingFilePolicy::replace : os::ExistingFilePolicy::keep;
         if (auto opened = files.add(name, main.parent_path() / name, existing); !opened)
             return tl::unexpected(opened.error());
     }
@@ -59,7 +60,7 @@ tl::expected<ProgramFiles, std::string> ProgramFiles::open(const fs::path& main,
 }
 
 tl::expected<void, std::string> ProgramFiles::add(const std::string& name, const fs::path& path,
-                                                  os::Existing existing) {
+                                                  os::ExistingFilePolicy existing) {
     auto file = os::OutputFile::open(path, existing);
     if (!file) return tl::unexpected(file.error());
     files_.emplace(name, std::move(*file));
@@ -68,7 +69,7 @@ tl::expected<void, std::string> ProgramFiles::add(const std::string& name, const
 
 tl::expected<void, std::string> ProgramFiles::commit() {
     for (auto& [name, file] : files_) {
-        if (auto settled = file.settle(); !settled) return settled;
+        if (auto flushed = file.prepare_commit(); !flushed) return flushed;
     }
     for (auto file = files_.rbegin(); file != files_.rend(); ++file) {  // "" comes last
         if (auto committed = file->second.commit(); !committed) return committed;

@@ -13,7 +13,7 @@
 namespace gsim::apps {
 
 /// File that is in use, and its description: "the program itself".
-struct TakenFile {
+struct UsedFile {
     std::string what;
     std::string path;  ///< Empty: none.
 };
@@ -25,8 +25,9 @@ class ProgramFiles {
     /// Opens the main file and the additional ones. The latter replace no file that is `taken`, nor, without
     /// `overwrite`, any other one. The error is a message.
     static tl::expected<ProgramFiles, std::string> open(const std::filesystem::path& main,
-                                                        const std::vector<std::string>& beside,
-                                                        const std::vector<TakenFile>& taken, bool overwrite);
+                                                        const std::vector<std::string>& subprogram_files,
+                                                        const std::vector<UsedFile>& used_files,
+                                                        bool overwrite);
 
     /// Returns the file with this name; empty: the main one.
     os::OutputFile& file(const std::string& name) { return files_.at(name); }
@@ -34,7 +35,7 @@ class ProgramFiles {
 
   private:
     tl::expected<void, std::string> add(const std::string& name, const std::filesystem::path& path,
-                                        os::Existing existing);
+                                        os::ExistingFilePolicy existing);
 
     std::map<std::string, os::OutputFile> files_;
 };

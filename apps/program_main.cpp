@@ -12,8 +12,8 @@
 namespace gsim::apps {
 
 int program_main(const FrontPrograms& front, int argc, char** argv) {
-    end_where_memory_lacks();
-    os::hold_standard_streams();
+    exit_on_out_of_memory();
+    os::reserve_standard_streams();
     os::remove_temporaries_at_signals();
     const std::vector<std::string> arguments(argv + (argc > 0 ? 1 : 0), argv + argc);
     return finish_standard_output(run_front(front, argc > 0 ? argv[0] : "", arguments));

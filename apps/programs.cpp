@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "apps/studio/studio_answer.h"
+#include "apps/studio/studio_request.h"
 
 namespace gsim::apps {
 
@@ -21,7 +21,7 @@ constexpr std::array<ProgramEntry, 7> kPrograms{{
 }  // namespace
 
 FrontPrograms all_programs() {
-    return {.programs = kPrograms, .studio_answer = answer_studio};
+    return {.programs = kPrograms, .studio_handler = handle_studio_request};
 }
 
 }  // namespace gsim::apps

@@ -29,7 +29,7 @@ struct ProgramEntry {
 struct FrontPrograms {
     std::span<const ProgramEntry> programs;  ///< Those that people begin with first.
     /// Handles requests of gsim-serve, its only caller; null if this executable does not.
-    int (*studio_answer)(std::span<const std::string> arguments) = nullptr;
+    int (*studio_handler)(std::span<const std::string> arguments) = nullptr;
 };
 
 /// Returns all programs of gsim.

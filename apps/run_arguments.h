@@ -17,10 +17,10 @@ namespace gsim::apps {
 struct RunArguments {
     engine::Request request;
     std::string save_machine_data;
-    double wait_s = kLongestWait_s;  ///< For files that another program changes.
+    double wait_s = kMaxWait_s;  ///< For files that another program changes.
     OutputNames outputs;
     MachineStudies studies;
-    std::uint64_t memory_mb = kMemory_mb;
+    std::uint64_t memory_mb = kDefaultMemory_mb;
     FindingOptions findings;  ///< `json`: the report is JSON.
     bool quiet = false;
     bool print_machine = false;
@@ -30,7 +30,7 @@ struct RunArguments {
 };
 
 /// Returns the request to the engine.
-engine::Request request_of(const RunArguments& arguments);
+engine::Request make_request(const RunArguments& arguments);
 
 /// Adds the options of gsim-run.
 void add_run_options(CommandLine& line, RunArguments& arguments);

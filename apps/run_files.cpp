@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "apps/error_message.h"
 #include "apps/machine_data_file.h"
-#include "apps/sentence_of.h"
 #include "base/os/file_identity.h"
 #include "base/os/output_file.h"
 
@@ -20,7 +20,7 @@ struct WrittenFile {
 };
 
 /// Returns the files that the run of one robot writes, without those that several robots write together.
-std::vector<WrittenFile> written_by(const RunArguments& arguments, const OutputNames& outputs) {
+std::vector<WrittenFile> written_files(const RunArguments& arguments, const OutputNames& outputs) {
     std::vector<WrittenFile> written;
     const auto add = [&](const char* option, const std::string& name) {
         if (!name.empty()) written.push_back({option, name});
@@ -35,10 +35,10 @@ std::vector<WrittenFile> written_by(const RunArguments& arguments, const OutputN
 
 std::optional<std::string> conflict(const std::vector<WrittenFile>& written,
                                     const engine::Run::NamedFile& file) {
-    const auto identity = os::identity_of(file.name);
+    const auto identity = os::file_identity(file.name);
     if (!identity) return std::nullopt;
     for (const WrittenFile& output : written) {
-        if (output.name.empty() || os::identity_of(output.name) != identity) continue;
+        if (output.name.empty() || os::file_identity(output.name) != identity) continue;
         if (file.robot.empty()) {
             return fmt::format("{} '{}' is {}, which would be overwritten; give it another name",
                                output.option, output.name, file.what);
@@ -50,8 +50,8 @@ std::optional<std::string> conflict(const std::vector<WrittenFile>& written,
 }
 
 /// Returns all files that a robot must not overwrite.
-std::vector<engine::Run::NamedFile> others_of(const RunArguments& arguments, const engine::Run& run,
-                                              const std::string& robot) {
+std::vector<engine::Run::NamedFile> protected_files(const RunArguments& arguments, const engine::Run& run,
+                                                    const std::string& robot) {
     std::vector<engine::Run::NamedFile> others = {
         {arguments.outputs.report, "the report", robot},
         {arguments.outputs.view, "the page", robot},
@@ -68,11 +68,11 @@ std::vector<engine::Run::NamedFile> others_of(const RunArguments& arguments, con
 
 }  // namespace
 
-std::optional<std::string> conflict_of_outputs(const RunArguments& arguments, const engine::Run& run) {
+std::optional<std::string> output_conflict(const RunArguments& arguments, const engine::Run& run) {
     if (arguments.request.robots.empty()) {
-        const auto written = written_by(arguments, arguments.outputs);
+        const auto written = written_files(arguments, arguments.outputs);
         for (const auto& file : run.named_files()) {
-            if (auto sentence = conflict(written, file)) return sentence;
+            if (auto message = conflict(written, file)) return message;
         }
         return std::nullopt;
     }
@@ -80,20 +80,20 @@ std::optional<std::string> conflict_of_outputs(const RunArguments& arguments, co
                                           {"--view", arguments.outputs.view},
                                           {"--sarif", arguments.findings.sarif}};
     for (const auto& file : run.named_files()) {
-        if (auto sentence = conflict(common, file)) return sentence;
+        if (auto message = conflict(common, file)) return message;
     }
     for (const std::string& robot : run.robots()) {
-        const auto written = written_by(arguments, arguments.outputs.of_robot(robot));
-        for (const auto& file : others_of(arguments, run, robot)) {
-            if (auto sentence = conflict(written, file)) return sentence;
+        const auto written = written_files(arguments, arguments.outputs.for_robot(robot));
+        for (const auto& file : protected_files(arguments, run, robot)) {
+            if (auto message = conflict(written, file)) return message;
         }
     }
     return std::nullopt;
 }
 
-tl::expected<void, std::string> fault_of_documents(const engine::Run& run, const std::string& code) {
-    for (const engine::Failure& fault : run.faults()) {
-        if (fault.code == code) return tl::unexpected(fault.message);
+tl::expected<void, std::string> document_error(const engine::Run& run, const std::string& code) {
+    for (const engine::Error& failure : run.errors()) {
+        if (failure.code == code) return tl::unexpected(failure.message);
     }
     return {};
 }
@@ -108,39 +108,39 @@ tl::expected<RunOutputs, std::string> RunOutputs::open(const RunArguments& argum
     if (arguments.request.robots.empty())
         return add(arguments.outputs, 0).map([&] { return std::move(all); });
     for (std::size_t i = 0; i < run.robots().size(); ++i) {
-        if (auto added = add(arguments.outputs.of_robot(run.robots()[i]), i); !added)
-            return tl::unexpected(added.error());
+        if (auto result = add(arguments.outputs.for_robot(run.robots()[i]), i); !result)
+            return tl::unexpected(result.error());
     }
-    OutputNames of_all;
-    of_all.report = arguments.outputs.report;
-    return add(of_all, 0).map([&] { return std::move(all); });
+    OutputNames shared_names;
+    shared_names.report = arguments.outputs.report;
+    return add(shared_names, 0).map([&] { return std::move(all); });
 }
 
 tl::expected<void, std::string> RunOutputs::commit(const engine::Report& report) {
     for (std::size_t i = 0; i < outputs_.size(); ++i) {
-        const bool of_robot = i < report.robots.size();
-        if (auto committed = outputs_[i]->commit(of_robot ? report.robots[i] : report); !committed)
+        const bool for_robot = i < report.robots.size();
+        if (auto committed = outputs_[i]->commit(for_robot ? report.robots[i] : report); !committed)
             return committed;
     }
     return {};
 }
 
 // The files are locked in a fixed order, so that two runs with the same two files do not wait for each other.
-tl::expected<void, std::string> KeptFiles::lock(const RunArguments& arguments, const engine::Run& run) {
+tl::expected<void, std::string> PersistentFiles::lock(const RunArguments& arguments, const engine::Run& run) {
     std::set<std::string> files;
     if (!arguments.request.variables.empty()) files.insert(arguments.request.variables);
-    const auto saved = os::identity_of(arguments.save_machine_data);
-    in_place_ = saved && saved == os::identity_of(run.request().machine_data);
+    const auto saved_file = os::file_identity(arguments.save_machine_data);
+    in_place_ = saved_file && saved_file == os::file_identity(run.request().machine_data);
     if (in_place_) files.insert(arguments.save_machine_data);
     for (const std::string& file : files) {
-        auto lock = lock_to_change(file, arguments.wait_s);
+        auto lock = lock_for_change(file, arguments.wait_s);
         if (!lock) return tl::unexpected(lock.error());
         locks_.push_back(*std::move(lock));
     }
     return {};
 }
 
-tl::expected<void, std::string> KeptFiles::check(const RunArguments& arguments) {
+tl::expected<void, std::string> PersistentFiles::check(const RunArguments& arguments) {
     for (const std::string* file : {&arguments.request.variables, &arguments.save_machine_data}) {
         if (file->empty()) continue;
         if (auto writable = os::OutputFile::check(*file); !writable) return writable;
@@ -148,11 +148,11 @@ tl::expected<void, std::string> KeptFiles::check(const RunArguments& arguments) 
     return {};
 }
 
-tl::expected<void, std::string> KeptFiles::write(const RunArguments& arguments,
-                                                 const engine::Run& run) const {
+tl::expected<void, std::string> PersistentFiles::write(const RunArguments& arguments,
+                                                       const engine::Run& run) const {
     tl::expected<void, std::string> kept;
     if (const std::string& file = arguments.request.variables; !file.empty()) {
-        kept = run.variables().map_error(sentence_of).and_then([&](const std::string& text) {
+        kept = run.variables().map_error(error_message).and_then([&](const std::string& text) {
             return save_text(file, text);
         });
     }

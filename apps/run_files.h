@@ -15,10 +15,10 @@
 namespace gsim::apps {
 
 /// Returns a message about an output that is a file with another use, or that two robots would both write.
-std::optional<std::string> conflict_of_outputs(const RunArguments& arguments, const engine::Run& run);
+std::optional<std::string> output_conflict(const RunArguments& arguments, const engine::Run& run);
 
 /// Returns the message of the first incomplete document that has an error with this code.
-tl::expected<void, std::string> fault_of_documents(const engine::Run& run, const std::string& code);
+tl::expected<void, std::string> document_error(const engine::Run& run, const std::string& code);
 
 /// Files that a run writes, for all its robots.
 class RunOutputs {
@@ -33,7 +33,7 @@ class RunOutputs {
 };
 
 /// Files in which a controller keeps data from one run to the next.
-class KeptFiles {
+class PersistentFiles {
   public:
     /// Locks the files, so that no other program changes them from before they are read until they are
     /// written. The error is a message.

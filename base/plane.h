@@ -15,7 +15,7 @@ struct PlaneAxes {
     int first, second, normal;
 };
 
-constexpr PlaneAxes axes_of(Plane plane) {
+constexpr PlaneAxes plane_axes(Plane plane) {
     constexpr std::array<PlaneAxes, 3> kAxes{{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
     return kAxes[static_cast<std::size_t>(plane)];
 }

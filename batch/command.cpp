@@ -17,9 +17,9 @@
 #include "batch/optimise.h"
 #include "batch/pages/pages.h"
 #include "batch/run/batch_run.h"
-#include "batch/run/known_runs.h"
+#include "batch/run/run_cache.h"
 #include "batch/slurm/cluster_batch.h"
-#include "batch/slurm/waiting.h"
+#include "batch/slurm/cluster_wait.h"
 #include "batch/statistics/study.h"
 #include "batch/stopping.h"
 #include "batch/store/outputs.h"
@@ -29,9 +29,9 @@
 #include "cli/exit_status.h"
 #include "cli/help_text.h"
 #include "cli/named_files.h"
-#include "cli/own_pages.h"
 #include "cli/parse.h"
 #include "cli/print.h"
+#include "cli/standalone_pages.h"
 #include "cli/usage_error.h"
 #include "engine/system/picture.h"
 
@@ -39,15 +39,15 @@ namespace gsim::batch {
 
 namespace {
 
-using Done = tl::expected<void, std::string>;
+using VoidResult = tl::expected<void, std::string>;
 
 constexpr const char* kName = "gsim-batch";
 
-bool is_plan(const Arguments& arguments) {
+bool is_plan_file(const Arguments& arguments) {
     return arguments.inputs.size() == 1 && arguments.inputs.front().ends_with(".toml");
 }
 
-tl::expected<Plan, std::string> plan_of_words(const Arguments& arguments) {
+tl::expected<Plan, std::string> plan_from_options(const Arguments& arguments) {
     Plan plan;
     for (const std::string& input : arguments.inputs) {
         const auto found = find_programs(input);
@@ -62,44 +62,46 @@ tl::expected<Plan, std::string> plan_of_words(const Arguments& arguments) {
     return plan;
 }
 
-tl::expected<Plan, std::string> plan_of_file(const Arguments& arguments) {
-    const bool says_more = !arguments.machines.empty() || !arguments.machine_data.empty() ||
-                           !arguments.cell.empty() || !arguments.dialect.empty() || arguments.no_collisions;
-    if (says_more)
+tl::expected<Plan, std::string> plan_from_file(const Arguments& arguments) {
+    const bool has_other_options = !arguments.machines.empty() || !arguments.machine_data.empty() ||
+                                   !arguments.cell.empty() || !arguments.dialect.empty() ||
+                                   arguments.no_collisions;
+    if (has_other_options)
         return tl::unexpected<std::string>(
             "a plan says itself which machines and options there are; take those away");
-    return os::read_text_file(arguments.inputs.front(), os::NamedBy::command_line)
+    return os::read_text_file(arguments.inputs.front(), os::NameSource::command_line)
         .and_then([&](const std::string& text) { return read_plan(text, arguments.inputs.front()); });
 }
 
-tl::expected<Plan, std::string> plan_of(const Arguments& arguments) {
-    auto plan = is_plan(arguments) ? plan_of_file(arguments) : plan_of_words(arguments);
+tl::expected<Plan, std::string> make_plan(const Arguments& arguments) {
+    auto plan = is_plan_file(arguments) ? plan_from_file(arguments) : plan_from_options(arguments);
     if (!plan) return plan;
-    plan->keeps.report = plan->keeps.report || arguments.reports;
-    plan->keeps.picture = plan->keeps.picture || arguments.pictures;
+    plan->stored_documents.report = plan->stored_documents.report || arguments.reports;
+    plan->stored_documents.picture = plan->stored_documents.picture || arguments.pictures;
     // Without gnuplot each run would be useless.
-    if (plan->keeps.picture) {
+    if (plan->stored_documents.picture) {
         if (const auto found = engine::find_gnuplot(); !found) return tl::unexpected(found.error());
     }
     return plan;
 }
 
-std::string shown_time(double time_s) {
-    const auto whole = static_cast<std::uint64_t>(time_s);
-    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+std::string format_time(double time_s) {
+    const auto complete = static_cast<std::uint64_t>(time_s);
+    return fmt::format("{}:{:02}:{:02}", complete / 3600, complete / 60 % 60, complete % 60);
 }
 
 /// Prints the progress line, which is redrawn on a terminal.
-void show_progress(const BatchTally& tally) {
-    const double rate_1_s = static_cast<double>(tally.ran) / std::max(tally.wall_s, 1e-9);
-    const auto left = static_cast<double>(tally.jobs - tally.done());
-    const std::string rest = tally.ran > 0 ? shown_time(left / rate_1_s) + " left" : std::string();
-    apps::tell(fmt::format("\r{} of {}, {} failed, {:.1f}/s, {}   ", tally.done(), tally.jobs, tally.failed,
-                           rate_1_s, rest));
+void print_progress(const BatchTally& tally) {
+    const double runs_per_s = static_cast<double>(tally.ran) / std::max(tally.wall_s, 1e-9);
+    const auto remaining = static_cast<double>(tally.jobs - tally.done());
+    const std::string remaining_time =
+        tally.ran > 0 ? format_time(remaining / runs_per_s) + " left" : std::string();
+    apps::print_to_standard_error(fmt::format("\r{} of {}, {} failed, {:.1f}/s, {}   ", tally.done(),
+                                              tally.jobs, tally.failed, runs_per_s, remaining_time));
 }
 
-Done write_output(Database& results, const std::string& file,
-                  const std::function<SqlDone(Database&, const Sink&)>& write) {
+VoidResult write_output(Database& results, const std::string& file,
+                        const std::function<SqlResult(Database&, const Sink&)>& write) {
     if (file.empty()) return {};
     if (file == os::kStandardStream) {
         return write(results, [](std::string_view text) {
@@ -114,7 +116,7 @@ Done write_output(Database& results, const std::string& file,
     });
 }
 
-Done write_statistics(const Arguments& arguments, Database& results) {
+VoidResult write_statistics(const Arguments& arguments, Database& results) {
     if (!arguments.statistics && arguments.statistics_json.empty() && arguments.page.empty()) return {};
     const auto studies = read_studies(results);
     if (!studies) return tl::unexpected(studies.error());
@@ -126,7 +128,7 @@ Done write_statistics(const Arguments& arguments, Database& results) {
         if (before) {
             comparisons->push_back(*std::move(before));
         } else {
-            apps::tell_fault(kName, before.error());
+            apps::report_error(kName, before.error());
         }
     }
     if (arguments.statistics) {
@@ -138,114 +140,118 @@ Done write_statistics(const Arguments& arguments, Database& results) {
     });
 }
 
-Done write_pages_of(const Arguments& arguments, Database& results) {
+VoidResult write_report_pages(const Arguments& arguments, Database& results) {
     if (arguments.pages.empty()) return {};
     PagesOptions options{.folder = arguments.pages,
                          .since = static_cast<std::int64_t>(arguments.since.value_or(0))};
     if (arguments.views)
         options.views = {.program = (os::program_folder() / "gsim").string(),
-                         .version = KnownRuns().version()};
+                         .version = RunCache().version()};
     return write_pages(results, options);
 }
 
-Done write_outputs(const Arguments& arguments) {
-    bring_up_to_date(arguments.results);
+VoidResult write_outputs(const Arguments& arguments) {
+    upgrade_schema(arguments.results);
     auto results = Database::open(arguments.results, true);
     if (!results) return tl::unexpected(results.error());
-    const auto csv = [](Database& from, const Sink& sink) { return write_csv(from, kPlainRuns, sink); };
-    const auto lines = [](Database& from, const Sink& sink) {
-        return write_json_lines(from, kWholeRuns, sink);
+    const auto csv = [](Database& from, const Sink& sink) {
+        return write_csv(from, kTableColumnsQuery, sink);
     };
-    const bool prints = arguments.csv == "-" || arguments.json_lines == "-" || arguments.junit == "-" ||
-                        arguments.sarif == "-" || arguments.statistics_json == "-" || arguments.page == "-";
+    const auto lines = [](Database& from, const Sink& sink) {
+        return write_json_lines(from, kAllColumnsQuery, sink);
+    };
+    const bool uses_standard_output = arguments.csv == "-" || arguments.json_lines == "-" ||
+                                      arguments.junit == "-" || arguments.sarif == "-" ||
+                                      arguments.statistics_json == "-" || arguments.page == "-";
     return write_output(*results, arguments.csv, csv)
         .and_then([&] { return write_output(*results, arguments.json_lines, lines); })
         .and_then([&] { return write_output(*results, arguments.junit, write_junit); })
         .and_then([&] { return write_output(*results, arguments.sarif, write_sarif); })
         .and_then([&] { return write_statistics(arguments, *results); })
-        .and_then([&] { return write_pages_of(arguments, *results); })
-        .and_then([&]() -> Done {
-            if (arguments.quiet || prints || arguments.statistics) return {};
+        .and_then([&] { return write_report_pages(arguments, *results); })
+        .and_then([&]() -> VoidResult {
+            if (arguments.quiet || uses_standard_output || arguments.statistics) return {};
             return summary(*results).map([](const std::string& text) { apps::print(text::printable(text)); });
         });
 }
 
-int refuse(const std::string& why) {
-    return apps::usage_error(kName, why);
+int report_usage_error(const std::string& message) {
+    return apps::usage_error(kName, message);
 }
 
 int run_plan(const Arguments& arguments) {
-    if (const std::string why = why_not_here(arguments.results); !why.empty()) return refuse(why);
-    const auto plan = plan_of(arguments);
-    if (!plan) return refuse(plan.error());
+    if (const std::string message = cluster_in_use_error(arguments.results); !message.empty())
+        return report_usage_error(message);
+    const auto plan = make_plan(arguments);
+    if (!plan) return report_usage_error(plan.error());
     stop_on_signals();
-    const bool shows = !arguments.quiet && ::isatty(STDERR_FILENO) == 1;
+    const bool is_shown = !arguments.quiet && ::isatty(STDERR_FILENO) == 1;
     const auto tally = run_batch(*plan, arguments.batch_options(), stop_flag(), [&](const BatchTally& now) {
-        if (shows) show_progress(now);
+        if (is_shown) print_progress(now);
     });
-    if (shows) apps::tell("\n");
-    if (!tally) return refuse(tally.error());
+    if (is_shown) apps::print_to_standard_error("\n");
+    if (!tally) return report_usage_error(tally.error());
     if (!arguments.quiet)
-        apps::tell(fmt::format("{} of {} jobs: {} run in {:.2f} s, {} there already; {} failed\n",
-                               tally->done(), tally->jobs, tally->ran, tally->wall_s, tally->reused,
-                               tally->failed));
-    if (tally->undrawn > 0)
-        apps::tell_fault(
-            kName, fmt::format("{} pictures could not be drawn: {}", tally->undrawn, tally->why_undrawn));
-    if (const Done done = write_outputs(arguments); !done) return refuse(done.error());
-    if (!tally->whole) {
-        apps::tell_fault(kName, "cut off; the same command goes on from here");
-        return apps::kProgramFault;
+        apps::print_to_standard_error(
+            fmt::format("{} of {} jobs: {} run in {:.2f} s, {} there already; {} failed\n", tally->done(),
+                        tally->jobs, tally->ran, tally->wall_s, tally->reused, tally->failed));
+    if (tally->missing_pictures > 0)
+        apps::report_error(kName, fmt::format("{} pictures could not be drawn: {}", tally->missing_pictures,
+                                              tally->first_picture_error));
+    if (const VoidResult done = write_outputs(arguments); !done) return report_usage_error(done.error());
+    if (!tally->complete) {
+        apps::report_error(kName, "cut off; the same command goes on from here");
+        return apps::kProgramError;
     }
-    return tally->failed > 0 ? apps::kProgramFault : apps::kDone;
+    return tally->failed > 0 ? apps::kProgramError : apps::kSuccess;
 }
 
-int told(const tl::expected<ClusterState, std::string>& state) {
-    if (!state) return refuse(state.error());
+int report_status(const tl::expected<ClusterState, std::string>& state) {
+    if (!state) return report_usage_error(state.error());
     apps::print(to_text(*state) + '\n');
-    const bool lacks = state->lost > 0 || (state->is_over() && !state->gathered);
-    return lacks ? apps::kProgramFault : apps::kDone;
+    const bool is_incomplete = state->lost > 0 || (state->has_ended() && !state->gathered);
+    return is_incomplete ? apps::kProgramError : apps::kSuccess;
 }
 
 /// Returns true if runs of the latest batch have failed.
-bool has_failed(const std::string& file) {
+bool has_failed_runs(const std::string& file) {
     auto results = Database::open(file, true);
     if (!results) return true;
     auto failed = results->prepare("SELECT count(*) FROM failed");
-    return !failed || !failed->step().value_or(false) || failed->whole(0) > 0;
+    return !failed || !failed->step().value_or(false) || failed->integer(0) > 0;
 }
 
 int submit_plan(const Arguments& arguments) {
-    const auto plan = plan_of(arguments);
-    if (!plan) return refuse(plan.error());
+    const auto plan = make_plan(arguments);
+    if (!plan) return report_usage_error(plan.error());
     auto state = submit(*plan, arguments.cluster_options());
-    if (!state) return refuse(state.error());
+    if (!state) return report_usage_error(state.error());
     if (state->shards > 0) {
-        if (!arguments.wait) return told(state);
+        if (!arguments.wait) return report_status(state);
         stop_on_signals();
         state = wait_until_over(arguments.results, stop_flag(), std::chrono::seconds(2));
     }
-    const int status = told(state);
+    const int status = report_status(state);
     if (!state) return status;
-    if (const Done done = write_outputs(arguments); !done) return refuse(done.error());
-    return status == apps::kDone && has_failed(arguments.results) ? apps::kProgramFault : status;
+    if (const VoidResult done = write_outputs(arguments); !done) return report_usage_error(done.error());
+    return status == apps::kSuccess && has_failed_runs(arguments.results) ? apps::kProgramError : status;
 }
 
 /// Runs a task that a cluster has started this program for; empty result: a user has started it.
 std::optional<int> run_task(const std::vector<std::string>& words) {
-    if (words.size() == 2 && words.front() == kWorkerWord) return work(std::stoull(words.back()));
-    const auto ended = [](const tl::expected<bool, std::string>& whole) {
-        if (!whole) return refuse(whole.error());
-        return *whole ? apps::kDone : apps::kProgramFault;
+    if (words.size() == 2 && words.front() == kWorkerOption) return run_worker(std::stoull(words.back()));
+    const auto ended = [](const tl::expected<bool, std::string>& complete) {
+        if (!complete) return report_usage_error(complete.error());
+        return *complete ? apps::kSuccess : apps::kProgramError;
     };
-    if (words.size() == 3 && words.front() == kShardWord) {
-        stop_when_ended();
+    if (words.size() == 3 && words.front() == kShardOption) {
+        stop_on_sigterm();
         return ended(run_shard(words[1], std::stoull(words[2]), stop_flag()));
     }
-    if (words.size() == 2 && words.front() == kGatherWord) {
-        return ended(gather(words[1]).map([](const Gathered& gathered) {
-            for (const std::string& fault : gathered.faults) refuse(fault);
-            return gathered.whole;
+    if (words.size() == 2 && words.front() == kGatherOption) {
+        return ended(gather(words[1]).map([](const GatherResult& gathered) {
+            for (const std::string& shard_error : gathered.errors) report_usage_error(shard_error);
+            return gathered.complete;
         }));
     }
     return std::nullopt;
@@ -253,28 +259,28 @@ std::optional<int> run_task(const std::vector<std::string>& words) {
 
 }  // namespace
 
-int run_command(const std::string& called, const std::vector<std::string>& words) {
+int run_command(const std::string& program_name, const std::vector<std::string>& words) {
     if (const auto status = run_task(words)) return *status;
-    if (called == kOptimise) return optimise(words);
+    if (program_name == kOptimiseName) return optimise(words);
     Arguments arguments;
     apps::CommandLine line(
         kName,
         "Runs many programs on many machines in many variants, and keeps what comes of it in one file");
     add_options(line, arguments);
-    const std::vector<std::string> others{"gsim", "gsim-run", "gsim-check", kOptimise};
-    if (const auto printed = apps::print_own_pages(line, words, others)) return *printed;
+    const std::vector<std::string> others{"gsim", "gsim-run", "gsim-check", kOptimiseName};
+    if (const auto printed = apps::print_standalone_pages(line, words, others)) return *printed;
     const auto parsed = apps::parse(line, words);
-    if (!parsed) return refuse(parsed.error());
+    if (!parsed) return report_usage_error(parsed.error());
     if (*parsed) return **parsed;
-    if (const auto conflict = apps::find_file_conflict(line)) return refuse(*conflict);
-    if (arguments.views && arguments.pages.empty()) return refuse("--views goes with --pages");
-    if (arguments.status) return told(ask_state(arguments.results));
-    if (arguments.cancel) return told(cancel(arguments.results));
+    if (const auto conflict = apps::find_file_conflict(line)) return report_usage_error(*conflict);
+    if (arguments.views && arguments.pages.empty()) return report_usage_error("--views goes with --pages");
+    if (arguments.status) return report_status(query_state(arguments.results));
+    if (arguments.cancel) return report_status(cancel(arguments.results));
     if (!arguments.inputs.empty()) return arguments.slurm ? submit_plan(arguments) : run_plan(arguments);
     if (arguments.slurm || !arguments.machines.empty() || arguments.retry)
-        return refuse("name a plan or programs; --slurm, --machine and --retry are of them");
-    const Done done = write_outputs(arguments);
-    return done ? apps::kDone : refuse(done.error());
+        return report_usage_error("name a plan or programs; --slurm, --machine and --retry are of them");
+    const VoidResult done = write_outputs(arguments);
+    return done ? apps::kSuccess : report_usage_error(done.error());
 }
 
 }  // namespace gsim::batch

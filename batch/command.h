@@ -7,6 +7,6 @@ namespace gsim::batch {
 
 /// Runs gsim-batch or gsim-optimise (`called`) with its arguments. Returns the exit status; errors are
 /// reported on standard error. Throws only because of a lack of memory or a bug.
-int run_command(const std::string& called, const std::vector<std::string>& words);
+int run_command(const std::string& program_name, const std::vector<std::string>& words);
 
 }  // namespace gsim::batch

@@ -13,29 +13,29 @@
 #include "base/os/output_file.h"
 #include "base/text/printable.h"
 #include "batch/run_arguments.h"
-#include "batch/search/proof.h"
 #include "batch/search/search.h"
 #include "batch/search/search_output.h"
-#include "batch/slurm/waiting.h"
+#include "batch/search/verification_run.h"
+#include "batch/slurm/cluster_wait.h"
 #include "batch/stopping.h"
 #include "batch/write_text.h"
 #include "cli/command_line.h"
 #include "cli/exit_status.h"
 #include "cli/named_files.h"
-#include "cli/own_pages.h"
 #include "cli/parse.h"
 #include "cli/print.h"
+#include "cli/standalone_pages.h"
 #include "cli/usage_error.h"
 
 namespace gsim::batch {
 
 namespace {
 
-using Done = tl::expected<void, std::string>;
-using Fault = tl::unexpected<std::string>;
+using VoidResult = tl::expected<void, std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
 // Other programs may use the same results during a search of hours.
-constexpr std::chrono::milliseconds kLockWait(600'000);
+constexpr std::chrono::milliseconds kLockTimeout(600'000);
 
 struct OptimiseArguments : RunArguments {
     OptimiseArguments() {
@@ -53,20 +53,20 @@ struct OptimiseArguments : RunArguments {
 void add_search_options(apps::CommandLine& line, OptimiseArguments& a) {
     using apps::FileKind;
     line.add("plan.toml", &a.plan, "what may change, what counts, and which limits are to be kept")
-        .of_file(FileKind::input, {".toml"});
+        .takes_file(FileKind::input, {".toml"});
     line.begin_group("Results");
     line.add("--results", &a.results, "file of all runs (SQLite): what is in it is not run again")
-        .of_file(FileKind::changed, {".sqlite"})
-        .called("FILE")
-        .shows_default();
+        .takes_file(FileKind::changed, {".sqlite"})
+        .with_value_name("FILE")
+        .show_default();
     line.add("--best", &a.best, "folder for the files of the best variant, from which it is run once more")
-        .called("FOLDER")
-        .of_file(FileKind::folder);
+        .with_value_name("FOLDER")
+        .takes_file(FileKind::folder);
     line.add("--overwrite", &a.overwrite, "files of --best may replace files that are there already");
     line.add("--json", &a.json, "write what was found as JSON; -: standard output")
-        .of_file(FileKind::output, {".json"});
+        .takes_file(FileKind::output, {".json"});
     line.add("--page", &a.page, "write it as one HTML page with a picture of all trials; -: standard output")
-        .of_file(FileKind::output, {".html"});
+        .takes_file(FileKind::output, {".html"});
     line.add("-q,--quiet", &a.quiet, "no progress");
     line.begin_group("Search");
     line.add("--variants", &a.variants, "how many are tried at most; 0: as the plan says")
@@ -83,12 +83,12 @@ void add_search_options(apps::CommandLine& line, OptimiseArguments& a) {
     line.add_example("sqlite3 gsim-optimise.sqlite 'SELECT * FROM evaluations'", "all that was tried");
 }
 
-int refuse_search(const std::string& why) {
-    return apps::usage_error(kOptimise, why);
+int report_search_error(const std::string& message) {
+    return apps::usage_error(kOptimiseName, message);
 }
 
-tl::expected<SearchPlan, std::string> search_of(const OptimiseArguments& a) {
-    return os::read_text_file(a.plan, os::NamedBy::command_line)
+tl::expected<SearchPlan, std::string> read_search_plan(const OptimiseArguments& a) {
+    return os::read_text_file(a.plan, os::NameSource::command_line)
         .and_then([&](const std::string& text) { return read_search(text, a.plan); })
         .map([&](SearchPlan search) {
             if (a.variants > 0) search.variants = a.variants;
@@ -97,112 +97,115 @@ tl::expected<SearchPlan, std::string> search_of(const OptimiseArguments& a) {
         });
 }
 
-tl::expected<Evaluated, std::string> evaluate_here(const OptimiseArguments& a, const Plan& plan, bool anew) {
+tl::expected<EvaluatedBatch, std::string> evaluate_locally(const OptimiseArguments& a, const Plan& plan,
+                                                           bool rerun) {
     BatchOptions options = a.batch_options();
-    options.anew = anew;
-    options.lock_wait = kLockWait;
+    options.rerun = rerun;
+    options.lock_timeout = kLockTimeout;
     return run_batch(plan, options, stop_flag(), [](const BatchTally&) {}).map([](const BatchTally& tally) {
-        return Evaluated{tally.batch, tally.whole};
+        return EvaluatedBatch{tally.batch, tally.complete};
     });
 }
 
 /// Evaluates a plan on a cluster. Lost jobs are submitted again.
-tl::expected<Evaluated, std::string> evaluate_on_cluster(const OptimiseArguments& a, const Plan& plan,
-                                                         bool anew) {
-    constexpr int kMostTries = 5;
-    constexpr std::chrono::milliseconds kPoll(500);
-    if (!why_not_here(a.results).empty()) {
-        if (const auto over = wait_until_over(a.results, stop_flag(), kPoll); !over)
-            return Fault(over.error());
+tl::expected<EvaluatedBatch, std::string> evaluate_on_cluster(const OptimiseArguments& a, const Plan& plan,
+                                                              bool rerun) {
+    constexpr int kMaxAttempts = 5;
+    constexpr std::chrono::milliseconds kPollInterval(500);
+    if (!cluster_in_use_error(a.results).empty()) {
+        if (const auto over = wait_until_over(a.results, stop_flag(), kPollInterval); !over)
+            return Unexpected(over.error());
     }
-    for (int tries = 0; tries < kMostTries && !stop_flag(); ++tries) {
+    for (int attempts = 0; attempts < kMaxAttempts && !stop_flag(); ++attempts) {
         ClusterOptions options = a.cluster_options();
-        options.anew = anew && tries == 0;  // what was lost alone is submitted again
+        options.rerun = rerun && attempts == 0;  // what was lost alone is submitted again
         auto state = submit(plan, options);
-        if (state && state->shards > 0) state = wait_until_over(a.results, stop_flag(), kPoll);
-        if (!state) return Fault(state.error());
-        if (state->gathered) return Evaluated{state->batch, true};
+        if (state && state->shards > 0) state = wait_until_over(a.results, stop_flag(), kPollInterval);
+        if (!state) return Unexpected(state.error());
+        if (state->gathered) return EvaluatedBatch{state->batch, true};
     }
-    if (stop_flag()) return Evaluated{};
-    return Fault(
+    if (stop_flag()) return EvaluatedBatch{};
+    return Unexpected(
         fmt::format("the cluster has lost runs {} times; gsim-batch --results '{}' --status tells more",
-                    kMostTries, a.results));
+                    kMaxAttempts, a.results));
 }
 
-void show_search(const SearchPlan& search, const SearchState& state, bool on_terminal) {
-    const auto shown = [](std::optional<double> value) {
+void print_search_progress(const SearchPlan& search, const SearchState& state, bool is_terminal) {
+    const auto format_value = [](std::optional<double> value) {
         return value ? fmt::format("{:.6g}", *value) : std::string("-");
     };
-    apps::tell(fmt::format("{}{} of {} variants, {} without a fault; best {}, start {}{}",
-                           on_terminal ? "\r" : "", state.tried, search.variants + 1, state.allowed,
-                           shown(state.best.score.value), shown(state.start.score.value),
-                           on_terminal ? "   " : "\n"));
+    apps::print_to_standard_error(
+        fmt::format("{}{} of {} variants, {} without a fault; best {}, start {}{}", is_terminal ? "\r" : "",
+                    state.trials, search.variants + 1, state.feasible, format_value(state.best.score.value),
+                    format_value(state.start.score.value), is_terminal ? "   " : "\n"));
 }
 
-Done write_found(const OptimiseArguments& a, const SearchPlan& search, const SearchState& state,
-                 const std::optional<Proof>& proof) {
-    const bool prints = a.json == os::kStandardStream || a.page == os::kStandardStream;
-    if (!prints) apps::print(text::printable(to_text(search, state, proof)));
-    if (Done done = write_text(a.json, to_json(search, state, proof)); !done) return done;
+VoidResult write_search_result(const OptimiseArguments& a, const SearchPlan& search, const SearchState& state,
+                               const std::optional<VerificationRun>& verification_run) {
+    const bool uses_standard_output = a.json == os::kStandardStream || a.page == os::kStandardStream;
+    if (!uses_standard_output) apps::print(text::printable(to_text(search, state, verification_run)));
+    if (VoidResult done = write_text(a.json, to_json(search, state, verification_run)); !done) return done;
     if (a.page.empty()) return {};
     auto results = Database::open(a.results, true);
-    if (!results) return Fault(results.error());
-    return to_html(search, state, proof, *results).and_then([&](const std::string& page) {
+    if (!results) return Unexpected(results.error());
+    return to_html(search, state, verification_run, *results).and_then([&](const std::string& page) {
         return write_text(a.page, page);
     });
 }
 
 /// Reports useless outputs before the search, because users must not wait hours for that error.
-std::string fault_of_outputs(const OptimiseArguments& a, const Plan& plan) {
+std::string check_outputs(const OptimiseArguments& a, const Plan& plan) {
     for (const std::string& file : {a.json, a.page}) {
         if (file.empty() || file == os::kStandardStream) continue;
         if (const auto writable = os::OutputFile::check(file); !writable) return writable.error();
     }
-    return a.best.empty() ? std::string() : fault_of_folder(plan, a.best, a.overwrite);
+    return a.best.empty() ? std::string() : check_output_folder(plan, a.best, a.overwrite);
 }
 
 /// Reports the result of the search, even if its verification run fails.
-int conclude(const OptimiseArguments& a, const SearchPlan& search, const SearchState& state,
-             const Evaluate& evaluate) {
-    std::optional<Proof> proof;
-    std::string why_unproven;
-    if (state.whole && state.best.score.is_allowed()) {
-        auto proven = prove(search, state, a.results, a.best, evaluate);
-        if (!proven) {
-            why_unproven = proven.error();
+int finish_search(const OptimiseArguments& a, const SearchPlan& search, const SearchState& state,
+                  const Evaluate& evaluate) {
+    std::optional<VerificationRun> verification_run;
+    std::string verification_error;
+    if (state.complete && state.best.score.is_feasible()) {
+        auto verified = verify_best(search, state, a.results, a.best, evaluate);
+        if (!verified) {
+            verification_error = verified.error();
         } else {
-            proof = *std::move(proven);
+            verification_run = *std::move(verified);
         }
     }
-    if (const Done done = write_found(a, search, state, proof); !done) return refuse_search(done.error());
-    if (!why_unproven.empty()) apps::tell_fault(kOptimise, "not proven: " + why_unproven);
-    if (!state.whole) apps::tell_fault(kOptimise, "cut off; the same command goes on from here");
-    return proof ? apps::kDone : apps::kProgramFault;
+    if (const VoidResult done = write_search_result(a, search, state, verification_run); !done)
+        return report_search_error(done.error());
+    if (!verification_error.empty()) apps::report_error(kOptimiseName, "not proven: " + verification_error);
+    if (!state.complete) apps::report_error(kOptimiseName, "cut off; the same command goes on from here");
+    return verification_run ? apps::kSuccess : apps::kProgramError;
 }
 
 int run_search(const OptimiseArguments& a) {
-    const auto search = search_of(a);
-    if (!search) return refuse_search(search.error());
+    const auto search = read_search_plan(a);
+    if (!search) return report_search_error(search.error());
     if (!a.slurm) {
-        if (const std::string why = why_not_here(a.results); !why.empty()) return refuse_search(why);
+        if (const std::string message = cluster_in_use_error(a.results); !message.empty())
+            return report_search_error(message);
     }
-    if (const std::string fault = fault_of_outputs(a, search->plan); !fault.empty())
-        return refuse_search(fault);
+    if (const std::string output_error = check_outputs(a, search->plan); !output_error.empty())
+        return report_search_error(output_error);
     stop_on_signals();
-    const Evaluate evaluate = [&](const Plan& plan, bool anew) {
-        return a.slurm ? evaluate_on_cluster(a, plan, anew) : evaluate_here(a, plan, anew);
+    const Evaluate evaluate = [&](const Plan& plan, bool rerun) {
+        return a.slurm ? evaluate_on_cluster(a, plan, rerun) : evaluate_locally(a, plan, rerun);
     };
-    const bool on_terminal = ::isatty(STDERR_FILENO) == 1;
+    const bool is_terminal = ::isatty(STDERR_FILENO) == 1;
     const auto state = search_best(*search, a.results, evaluate, [&](const SearchState& now) {
-        if (!a.quiet) show_search(*search, now, on_terminal);
+        if (!a.quiet) print_search_progress(*search, now, is_terminal);
     });
-    if (on_terminal && !a.quiet) apps::tell("\n");
-    if (!state) return refuse_search(state.error());
-    if (state->tried == 0) {
-        apps::tell_fault(kOptimise, "cut off before anything was run");
-        return apps::kProgramFault;
+    if (is_terminal && !a.quiet) apps::print_to_standard_error("\n");
+    if (!state) return report_search_error(state.error());
+    if (state->trials == 0) {
+        apps::report_error(kOptimiseName, "cut off before anything was run");
+        return apps::kProgramError;
     }
-    return conclude(a, *search, *state, evaluate);
+    return finish_search(a, *search, *state, evaluate);
 }
 
 }  // namespace
@@ -210,17 +213,17 @@ int run_search(const OptimiseArguments& a) {
 int optimise(const std::vector<std::string>& words) {
     OptimiseArguments arguments;
     apps::CommandLine line(
-        kOptimise,
+        kOptimiseName,
         "Looks for the values of settings for which programs are fastest, or best in another "
         "way, without a fault");
     add_search_options(line, arguments);
     const std::vector<std::string> others{"gsim", "gsim-batch", "gsim-run"};
-    if (const auto printed = apps::print_own_pages(line, words, others)) return *printed;
+    if (const auto printed = apps::print_standalone_pages(line, words, others)) return *printed;
     const auto parsed = apps::parse(line, words);
-    if (!parsed) return refuse_search(parsed.error());
+    if (!parsed) return report_search_error(parsed.error());
     if (*parsed) return **parsed;
-    if (const auto conflict = apps::find_file_conflict(line)) return refuse_search(*conflict);
-    if (arguments.plan.empty()) return refuse_search("name a plan (docs/optimise.md)");
+    if (const auto conflict = apps::find_file_conflict(line)) return report_search_error(*conflict);
+    if (arguments.plan.empty()) return report_search_error("name a plan (docs/optimise.md)");
     return run_search(arguments);
 }
 

@@ -5,7 +5,7 @@
 
 namespace gsim::batch {
 
-inline constexpr const char* kOptimise = "gsim-optimise";
+inline constexpr const char* kOptimiseName = "gsim-optimise";
 
 /// Implements gsim-optimise: searches for the best values of a plan's settings. Returns the exit status.
 int optimise(const std::vector<std::string>& words);

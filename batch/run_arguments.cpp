@@ -4,7 +4,7 @@ namespace gsim::batch {
 
 namespace {
 
-constexpr std::uint64_t kMemory_mb = 4096;
+constexpr std::uint64_t kDefaultMemory_mb = 4096;
 
 }  // namespace
 
@@ -12,7 +12,7 @@ BatchOptions RunArguments::batch_options() const {
     BatchOptions options;
     options.results = results;
     options.workers = workers;
-    options.memory_mb = memory_mb ? static_cast<std::uint64_t>(*memory_mb) : kMemory_mb;
+    options.memory_mb = memory_mb ? static_cast<std::uint64_t>(*memory_mb) : kDefaultMemory_mb;
     options.timeout_s = timeout_s;
     options.retry = retry;
     return options;
@@ -34,27 +34,27 @@ ClusterOptions RunArguments::cluster_options() const {
 void add_worker_options(apps::CommandLine& line, RunArguments& a) {
     line.add("-j,--workers", &a.workers, "processes that run programs at once")
         .within(1, 4096)
-        .shows_default();
+        .show_default();
     line.add("--memory-mb", &a.memory_mb, "memory that a worker may take; a run that needs more fails alone")
-        .called("MB")
+        .with_value_name("MB")
         .within(64, 1'000'000)
-        .shows("4096; on a cluster no more than its nodes have");
+        .describe_default("4096; on a cluster no more than its nodes have");
     line.add("--timeout", &a.timeout_s, "time that a run may take, by the clock")
-        .called("SECONDS")
+        .with_value_name("SECONDS")
         .within(0.01, 1e6)
-        .shows_default();
+        .show_default();
     line.add("--retry", &a.retry, "run again what crashed, took too long or too much memory");
 }
 
 void add_cluster_options(apps::CommandLine& line, RunArguments& a, const char* slurm) {
     line.add("--slurm", &a.slurm, slurm);
-    line.add("--partition", &a.partition, "where; else the cluster's default").called("NAME");
-    line.add("--shard-runs", &a.shard_runs, "runs of a task").within(1, 10'000'000).shows_default();
+    line.add("--partition", &a.partition, "where; else the cluster's default").with_value_name("NAME");
+    line.add("--shard-runs", &a.shard_runs, "runs of a task").within(1, 10'000'000).show_default();
     line.add("--task-workers", &a.task_workers, "processes, and processors, of a task")
         .within(1, 1024)
-        .shows_default();
+        .show_default();
     line.add("--time-limit", &a.time_limit_min, "time that a task may take; else as the partition has it")
-        .called("MINUTES");
+        .with_value_name("MINUTES");
 }
 
 }  // namespace gsim::batch

@@ -6,7 +6,7 @@ namespace gsim::batch {
 
 namespace {
 
-extern "C" void ask_to_stop(int signal) {
+extern "C" void request_stop(int signal) {
     if (stop_flag().exchange(true)) {
         // A second signal means that the user does not want to wait.
         std::signal(signal, SIG_DFL);
@@ -22,12 +22,12 @@ std::atomic<bool>& stop_flag() {
 }
 
 void stop_on_signals() {
-    std::signal(SIGINT, ask_to_stop);
-    std::signal(SIGTERM, ask_to_stop);
+    std::signal(SIGINT, request_stop);
+    std::signal(SIGTERM, request_stop);
 }
 
-void stop_when_ended() {
-    std::signal(SIGTERM, ask_to_stop);
+void stop_on_sigterm() {
+    std::signal(SIGTERM, request_stop);
 }
 
 }  // namespace gsim::batch

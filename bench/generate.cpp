@@ -18,8 +18,8 @@
 namespace {
 
 /// Header that LinuxCNC and the Allen-Bradley dialect both read: metric, absolute, XY plane, feed in mm/min.
-constexpr std::string_view header = "G21 G90 G17 G94\n";
-constexpr std::string_view footer = "M30\n";
+constexpr std::string_view program_header = "G21 G90 G17 G94\n";
+constexpr std::string_view program_footer = "M30\n";
 
 struct Point {
     double x_mm;
@@ -30,7 +30,7 @@ struct Point {
 class Random {
   public:
     explicit Random(std::uint32_t seed) : engine_(seed) {}
-    double between(double low, double high) {
+    double uniform(double low, double high) {
         return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
     }
 
@@ -79,32 +79,32 @@ double height_mm(Point p) {
 /// mm from pass to pass. At the end of the surface the path turns back. Each block is a bare `X.. Y.. Z..`
 /// under the modal G1.
 void write_lines(long count) {
-    constexpr double low_mm = 5.0;
-    constexpr double high_mm = 95.0;
-    constexpr double slant = 0.04;
-    constexpr double last_pass_mm = high_mm - slant * (high_mm - low_mm);
+    constexpr double min_mm = 5.0;
+    constexpr double max_mm = 95.0;
+    constexpr double slope = 0.04;
+    constexpr double last_pass_mm = max_mm - slope * (max_mm - min_mm);
     double pass_step_mm = 0.2;
     Random random(20240);
     Writer out;
-    out.add(header);
-    out.line("G0 X{:.3f} Y{:.3f} Z20.000", low_mm, low_mm);
+    out.add(program_header);
+    out.line("G0 X{:.3f} Y{:.3f} Z20.000", min_mm, min_mm);
     out.line("G1 Z10.000 F3000");
-    Point p{low_mm, low_mm};
-    double pass_mm = low_mm;
+    Point p{min_mm, min_mm};
+    double pass_mm = min_mm;
     double direction = 1.0;
     for (long i = 0; i < count; ++i) {
-        p.x_mm += direction * random.between(0.3, 1.0);
-        if (p.x_mm < low_mm || p.x_mm > high_mm) {
-            p.x_mm = std::clamp(p.x_mm, low_mm, high_mm);
+        p.x_mm += direction * random.uniform(0.3, 1.0);
+        if (p.x_mm < min_mm || p.x_mm > max_mm) {
+            p.x_mm = std::clamp(p.x_mm, min_mm, max_mm);
             direction = -direction;
-            if (pass_mm + pass_step_mm > last_pass_mm || pass_mm + pass_step_mm < low_mm)
+            if (pass_mm + pass_step_mm > last_pass_mm || pass_mm + pass_step_mm < min_mm)
                 pass_step_mm = -pass_step_mm;
             pass_mm += pass_step_mm;
         }
-        p.y_mm = pass_mm + slant * (p.x_mm - low_mm);
+        p.y_mm = pass_mm + slope * (p.x_mm - min_mm);
         out.line("X{:.3f}Y{:.3f}Z{:.3f}", p.x_mm, p.y_mm, height_mm(p));
     }
-    out.add(footer);
+    out.add(program_footer);
 }
 
 struct Arc {
@@ -129,33 +129,33 @@ Arc arc_between(Point from, Point to, double radius_mm, bool clockwise) {
 void write_arcs(long count) {
     constexpr double left_mm = 100.0;
     constexpr double right_mm = 1700.0;
-    constexpr double low_mm = 100.0;
-    constexpr double high_mm = 2300.0;
+    constexpr double min_mm = 100.0;
+    constexpr double max_mm = 2300.0;
     constexpr double row_mm = 8.0;
     constexpr double unit_mm = 1e-4;
     Random random(20241);
     Writer out;
-    out.add(header);
-    out.line("G0 X{:.4f} Y{:.4f} Z20.0000", left_mm, low_mm);
+    out.add(program_header);
+    out.line("G0 X{:.4f} Y{:.4f} Z20.0000", left_mm, min_mm);
     out.line("G1 Z10.0000 F3000");
-    Point p{left_mm, low_mm};
+    Point p{left_mm, min_mm};
     double direction = 1.0;
     double row_direction = 1.0;
     for (long i = 0; i < count; ++i) {
-        Point to{rounded(p.x_mm + direction * random.between(1.0, 5.0), unit_mm), p.y_mm};
+        Point to{rounded(p.x_mm + direction * random.uniform(1.0, 5.0), unit_mm), p.y_mm};
         if (to.x_mm < left_mm || to.x_mm > right_mm) {
             direction = -direction;
-            if (p.y_mm + row_direction * row_mm > high_mm || p.y_mm + row_direction * row_mm < low_mm)
+            if (p.y_mm + row_direction * row_mm > max_mm || p.y_mm + row_direction * row_mm < min_mm)
                 row_direction = -row_direction;
             to = {p.x_mm, p.y_mm + row_direction * row_mm};
         }
         const double chord_mm = std::abs(to.x_mm - p.x_mm) + std::abs(to.y_mm - p.y_mm);
-        const Arc arc = arc_between(p, to, chord_mm * random.between(0.6, 2.0), i % 2 == 0);
+        const Arc arc = arc_between(p, to, chord_mm * random.uniform(0.6, 2.0), i % 2 == 0);
         out.line("{} X{:.4f} Y{:.4f} I{:.4f} J{:.4f}", arc.clockwise ? "G2" : "G3", arc.end.x_mm,
                  arc.end.y_mm, arc.i_mm, arc.j_mm);
         p = to;
     }
-    out.add(footer);
+    out.add(program_footer);
 }
 
 /// Adds the body of the macro loop, the same in both languages: twenty lines of arithmetic and a move to the
@@ -173,32 +173,32 @@ void add_macro_body(Writer& out) {
 
 void write_macro_ab9(long count) {
     Writer out;
-    out.add(header);
+    out.add(program_header);
     out.line("#1=0");
     out.line("WHILE[#1 LT {}]DO1", count);
     add_macro_body(out);
     out.line("END1");
-    out.add(footer);
+    out.add(program_footer);
 }
 
 void write_macro_rs274(long count) {
     Writer out;
-    out.add(header);
+    out.add(program_header);
     out.line("#1=0");
     out.line("o1 while [#1 LT {}]", count);
     add_macro_body(out);
     out.line("o1 endwhile");
-    out.add(footer);
+    out.add(program_footer);
 }
 
 /// Returns a point of the unit circle, with equally many points for each eighth of a turn. A walk round a
 /// square needs only a square root. `turn` from 0 to 1.
 Point circle_point(double turn) {
-    const double quarter = turn * 4.0;
-    const double side = std::floor(quarter);
-    const double along = 2.0 * (quarter - side) - 1.0;
-    const double length = std::sqrt(1.0 + along * along);
-    const Point first{1.0 / length, along / length};
+    const double quarters = turn * 4.0;
+    const double side = std::floor(quarters);
+    const double tangent = 2.0 * (quarters - side) - 1.0;
+    const double length = std::sqrt(1.0 + tangent * tangent);
+    const Point first{1.0 / length, tangent / length};
     if (side < 1.0) return first;
     if (side < 2.0) return {-first.y_mm, first.x_mm};
     if (side < 3.0) return {-first.x_mm, -first.y_mm};
@@ -207,22 +207,23 @@ Point circle_point(double turn) {
 
 /// Writes a torus (OBJ) of 50 x `count` quadrangles; each is read as two triangles.
 void write_cell_mesh(long count) {
-    constexpr double ring_mm = 60.0;
-    constexpr double tube_mm = 20.0;
-    constexpr long around = 50;
+    constexpr double major_radius_mm = 60.0;
+    constexpr double minor_radius_mm = 20.0;
+    constexpr long tube_segments = 50;
     Writer out;
     for (long i = 0; i < count; ++i) {
-        const Point on_ring = circle_point(static_cast<double>(i) / static_cast<double>(count));
-        for (long j = 0; j < around; ++j) {
-            const Point on_tube = circle_point(static_cast<double>(j) / static_cast<double>(around));
-            const double out_mm = ring_mm + tube_mm * on_tube.x_mm;
-            out.line("v {:.6f} {:.6f} {:.6f}", out_mm * on_ring.x_mm, out_mm * on_ring.y_mm,
-                     tube_mm * on_tube.y_mm);
+        const Point ring_point = circle_point(static_cast<double>(i) / static_cast<double>(count));
+        for (long j = 0; j < tube_segments; ++j) {
+            const Point tube_point =
+                circle_point(static_cast<double>(j) / static_cast<double>(tube_segments));
+            const double distance_mm = major_radius_mm + minor_radius_mm * tube_point.x_mm;
+            out.line("v {:.6f} {:.6f} {:.6f}", distance_mm * ring_point.x_mm, distance_mm * ring_point.y_mm,
+                     minor_radius_mm * tube_point.y_mm);
         }
     }
-    const auto vertex = [&](long i, long j) { return i % count * around + j % around + 1; };
+    const auto vertex = [&](long i, long j) { return i % count * tube_segments + j % tube_segments + 1; };
     for (long i = 0; i < count; ++i) {
-        for (long j = 0; j < around; ++j)
+        for (long j = 0; j < tube_segments; ++j)
             out.line("f {} {} {} {}", vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1), vertex(i, j + 1));
     }
 }
@@ -249,44 +250,44 @@ void write_cell(long count) {
 /// Writes blocks of 10 mm back and forth over that cell, 1 to 31 mm above the meshes.
 void write_cell_blocks(long count) {
     constexpr double step_mm = 10.0;
-    constexpr double low_mm = 50.0;
-    constexpr double high_mm = 1750.0;
+    constexpr double min_mm = 50.0;
+    constexpr double max_mm = 1750.0;
     constexpr double row_mm = 20.0;
     Random random(20242);
     Writer out;
-    out.add(header);
+    out.add(program_header);
     out.line("G64");
     out.line("G0 Z40.000");
-    out.line("G1 X{:.3f} Y{:.3f} F6000", low_mm, low_mm);
-    Point p{low_mm, low_mm};
+    out.line("G1 X{:.3f} Y{:.3f} F6000", min_mm, min_mm);
+    Point p{min_mm, min_mm};
     double direction = 1.0;
     double row_direction = 1.0;
     for (long i = 0; i < count; ++i) {
-        if (p.x_mm + direction * step_mm > high_mm || p.x_mm + direction * step_mm < low_mm) {
+        if (p.x_mm + direction * step_mm > max_mm || p.x_mm + direction * step_mm < min_mm) {
             direction = -direction;
-            if (p.y_mm + row_direction * row_mm > 2300.0 || p.y_mm + row_direction * row_mm < low_mm)
+            if (p.y_mm + row_direction * row_mm > 2300.0 || p.y_mm + row_direction * row_mm < min_mm)
                 row_direction = -row_direction;
             p.y_mm += row_direction * row_mm;
         } else {
             p.x_mm += direction * step_mm;
         }
         out.line("X{:.3f}Y{:.3f}Z{:.3f}", p.x_mm, p.y_mm,
-                 random.between(35.0, 37.0) + (i / 500 % 2 == 0 ? -14.0 : 14.0));
+                 random.uniform(35.0, 37.0) + (i / 500 % 2 == 0 ? -14.0 : 14.0));
     }
-    out.add(footer);
+    out.add(program_footer);
 }
 
 using Generator = void (*)(long);
 
 const std::map<std::string_view, Generator>& generators() {
-    static const std::map<std::string_view, Generator> all{{"lines", write_lines},
-                                                           {"arcs", write_arcs},
-                                                           {"cell", write_cell},
-                                                           {"cell-blocks", write_cell_blocks},
-                                                           {"cell-mesh", write_cell_mesh},
-                                                           {"macro-ab9", write_macro_ab9},
-                                                           {"macro-rs274", write_macro_rs274}};
-    return all;
+    static const std::map<std::string_view, Generator> generators_by_name{{"lines", write_lines},
+                                                                          {"arcs", write_arcs},
+                                                                          {"cell", write_cell},
+                                                                          {"cell-blocks", write_cell_blocks},
+                                                                          {"cell-mesh", write_cell_mesh},
+                                                                          {"macro-ab9", write_macro_ab9},
+                                                                          {"macro-rs274", write_macro_rs274}};
+    return generators_by_name;
 }
 
 std::vector<std::string_view> names() {

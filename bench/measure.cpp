@@ -14,16 +14,16 @@ namespace gsim::bench {
 namespace {
 
 /// Redirection of the child's standard input and output to /dev/null.
-class Silence {
+class OutputRedirection {
   public:
-    Silence() {
+    OutputRedirection() {
         posix_spawn_file_actions_init(&actions_);
         posix_spawn_file_actions_addopen(&actions_, 0, "/dev/null", O_RDONLY, 0);
         posix_spawn_file_actions_addopen(&actions_, 1, "/dev/null", O_WRONLY, 0);
     }
-    ~Silence() { posix_spawn_file_actions_destroy(&actions_); }
-    Silence(const Silence&) = delete;
-    Silence& operator=(const Silence&) = delete;
+    ~OutputRedirection() { posix_spawn_file_actions_destroy(&actions_); }
+    OutputRedirection(const OutputRedirection&) = delete;
+    OutputRedirection& operator=(const OutputRedirection&) = delete;
     [[nodiscard]] const posix_spawn_file_actions_t* get() const { return &actions_; }
 
   private:
@@ -48,19 +48,19 @@ Usage measure(const std::vector<std::string>& command) {
     argv.push_back(nullptr);
 
     pid_t child = 0;
-    const Silence silence;
-    const int error = posix_spawnp(&child, argv[0], silence.get(), nullptr, argv.data(), environ);
+    const OutputRedirection redirection;
+    const int error = posix_spawnp(&child, argv[0], redirection.get(), nullptr, argv.data(), environ);
     if (error == ENOENT || error == EACCES) return {.status = 127};
     if (error != 0)
         throw std::system_error(error, std::generic_category(), "cannot start " + command.front());
 
     int wait_status = 0;
-    rusage used{};
-    while (wait4(child, &wait_status, 0, &used) < 0) {
+    rusage measured{};
+    while (wait4(child, &wait_status, 0, &measured) < 0) {
         if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "wait4");
     }
-    return {seconds(used.ru_utime) + seconds(used.ru_stime),
-            static_cast<double>(used.ru_maxrss) * 1024.0 / 1e6, exit_status(wait_status)};
+    return {seconds(measured.ru_utime) + seconds(measured.ru_stime),
+            static_cast<double>(measured.ru_maxrss) * 1024.0 / 1e6, exit_status(wait_status)};
 }
 
 }  // namespace gsim::bench

@@ -7,20 +7,20 @@
 
 namespace gsim::calibrate {
 
-apps::CommandLine& add_command(apps::CommandLine& line, Chosen& chosen, const char* name,
-                               const char* description, Chosen does) {
+apps::CommandLine& add_command(apps::CommandLine& line, SelectedCommand& selected, const char* name,
+                               const char* description, SelectedCommand action) {
     apps::CommandLine& command =
-        line.add_command(name, description, [&chosen, does = std::move(does)] { chosen = does; });
+        line.add_command(name, description, [&selected, action = std::move(action)] { selected = action; });
     command.begin_group("Options");
     return command;
 }
 
-Done write_if(const std::string& file, const std::string& text) {
+VoidResult write_if_named(const std::string& file, const std::string& text) {
     if (file.empty()) return {};
     return os::write_file(file, text);
 }
 
-Done write_or_print(const std::string& file, const std::string& text) {
+VoidResult write_or_print(const std::string& file, const std::string& text) {
     if (!file.empty()) return os::write_file(file, text);
     apps::print(text);
     return {};

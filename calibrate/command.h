@@ -10,19 +10,19 @@
 namespace gsim::calibrate {
 
 /// Result of a command; the error is a message.
-using Done = tl::expected<void, std::string>;
+using VoidResult = tl::expected<void, std::string>;
 
 /// Command that the parsed words of a line selected.
-using Chosen = std::function<Done()>;
+using SelectedCommand = std::function<VoidResult()>;
 
 /// Adds a command to the line and returns it, so that options can be added; if it is selected, `chosen`
 /// becomes `does`.
-apps::CommandLine& add_command(apps::CommandLine& line, Chosen& chosen, const char* name,
-                               const char* description, Chosen does);
+apps::CommandLine& add_command(apps::CommandLine& line, SelectedCommand& selected, const char* name,
+                               const char* description, SelectedCommand action);
 
 /// Writes a file, unless its name is empty.
-Done write_if(const std::string& file, const std::string& text);
+VoidResult write_if_named(const std::string& file, const std::string& text);
 /// Writes a file, or to standard output if its name is empty.
-Done write_or_print(const std::string& file, const std::string& text);
+VoidResult write_or_print(const std::string& file, const std::string& text);
 
 }  // namespace gsim::calibrate

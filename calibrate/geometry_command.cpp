@@ -12,7 +12,7 @@
 #include "base/text/printable.h"
 #include "calibrate/command.h"
 #include "calibrate/geometry/compensation.h"
-#include "calibrate/geometry/geometry_outcome.h"
+#include "calibrate/geometry/geometry_output.h"
 #include "calibrate/geometry/simulate.h"
 #include "calibrate/geometry/suggest.h"
 #include "cli/print.h"
@@ -23,7 +23,7 @@ namespace gsim::calibrate {
 namespace {
 
 struct GeometryArguments {
-    std::string tips;
+    std::string tcps;
     std::string machine;
     std::string output;
     std::string json;
@@ -32,133 +32,140 @@ struct GeometryArguments {
     std::string g10;
     std::optional<double> noise_um;
     std::optional<double> noise_arcsec;
-    bool own_frame = false;
-    std::vector<std::string> held;
-    std::uint64_t suggested = 0;
+    bool instrument_frame = false;
+    std::vector<std::string> fixed;
+    std::uint64_t suggested_count = 0;
     bool orientation = false;
     std::string program;
-    std::string simulated;
-    std::string hidden;
+    std::string simulated_tcps;
+    std::string ground_truth;
     std::uint64_t seed = 1;
     bool quiet = false;
 
-    DeviationChoice choice() const { return {.own_frame = own_frame, .held = held}; }
+    DeviationOptions deviation_options() const {
+        return {.instrument_frame = instrument_frame, .fixed = fixed};
+    }
 };
 
 void add_fit_options(apps::CommandLine& line, GeometryArguments& arguments) {
-    line.add("tips", &arguments.tips,
+    line.add("tips", &arguments.tcps,
              "list of measured tips: columns by the letters of axes, x_mm, y_mm, z_mm, perhaps roll_deg, "
              "pitch_deg, yaw_deg, sigma_mm, sigma_deg")
-        .of_file(apps::FileKind::input, {".csv", ".tsv"});
+        .takes_file(apps::FileKind::input, {".csv", ".tsv"});
     line.add("--machine", &arguments.machine, "machine file to begin with")
-        .called("FILE")
-        .of_file(apps::FileKind::input, {".toml"})
-        .must_be_given();
+        .with_value_name("FILE")
+        .takes_file(apps::FileKind::input, {".toml"})
+        .make_required();
     line.add("-o,--output", &arguments.output,
              "the fitted machine file, or the list of suggested poses; else standard output")
-        .called("FILE")
-        .of_file(apps::FileKind::output, {".toml", ".csv"})
-        .may_be_file_of("--machine");
+        .with_value_name("FILE")
+        .takes_file(apps::FileKind::output, {".toml", ".csv"})
+        .may_share_file_with("--machine");
     line.add("--json", &arguments.json, "what was found, its covariance and all tips as JSON")
-        .called("FILE")
-        .of_file(apps::FileKind::output, {".json"});
+        .with_value_name("FILE")
+        .takes_file(apps::FileKind::output, {".json"});
     line.add("--picture", &arguments.picture, "errors of tips before and after, as a picture")
-        .called("FILE")
-        .of_file(apps::FileKind::output, {".svg"});
+        .with_value_name("FILE")
+        .takes_file(apps::FileKind::output, {".svg"});
     line.add("--compensation", &arguments.compensation,
              "compensation tables of LinuxCNC (COMP_FILE_TYPE = 0) of axes whose scale was found: "
              "PREFIX-X.comp")
-        .called("PREFIX");
+        .with_value_name("PREFIX");
     line.add("--g10", &arguments.g10, "the work offset as a line of G-code, G10 L2 P1")
-        .called("FILE")
-        .of_file(apps::FileKind::output, {".ngc", ".nc"});
+        .with_value_name("FILE")
+        .takes_file(apps::FileKind::output, {".ngc", ".nc"});
     line.add("--noise-um", &arguments.noise_um,
              "standard deviation of each measured coordinate; else it is found from what is left")
-        .called("UM")
-        .above_zero();
+        .with_value_name("UM")
+        .make_positive();
     line.add("--noise-arcsec", &arguments.noise_arcsec, "the same of measured turns")
-        .called("ARCSEC")
-        .above_zero();
-    line.add("--own-frame", &arguments.own_frame,
+        .with_value_name("ARCSEC")
+        .make_positive();
+    line.add("--own-frame", &arguments.instrument_frame,
              "tips are in the instrument's own frame, wherever that is; else in the work frame");
-    line.add("--hold", &arguments.held,
+    line.add("--hold", &arguments.fixed,
              "what is not looked for: a name, or words of it, as 'scale', 'base', 'C tilt'")
-        .called("NAME");
+        .with_value_name("NAME");
     line.add("-q,--quiet", &arguments.quiet, "no word on the way");
 }
 
-void add_other_options(apps::CommandLine& line, GeometryArguments& arguments) {
+void add_simulation_options(apps::CommandLine& line, GeometryArguments& arguments) {
     line.begin_group("Poses to measure");
-    line.add("--suggest", &arguments.suggested,
+    line.add("--suggest", &arguments.suggested_count,
              "write this many poses that tell most, within the axes' ranges")
-        .called("N")
+        .with_value_name("N")
         .within(1, 1000);
     line.add("--orientation", &arguments.orientation, "the instrument tells how the tool is turned, too");
     line.add("--program", &arguments.program, "a part program that goes there")
-        .called("FILE")
-        .of_file(apps::FileKind::output, {".nc", ".ngc"});
+        .with_value_name("FILE")
+        .takes_file(apps::FileKind::output, {".nc", ".ngc"});
     line.begin_group("To try it without an instrument");
-    line.add("--simulate", &arguments.simulated, "write what an instrument would measure at the list's poses")
-        .called("FILE")
-        .of_file(apps::FileKind::output, {".csv"});
-    line.add("--hidden", &arguments.hidden,
+    line.add("--simulate", &arguments.simulated_tcps,
+             "write what an instrument would measure at the list's poses")
+        .with_value_name("FILE")
+        .takes_file(apps::FileKind::output, {".csv"});
+    line.add("--hidden", &arguments.ground_truth,
              "with --simulate: on a machine that is off, which is written here")
-        .called("FILE")
-        .of_file(apps::FileKind::output, {".toml"});
-    line.add("--seed", &arguments.seed, "of noise and of what is hidden").called("N").shows_default();
+        .with_value_name("FILE")
+        .takes_file(apps::FileKind::output, {".toml"});
+    line.add("--seed", &arguments.seed, "of noise and of what is hidden").with_value_name("N").show_default();
 }
 
-tl::expected<TipList, std::string> listed_tips(const GeometryArguments& arguments,
-                                               const machine::Machine& machine) {
-    if (arguments.tips.empty())
+tl::expected<TcpList, std::string> load_tcps(const GeometryArguments& arguments,
+                                             const machine::Machine& machine) {
+    if (arguments.tcps.empty())
         return tl::unexpected<std::string>(
             "which tips? Name a list of them, or ask for poses with --suggest");
-    const auto text = os::read_text_file(arguments.tips);
+    const auto text = os::read_text_file(arguments.tcps);
     if (!text) return tl::unexpected(text.error());
-    auto list = read_tips(*text, machine);
-    if (!list) return tl::unexpected(fmt::format("{}: {}", arguments.tips, list.error()));
+    auto list = read_tcps(*text, machine);
+    if (!list) return tl::unexpected(fmt::format("{}: {}", arguments.tcps, list.error()));
     return list;
 }
 
-Done suggest(const GeometryArguments& arguments, const machine::Machine& machine) {
-    const auto poses = suggest_poses(machine, arguments.suggested, arguments.orientation, arguments.choice());
+VoidResult suggest(const GeometryArguments& arguments, const machine::Machine& machine) {
+    const auto poses = suggest_poses(machine, arguments.suggested_count, arguments.orientation,
+                                     arguments.deviation_options());
     if (!poses) return tl::unexpected(poses.error());
-    return write_or_print(arguments.output, print_tips(*poses, machine, arguments.orientation, false))
-        .and_then([&] { return write_if(arguments.program, pose_program(*poses, machine)); });
+    return write_or_print(arguments.output, print_tcps(*poses, machine, arguments.orientation, false))
+        .and_then([&] { return write_if_named(arguments.program, pose_program(*poses, machine)); });
 }
 
-std::string hidden_text(const HiddenMachine& hidden) {
+std::string ground_truth_text(const GroundTruth& ground_truth) {
     std::string text = "# What is hidden in this machine:\n";
-    for (std::size_t i = 0; i < hidden.deviations.size(); ++i)
-        text += fmt::format("# {} = {:.6f}\n", hidden.deviations[i].name,
-                            hidden.values[static_cast<Eigen::Index>(i)]);
-    return text + "\n" + machine::print_machine(hidden.geometry.machine);
+    for (std::size_t i = 0; i < ground_truth.deviations.size(); ++i)
+        text += fmt::format("# {} = {:.6f}\n", ground_truth.deviations[i].name,
+                            ground_truth.values[static_cast<Eigen::Index>(i)]);
+    return text + "\n" + machine::print_machine(ground_truth.geometry.machine);
 }
 
-Done simulate(const GeometryArguments& arguments, const machine::Machine& machine) {
-    const auto list = listed_tips(arguments, machine);
+VoidResult simulate(const GeometryArguments& arguments, const machine::Machine& machine) {
+    const auto list = load_tcps(arguments, machine);
     if (!list) return tl::unexpected(list.error());
-    std::vector<MeasuredTip> poses = list->tips;
+    std::vector<MeasuredTcp> poses = list->tcps;
     poses.insert(poses.end(), list->unmeasured.begin(), list->unmeasured.end());
-    for (MeasuredTip& pose : poses) pose.has_orientation = arguments.orientation;
+    for (MeasuredTcp& pose : poses) pose.has_orientation = arguments.orientation;
     Geometry geometry{.machine = machine, .scales = std::vector<double>(machine.axes.size(), 1)};
     std::string text;
-    if (!arguments.hidden.empty()) {
-        const HiddenMachine hidden = hidden_machine(machine, poses, arguments.choice(), arguments.seed);
-        geometry = hidden.geometry;
-        text = hidden_text(hidden);
+    if (!arguments.ground_truth.empty()) {
+        const GroundTruth ground_truth =
+            make_ground_truth(machine, poses, arguments.deviation_options(), arguments.seed);
+        geometry = ground_truth.geometry;
+        text = ground_truth_text(ground_truth);
     }
     const Noise noise{.mm = arguments.noise_um.value_or(0) / kMicrometresPerMm,
                       .deg = arguments.noise_arcsec.value_or(0) / kArcsecPerDeg};
-    const auto tips = simulated(geometry, poses, noise, arguments.seed);
-    return write_if(arguments.hidden, text).and_then([&] {
-        return write_if(arguments.simulated, print_tips(tips, machine, arguments.orientation, true));
+    const auto tcps = simulated_tcps(geometry, poses, noise, arguments.seed);
+    return write_if_named(arguments.ground_truth, text).and_then([&] {
+        return write_if_named(arguments.simulated_tcps,
+                              print_tcps(tcps, machine, arguments.orientation, true));
     });
 }
 
-Done write_compensation(const GeometryArguments& arguments, const GeometryFit& fit, const TipList& list) {
+VoidResult write_compensation(const GeometryArguments& arguments, const GeometryFit& fit,
+                              const TcpList& list) {
     if (arguments.compensation.empty()) return {};
-    const auto tables = compensation_tables(fit, list.tips);
+    const auto tables = compensation_tables(fit, list.tcps);
     if (tables.empty()) return tl::unexpected<std::string>("no scale was found for a compensation table");
     for (const CompensationTable& table : tables) {
         const std::string file = fmt::format("{}-{}.comp", arguments.compensation, table.letter);
@@ -167,55 +174,56 @@ Done write_compensation(const GeometryArguments& arguments, const GeometryFit& f
     return {};
 }
 
-Done write_g10(const GeometryArguments& arguments, const machine::Machine& machine, const GeometryFit& fit) {
+VoidResult write_g10(const GeometryArguments& arguments, const machine::Machine& machine,
+                     const GeometryFit& fit) {
     if (arguments.g10.empty()) return {};
     const auto line = work_offset_line(machine, fit);
     if (!line) return tl::unexpected(line.error());
     return os::write_file(arguments.g10, *line);
 }
 
-Done fit_to_tips(const GeometryArguments& arguments, const machine::Machine& machine) {
-    const auto list = listed_tips(arguments, machine);
+VoidResult fit_to_tcps(const GeometryArguments& arguments, const machine::Machine& machine) {
+    const auto list = load_tcps(arguments, machine);
     if (!list) return tl::unexpected(list.error());
-    GeometryOptions options{.choice = arguments.choice()};
+    GeometryOptions options{.deviation_options = arguments.deviation_options()};
     if (arguments.noise_um) options.noise_mm = *arguments.noise_um / kMicrometresPerMm;
     if (arguments.noise_arcsec) options.noise_deg = *arguments.noise_arcsec / kArcsecPerDeg;
-    const auto fit = fit_geometry(machine, list->tips, options);
+    const auto fit = fit_geometry(machine, list->tcps, options);
     if (!fit) return tl::unexpected(fit.error());
-    const auto squareness = squareness_of(machine, *fit);
+    const auto squareness = compute_squareness(machine, *fit);
     if (!arguments.quiet) {
         if (!list->unmeasured.empty())
-            apps::tell(fmt::format("{} lines have no tip yet\n", list->unmeasured.size()));
-        apps::tell(text::printable(geometry_table(*fit, squareness)));
+            apps::print_to_standard_error(fmt::format("{} lines have no tip yet\n", list->unmeasured.size()));
+        apps::print_to_standard_error(text::printable(geometry_table(*fit, squareness)));
     }
     const auto text = geometry_text(*fit);
     if (!text) return tl::unexpected("the fitted machine is no machine file: " + text.error());
     return write_or_print(arguments.output, *text)
-        .and_then([&] { return write_if(arguments.json, geometry_json(*fit, squareness)); })
-        .and_then([&] { return write_if(arguments.picture, tips_svg(*fit)); })
+        .and_then([&] { return write_if_named(arguments.json, geometry_json(*fit, squareness)); })
+        .and_then([&] { return write_if_named(arguments.picture, tcps_svg(*fit)); })
         .and_then([&] { return write_compensation(arguments, *fit, *list); })
         .and_then([&] { return write_g10(arguments, machine, *fit); });
 }
 
-Done do_geometry(const GeometryArguments& arguments) {
+VoidResult run_geometry(const GeometryArguments& arguments) {
     const auto machine = machine::load_machine(arguments.machine);
     if (!machine) return tl::unexpected(machine.error());
-    if (const auto unknown = unknown_held(*machine, arguments.choice()))
+    if (const auto unknown = find_unknown_fixed(*machine, arguments.deviation_options()))
         return tl::unexpected(fmt::format("--hold: nothing that may be off is called '{}'", *unknown));
-    if (arguments.suggested > 0) return suggest(arguments, *machine);
-    if (!arguments.simulated.empty()) return simulate(arguments, *machine);
-    return fit_to_tips(arguments, *machine);
+    if (arguments.suggested_count > 0) return suggest(arguments, *machine);
+    if (!arguments.simulated_tcps.empty()) return simulate(arguments, *machine);
+    return fit_to_tcps(arguments, *machine);
 }
 
 }  // namespace
 
-void add_geometry(apps::CommandLine& line, Chosen& chosen) {
+void add_geometry_command(apps::CommandLine& line, SelectedCommand& selected) {
     const auto arguments = std::make_shared<GeometryArguments>();
     apps::CommandLine& command =
-        add_command(line, chosen, "geometry", "fit a machine's geometry to measured tips, or suggest poses",
-                    [arguments] { return do_geometry(*arguments); });
+        add_command(line, selected, "geometry", "fit a machine's geometry to measured tips, or suggest poses",
+                    [arguments] { return run_geometry(*arguments); });
     add_fit_options(command, *arguments);
-    add_other_options(command, *arguments);
+    add_simulation_options(command, *arguments);
     line.add_example("gsim-calibrate geometry --machine mine.toml --suggest 40 -o poses.csv",
                      "which poses to measure");
     line.add_example("gsim-calibrate geometry tips.csv --machine mine.toml -o fitted.toml",

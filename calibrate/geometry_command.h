@@ -6,6 +6,6 @@ namespace gsim::calibrate {
 
 /// Adds gsim-calibrate geometry: a machine's geometry from measured TCPs, poses to measure, and simulated
 /// measurements.
-void add_geometry(apps::CommandLine& line, Chosen& chosen);
+void add_geometry_command(apps::CommandLine& line, SelectedCommand& selected);
 
 }  // namespace gsim::calibrate

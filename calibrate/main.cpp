@@ -12,9 +12,9 @@
 #include "cli/exit_status.h"
 #include "cli/help_text.h"
 #include "cli/named_files.h"
-#include "cli/own_pages.h"
 #include "cli/parse.h"
 #include "cli/print.h"
+#include "cli/standalone_pages.h"
 #include "cli/usage_error.h"
 
 namespace gsim::calibrate {
@@ -23,8 +23,8 @@ namespace {
 
 constexpr const char* kName = "gsim-calibrate";
 
-int refuse(const std::string& why) {
-    apps::tell_fault(kName, why);
+int report_usage_error(const std::string& message) {
+    apps::report_error(kName, message);
     return apps::usage_error(kName, fmt::format("{} --help tells what there is", kName));
 }
 
@@ -32,25 +32,25 @@ int run(const std::vector<std::string>& words) {
     apps::CommandLine line(kName,
                            "Makes a machine file from what a machine did: from recorded runs, "
                            "measured tips, or set points and places of axes");
-    Chosen chosen;
-    add_times(line, chosen);
-    add_geometry(line, chosen);
-    add_servo(line, chosen);
+    SelectedCommand selected;
+    add_times_command(line, selected);
+    add_geometry_command(line, selected);
+    add_servo_command(line, selected);
     const std::vector<std::string> others{"gsim", "gsim-run", "gsim-check"};
-    if (const auto printed = apps::print_own_pages(line, words, others)) return *printed;
+    if (const auto printed = apps::print_standalone_pages(line, words, others)) return *printed;
     if (words.empty()) {
         apps::print(apps::help_text(line, &line));
-        return apps::kUsage;
+        return apps::kUsageError;
     }
     const auto parsed = apps::parse(line, words);
-    if (!parsed) return refuse(parsed.error());
+    if (!parsed) return report_usage_error(parsed.error());
     if (*parsed) return **parsed;
-    if (const auto conflict = apps::find_file_conflict(line)) return refuse(*conflict);
-    if (const Done done = chosen(); !done) {
-        apps::tell_fault(kName, done.error());
-        return apps::kProgramFault;
+    if (const auto conflict = apps::find_file_conflict(line)) return report_usage_error(*conflict);
+    if (const VoidResult done = selected(); !done) {
+        apps::report_error(kName, done.error());
+        return apps::kProgramError;
     }
-    return apps::kDone;
+    return apps::kSuccess;
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
         return gsim::apps::finish_standard_output(
             gsim::calibrate::run(std::vector<std::string>(argv + 1, argv + argc)));
     } catch (const std::exception& error) {
-        gsim::apps::tell_fault("gsim-calibrate", error.what());
-        return gsim::apps::kProgramFault;
+        gsim::apps::report_error("gsim-calibrate", error.what());
+        return gsim::apps::kProgramError;
     }
 }

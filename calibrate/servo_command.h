@@ -6,6 +6,6 @@ namespace gsim::calibrate {
 
 /// Adds gsim-calibrate servo: the servo loops of a machine's axes from a recording of set points and
 /// positions.
-void add_servo(apps::CommandLine& line, Chosen& chosen);
+void add_servo_command(apps::CommandLine& line, SelectedCommand& selected);
 
 }  // namespace gsim::calibrate

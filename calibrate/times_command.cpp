@@ -11,8 +11,8 @@
 #include "base/os/input_file.h"
 #include "base/text/printable.h"
 #include "calibrate/command.h"
-#include "calibrate/times/choice.h"
-#include "calibrate/times/outcome.h"
+#include "calibrate/times/fit_output.h"
+#include "calibrate/times/model_selection.h"
 #include "cli/print.h"
 #include "machine/file/machine_file.h"
 #include "machine/model/torque_limit.h"
@@ -21,20 +21,20 @@ namespace gsim::calibrate {
 
 namespace {
 
-constexpr std::size_t kLeastRuns = 4;
+constexpr std::size_t kMinRuns = 4;
 
 struct Arguments {
     std::string runs;
     std::string machine;
-    Reading reading;
-    RecordForm form;
+    ReadingOptions reading_options;
+    RecordFormat record_format;
     double sample_period_ms = 0;
     std::string output;
     std::string json;
     std::string picture;
     std::string program;
     std::uint64_t parts = 3;
-    OpenFigures open;
+    OpenParameters open;
     bool keep_model = false;
     bool quiet = false;
 };
@@ -42,45 +42,46 @@ struct Arguments {
 void add_options(apps::CommandLine& line, Arguments& arguments) {
     line.add("runs", &arguments.runs,
              "list of recorded runs, one a line: program,time_s under a line that names the columns")
-        .of_file(apps::FileKind::input, {".csv", ".tsv"})
-        .must_be_given();
+        .takes_file(apps::FileKind::input, {".csv", ".tsv"})
+        .make_required();
     line.add("--machine", &arguments.machine,
              "machine file to begin with: what is known of the machine, and a guess of what is not")
-        .called("FILE")
-        .of_file(apps::FileKind::input, {".toml"})
-        .must_be_given();
-    line.add("--dialect", &arguments.reading.dialect,
+        .with_value_name("FILE")
+        .takes_file(apps::FileKind::input, {".toml"})
+        .make_required();
+    line.add("--dialect", &arguments.reading_options.dialect,
              "language of the programs; else as the machine file says")
-        .called("NAME");
-    line.add("--machine-data", &arguments.reading.machine_data, "tools and offsets that the programs use")
-        .called("FILE")
-        .of_file(apps::FileKind::input, {".txt", ".tbl"});
+        .with_value_name("NAME");
+    line.add("--machine-data", &arguments.reading_options.machine_data,
+             "tools and offsets that the programs use")
+        .with_value_name("FILE")
+        .takes_file(apps::FileKind::input, {".txt", ".tbl"});
     line.add("--sample-period", &arguments.sample_period_ms,
              "time between samples of recordings that have no times (halsampler)")
-        .called("MS")
+        .with_value_name("MS")
         .within(0.001, 60'000);
-    line.add("--sample-columns", &arguments.form.columns,
+    line.add("--sample-columns", &arguments.record_format.columns,
              "what the columns of such recordings are, a letter each; '-': nothing that counts")
-        .called("XYZ")
-        .shows_default();
+        .with_value_name("XYZ")
+        .show_default();
     line.add("-o,--output", &arguments.output, "the fitted machine file; else standard output")
-        .called("FILE")
-        .of_file(apps::FileKind::output, {".toml"})
-        .may_be_file_of("--machine");
+        .with_value_name("FILE")
+        .takes_file(apps::FileKind::output, {".toml"})
+        .may_share_file_with("--machine");
     line.add("--json", &arguments.json, "values, covariance, runs and models as JSON")
-        .called("FILE")
-        .of_file(apps::FileKind::output, {".json"});
+        .with_value_name("FILE")
+        .takes_file(apps::FileKind::output, {".json"});
     line.add("--picture", &arguments.picture, "what is left of the errors, run by run, as a picture")
-        .called("FILE")
-        .of_file(apps::FileKind::output, {".svg"});
+        .with_value_name("FILE")
+        .takes_file(apps::FileKind::output, {".svg"});
     line.add("--test-program", &arguments.program,
              "part program that tells what these runs do not; not written where there is nothing")
-        .called("FILE")
-        .of_file(apps::FileKind::output, {".nc", ".ngc"});
+        .with_value_name("FILE")
+        .takes_file(apps::FileKind::output, {".nc", ".ngc"});
     line.add("--parts", &arguments.parts, "parts of the cross-validation that chooses the model")
-        .called("N")
+        .with_value_name("N")
         .within(2, 20)
-        .shows_default();
+        .show_default();
     line.add("--keep-model", &arguments.keep_model,
              "keep the machine file's controller, and fit its figures; else generic ones are tried");
     line.add("--each-axis", &arguments.open.each_axis,
@@ -91,7 +92,7 @@ void add_options(apps::CommandLine& line, Arguments& arguments) {
 }
 
 /// Data that are known before a fit.
-struct Task {
+struct FitInputs {
     machine::Machine machine;
     std::vector<RecordedRun> runs;
 };
@@ -100,18 +101,18 @@ bool has_positions(const RecordedRun& run) {
     return !run.samples.empty();
 }
 
-Done add_records(const RecordForm& form, std::vector<RecordedRun>& runs) {
+VoidResult add_records(const RecordFormat& record_format, std::vector<RecordedRun>& runs) {
     for (RecordedRun& run : runs) {
         if (run.record.empty()) continue;
         const auto text = os::read_text_file(run.record);
         if (!text) return tl::unexpected(text.error());
-        if (const auto added = add_record(*text, form, run); !added)
-            return tl::unexpected(fmt::format("{}: {}", run.record, added.error()));
+        if (const auto result = add_record(*text, record_format, run); !result)
+            return tl::unexpected(fmt::format("{}: {}", run.record, result.error()));
     }
     return {};
 }
 
-tl::expected<Task, std::string> read_task(const Arguments& arguments) {
+tl::expected<FitInputs, std::string> read_fit_inputs(const Arguments& arguments) {
     auto machine = machine::load_machine(arguments.machine);
     if (!machine) return tl::unexpected(machine.error());
     if (machine::is_torque_limited(*machine))
@@ -125,60 +126,62 @@ tl::expected<Task, std::string> read_task(const Arguments& arguments) {
     const std::string folder = slash == std::string::npos ? "" : arguments.runs.substr(0, slash);
     auto runs = read_recorded_runs(*list, folder);
     if (!runs) return tl::unexpected(fmt::format("{}: {}", arguments.runs, runs.error()));
-    RecordForm form = arguments.form;
-    form.period_s = arguments.sample_period_ms / 1000;
-    if (const auto added = add_records(form, *runs); !added) return tl::unexpected(added.error());
-    const bool tell_enough = arguments.keep_model && std::all_of(runs->begin(), runs->end(), has_positions);
-    if (runs->size() < kLeastRuns && !tell_enough) {
+    RecordFormat record_format = arguments.record_format;
+    record_format.period_s = arguments.sample_period_ms / 1000;
+    if (const auto result = add_records(record_format, *runs); !result) return tl::unexpected(result.error());
+    const bool are_sufficient =
+        arguments.keep_model && std::all_of(runs->begin(), runs->end(), has_positions);
+    if (runs->size() < kMinRuns && !are_sufficient) {
         return tl::unexpected(fmt::format(
             "{} has {} runs: a fit needs {} at least, and tells more of each figure with 10 or more; with "
             "positions over time and --keep-model one is enough",
-            arguments.runs, runs->size(), kLeastRuns));
+            arguments.runs, runs->size(), kMinRuns));
     }
-    return Task{*std::move(machine), *std::move(runs)};
+    return FitInputs{*std::move(machine), *std::move(runs)};
 }
 
-Done write_all(const Arguments& arguments, const Task& task, const Fit& fit,
-               const std::optional<Choice>& choice) {
-    const std::string machine = machine_text(fit, task.runs);
+VoidResult write_all(const Arguments& arguments, const FitInputs& inputs, const Fit& fit,
+                     const std::optional<ModelSelection>& selection) {
+    const std::string machine = machine_text(fit, inputs.runs);
     const std::string program = test_program(fit);
     return write_or_print(arguments.output, machine)
-        .and_then([&] { return write_if(arguments.json, fit_json(fit, task.runs, choice)); })
-        .and_then([&] { return write_if(arguments.picture, residuals_svg(fit, task.runs)); })
-        .and_then([&] { return write_if(program.empty() ? "" : arguments.program, program); });
+        .and_then([&] { return write_if_named(arguments.json, fit_json(fit, inputs.runs, selection)); })
+        .and_then([&] { return write_if_named(arguments.picture, residuals_svg(fit, inputs.runs)); })
+        .and_then([&] { return write_if_named(program.empty() ? "" : arguments.program, program); });
 }
 
-Done fit_to_times(const Arguments& arguments) {
-    const auto tell = [&](const std::string& words) {
-        if (!arguments.quiet) apps::tell(text::printable(words + '\n'));
+VoidResult fit_to_times(const Arguments& arguments) {
+    const auto print_to_standard_error = [&](const std::string& words) {
+        if (!arguments.quiet) apps::print_to_standard_error(text::printable(words + '\n'));
     };
-    auto task = read_task(arguments);
-    if (!task) return tl::unexpected(task.error());
-    const auto predictor = Predictor::of(task->runs, arguments.reading, task->machine);
+    auto inputs = read_fit_inputs(arguments);
+    if (!inputs) return tl::unexpected(inputs.error());
+    const auto predictor = Predictor::of(inputs->runs, arguments.reading_options, inputs->machine);
     if (!predictor) return tl::unexpected(predictor.error());
-    std::optional<Choice> choice;
-    OpenFigures open = arguments.open;
+    std::optional<ModelSelection> selection;
+    OpenParameters open = arguments.open;
     if (!arguments.keep_model) {
-        auto chosen = choose_model(generic_candidates(task->machine, open), task->runs, *predictor,
-                                   std::min<std::size_t>(arguments.parts, task->runs.size()), tell);
-        if (!chosen) return tl::unexpected(chosen.error());
-        choice = *std::move(chosen);
-        task->machine = choice->candidate.machine;
-        open = choice->candidate.open;
-        tell(fmt::format("chosen: {}", choice->candidate.name));
+        auto selected = select_model(generic_candidates(inputs->machine, open), inputs->runs, *predictor,
+                                     std::min<std::size_t>(arguments.parts, inputs->runs.size()),
+                                     print_to_standard_error);
+        if (!selected) return tl::unexpected(selected.error());
+        selection = *std::move(selected);
+        inputs->machine = selection->candidate.machine;
+        open = selection->candidate.open;
+        print_to_standard_error(fmt::format("chosen: {}", selection->candidate.name));
     }
-    const auto fit =
-        fit_times(task->machine, task->runs, *predictor, {.open = open, .other_starts = true}, tell);
+    const auto fit = fit_times(inputs->machine, inputs->runs, *predictor, {.open = open, .multi_start = true},
+                               print_to_standard_error);
     if (!fit) return tl::unexpected(fit.error());
-    tell(fit_table(*fit, task->runs));
-    return write_all(arguments, *task, *fit, choice);
+    print_to_standard_error(fit_table(*fit, inputs->runs));
+    return write_all(arguments, *inputs, *fit, selection);
 }
 
 }  // namespace
 
-void add_times(apps::CommandLine& line, Chosen& chosen) {
+void add_times_command(apps::CommandLine& line, SelectedCommand& selected) {
     const auto arguments = std::make_shared<Arguments>();
-    add_options(add_command(line, chosen, "times", "fit what a machine file leaves open to recorded runs",
+    add_options(add_command(line, selected, "times", "fit what a machine file leaves open to recorded runs",
                             [arguments] { return fit_to_times(*arguments); }),
                 *arguments);
     line.add_example("gsim-calibrate times runs.csv --machine mine.toml -o fitted.toml",

@@ -5,6 +5,6 @@
 namespace gsim::calibrate {
 
 /// Adds gsim-calibrate times: open parameters of a machine file, from recorded runs.
-void add_times(apps::CommandLine& line, Chosen& chosen);
+void add_times_command(apps::CommandLine& line, SelectedCommand& selected);
 
 }  // namespace gsim::calibrate

@@ -11,7 +11,7 @@ namespace gsim::apps {
 
 namespace {
 
-std::string text_of(const Target& target) {
+std::string value_text(const Target& target) {
     return std::visit(
         [](const auto* value) -> std::string {
             using Value = std::decay_t<decltype(*value)>;
@@ -35,17 +35,17 @@ std::string_view Option::short_name() const {
     return comma == std::string::npos ? std::string_view{} : std::string_view(names).substr(0, comma);
 }
 
-Option& Option::called(std::string value_name) {
+Option& Option::with_value_name(std::string value_name) {
     value = std::move(value_name);
     return *this;
 }
 
-Option& Option::within(double least, double most) {
-    range = Range{least, most};
+Option& Option::within(double min, double max) {
+    range = Range{min, max};
     return *this;
 }
 
-Option& Option::above_zero() {
+Option& Option::make_positive() {
     positive = true;
     return *this;
 }
@@ -55,43 +55,43 @@ Option& Option::one_of(std::vector<std::string> words) {
     return *this;
 }
 
-Option& Option::of_file(FileKind kind, std::vector<std::string> name_endings) {
+Option& Option::takes_file(FileKind kind, std::vector<std::string> extensions_allowed) {
     file = kind;
-    endings = std::move(name_endings);
+    extensions = std::move(extensions_allowed);
     return *this;
 }
 
-Option& Option::or_name() {
-    may_be_name = true;
+Option& Option::or_builtin_name() {
+    allows_name = true;
     return *this;
 }
 
-Option& Option::may_be_file_of(std::string other) {
-    may_be = std::move(other);
+Option& Option::may_share_file_with(std::string other) {
+    shares_file_with = std::move(other);
     return *this;
 }
 
-Option& Option::suggests(std::vector<std::string> words) {
+Option& Option::suggest_values(std::vector<std::string> words) {
     suggestions = std::move(words);
     return *this;
 }
 
-Option& Option::shows(std::string text) {
+Option& Option::describe_default(std::string text) {
     default_text = std::move(text);
     return *this;
 }
 
-Option& Option::shows_default() {
-    return shows(text_of(target));
+Option& Option::show_default() {
+    return describe_default(value_text(target));
 }
 
-Option& Option::must_be_given() {
+Option& Option::make_required() {
     required = true;
     return *this;
 }
 
-Option& Option::not_with(std::string other) {
-    excludes = std::move(other);
+Option& Option::exclude_option(std::string other) {
+    excluded_option = std::move(other);
     return *this;
 }
 
@@ -102,9 +102,9 @@ Option& CommandLine::add(std::string names, Target target, std::string help) {
 }
 
 CommandLine& CommandLine::add_command(std::string name, std::string description,
-                                      std::function<void()> chosen) {
+                                      std::function<void()> on_selected) {
     CommandLine& command = commands_.emplace_back(std::move(name), std::move(description));
-    command.chosen_ = std::move(chosen);
+    command.on_selected_ = std::move(on_selected);
     return command;
 }
 
@@ -124,8 +124,8 @@ std::string CommandLine::usage() const {
     for (const Option& option : options_) {
         if (!option.is_argument()) continue;
         const bool many = std::holds_alternative<std::vector<std::string>*>(option.target);
-        const std::string shown = option.names + (many ? "..." : "");
-        text += option.required ? " " + shown : " [" + shown + "]";
+        const std::string display_text = option.names + (many ? "..." : "");
+        text += option.required ? " " + display_text : " [" + display_text + "]";
     }
     if (!commands_.empty()) text += " COMMAND ...";
     return text;
@@ -142,13 +142,13 @@ std::string value_name(const Option& option) {
     return is_text ? "NAME" : "NUMBER";
 }
 
-const std::vector<std::string>& offered(const Option& option) {
+const std::vector<std::string>& completion_values(const Option& option) {
     return option.choices.empty() ? option.suggestions : option.choices;
 }
 
 std::string full_help(const Option& option) {
     std::string text = option.help;
-    if (option.range) text += fmt::format(" ({} to {})", option.range->least, option.range->most);
+    if (option.range) text += fmt::format(" ({} to {})", option.range->min, option.range->max);
     if (option.positive) text += " (more than 0)";
     if (!option.default_text.empty()) text += fmt::format(" [{}]", option.default_text);
     return text;

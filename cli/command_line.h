@@ -26,8 +26,8 @@ using Target = std::variant<bool*, std::string*, double*, std::uint64_t*, std::o
 struct Option {
     /// Range of a number, both limits allowed.
     struct Range {
-        double least = 0;
-        double most = 0;
+        double min = 0;
+        double max = 0;
     };
 
     std::string names = {};  ///< "-o,--output", or an argument's name: "part.nc".
@@ -37,13 +37,13 @@ struct Option {
     std::string value = {};                     ///< Name of a value: FILE, MM, ...
     std::vector<std::string> choices = {};      ///< The values that there are.
     std::vector<std::string> suggestions = {};  ///< Values for shells to offer; there may be others.
-    std::vector<std::string> endings = {};      ///< File extensions: ".nc".
+    std::vector<std::string> extensions = {};   ///< File extensions: ".nc".
     std::optional<Range> range = {};
-    std::string default_text = {};  ///< Empty: not shown.
-    std::string excludes = {};      ///< An option that does not go with it.
+    std::string default_text = {};     ///< Empty: not shown.
+    std::string excluded_option = {};  ///< An option that does not go with it.
     FileKind file = FileKind::none;
-    std::string may_be = {};   ///< The option with which this one may share a file.
-    bool may_be_name = false;  ///< Without a dot it is a name of something built in.
+    std::string shares_file_with = {};  ///< The option with which this one may share a file.
+    bool allows_name = false;           ///< Without a dot it is a name of something built in.
     bool required = false;
     bool positive = false;  ///< A number must be more than 0.
 
@@ -54,19 +54,19 @@ struct Option {
     /// Returns "-o", or nothing.
     std::string_view short_name() const;
 
-    Option& called(std::string value_name);
-    Option& within(double least, double most);
-    Option& above_zero();
+    Option& with_value_name(std::string value_name);
+    Option& within(double min, double max);
+    Option& make_positive();
     Option& one_of(std::vector<std::string> words);
-    Option& suggests(std::vector<std::string> words);
-    Option& of_file(FileKind kind, std::vector<std::string> name_endings = {});
-    Option& or_name();
-    Option& may_be_file_of(std::string other);
-    Option& shows(std::string text);
+    Option& suggest_values(std::vector<std::string> words);
+    Option& takes_file(FileKind kind, std::vector<std::string> extensions_allowed = {});
+    Option& or_builtin_name();
+    Option& may_share_file_with(std::string other);
+    Option& describe_default(std::string text);
     /// Shows the target's current value as the default.
-    Option& shows_default();
-    Option& must_be_given();
-    Option& not_with(std::string other);
+    Option& show_default();
+    Option& make_required();
+    Option& exclude_option(std::string other);
 };
 
 /// A command to type, and its effect.
@@ -86,7 +86,8 @@ class CommandLine {
     void begin_group(std::string heading) { group_ = std::move(heading); }
     Option& add(std::string names, Target target, std::string help);
     /// Adds a command within the program; `chosen` is called if it is given.
-    CommandLine& add_command(std::string name, std::string description, std::function<void()> chosen = {});
+    CommandLine& add_command(std::string name, std::string description,
+                             std::function<void()> on_selected = {});
     void add_example(std::string command, std::string effect) {
         examples_.push_back({std::move(command), std::move(effect)});
     }
@@ -99,7 +100,7 @@ class CommandLine {
     const std::list<CommandLine>& commands() const { return commands_; }
     const std::vector<Example>& examples() const { return examples_; }
     const std::vector<std::string>& notes() const { return notes_; }
-    const std::function<void()>& chosen() const { return chosen_; }
+    const std::function<void()>& on_selected() const { return on_selected_; }
     /// Returns the headings of options, in the order in which they were begun.
     std::vector<std::string> groups() const;
     /// Returns "gsim-run [options] part.nc", without the preceding commands.
@@ -113,14 +114,14 @@ class CommandLine {
     std::list<CommandLine> commands_;  // of a type that is not complete here
     std::vector<Example> examples_;
     std::vector<std::string> notes_;
-    std::function<void()> chosen_;
+    std::function<void()> on_selected_;
 };
 
 /// Returns "FILE", "NUMBER", "ab9|rs274ngc": the text after an option in its help; empty for a flag.
 std::string value_name(const Option& option);
 
 /// Returns the values that shells offer for an option: its choices, or its suggestions.
-const std::vector<std::string>& offered(const Option& option);
+const std::vector<std::string>& completion_values(const Option& option);
 
 /// Returns the help of an option with its choices, range and default.
 std::string full_help(const Option& option);

@@ -2,7 +2,7 @@
 
 #include "base/text/format.h"
 #include "cli/completion.h"
-#include "cli/own_completion.h"
+#include "cli/standalone_completion.h"
 
 namespace gsim::apps {
 
@@ -46,25 +46,26 @@ std::vector<std::string> option_names(const CommandLine& line) {
 }
 
 // Returns the names of options with the same kind of value, as a pattern of `case`.
-std::string pattern(const Option& option) {
+std::string case_pattern(const Option& option) {
     const std::string separator = option.short_name().empty() ? "" : "|";
     return fmt::format("{}{}{}", option.short_name(), separator, option.long_name());
 }
 
 std::string completed_value(const Option& option) {
-    if (!offered(option).empty()) return fmt::format("_gsim_words '{}'", text::joined(offered(option), " "));
+    if (!completion_values(option).empty())
+        return fmt::format("_gsim_words '{}'", text::joined(completion_values(option), " "));
     if (option.file == FileKind::folder) return "_gsim_files -d";
     if (option.file != FileKind::none) return "_gsim_files -f";
     return ":";  // a number, or a name that only the user knows
 }
 
-std::string cases(const CommandLine& line) {
+std::string option_cases(const CommandLine& line) {
     std::string text;
     for (const Option& option : line.options()) {
         if (option.is_argument() || option.is_flag()) continue;
-        text += fmt::format("        {}) {}; return ;;\n", pattern(option), completed_value(option));
+        text += fmt::format("        {}) {}; return ;;\n", case_pattern(option), completed_value(option));
     }
-    for (const CommandLine& command : line.commands()) text += cases(command);
+    for (const CommandLine& command : line.commands()) text += option_cases(command);
     return text;
 }
 
@@ -79,7 +80,7 @@ std::string program_function(const CommandLine& line) {
     }
     std::string text =
         fmt::format("{}() {{\n    local cur prev\n    _gsim_begin\n", function_name(line.program()));
-    text += "    case $prev in\n" + cases(line) + "    esac\n";
+    text += "    case $prev in\n" + option_cases(line) + "    esac\n";
     text +=
         fmt::format("    if [[ $cur == -* ]]; then _gsim_words '{}'; return; fi\n", text::joined(words, " "));
     text += "    _gsim_files -f\n";
@@ -104,7 +105,7 @@ std::string front_function(const CommandLine& front, std::span<const CompletedPr
 
 }  // namespace
 
-std::string own_bash_completion(const CommandLine& line) {
+std::string standalone_bash_completion(const CommandLine& line) {
     return fmt::format("# Completion of {0} for bash; made by `{0} completion bash`.\n\n{1}{2}",
                        line.program(), kHelpers, program_function(line));
 }

@@ -2,7 +2,7 @@
 
 #include "base/text/format.h"
 #include "cli/completion.h"
-#include "cli/own_completion.h"
+#include "cli/standalone_completion.h"
 
 namespace gsim::apps {
 
@@ -20,34 +20,34 @@ std::string fish_quoted(std::string_view text) {
 // Returns the part of an option's line for its value; empty for a flag.
 std::string value_flags(const Option& option) {
     if (option.is_flag()) return "";
-    if (!offered(option).empty())
-        return fmt::format(" -x -a {}", fish_quoted(text::joined(offered(option), " ")));
+    if (!completion_values(option).empty())
+        return fmt::format(" -x -a {}", fish_quoted(text::joined(completion_values(option), " ")));
     if (option.file == FileKind::folder) return " -x -a '(__fish_complete_directories)'";
     return option.file == FileKind::none ? " -x" : " -r -F";
 }
 
-std::string option_line(const std::string& who, const Option& option) {
-    std::string text = fmt::format("complete {} -l {}", who, option.long_name().substr(2));
+std::string option_line(const std::string& target_flags, const Option& option) {
+    std::string text = fmt::format("complete {} -l {}", target_flags, option.long_name().substr(2));
     if (!option.short_name().empty()) text += fmt::format(" -s {}", option.short_name().substr(1));
     return text + value_flags(option) + " -d " + fish_quoted(option.help) + "\n";
 }
 
-std::string option_lines(const std::string& who, const CommandLine& line) {
+std::string option_lines(const std::string& target_flags, const CommandLine& line) {
     std::string text;
     for (const Option& option : line.options()) {
-        if (!option.is_argument()) text += option_line(who, option);
+        if (!option.is_argument()) text += option_line(target_flags, option);
     }
     for (const CommandLine& command : line.commands()) {
-        text += fmt::format("complete {} -a {} -d {}\n", who, command.program(),
+        text += fmt::format("complete {} -a {} -d {}\n", target_flags, command.program(),
                             fish_quoted(command.description()));
-        text += option_lines(who, command);
+        text += option_lines(target_flags, command);
     }
     return text;
 }
 
 }  // namespace
 
-std::string own_fish_completion(const CommandLine& line) {
+std::string standalone_fish_completion(const CommandLine& line) {
     return fmt::format("# Completion of {0} for fish; made by `{0} completion fish`.\n\n{1}", line.program(),
                        option_lines("-c " + line.program(), line));
 }

@@ -2,7 +2,7 @@
 
 #include "base/text/format.h"
 #include "cli/completion.h"
-#include "cli/own_completion.h"
+#include "cli/standalone_completion.h"
 
 namespace gsim::apps {
 
@@ -22,8 +22,9 @@ std::string zsh_quoted(std::string_view text) {
     return result;
 }
 
-std::string action(const Option& option) {
-    if (!offered(option).empty()) return fmt::format("({})", text::joined(offered(option), " "));
+std::string value_action(const Option& option) {
+    if (!completion_values(option).empty())
+        return fmt::format("({})", text::joined(completion_values(option), " "));
     if (option.file == FileKind::folder) return "_files -/";
     return option.file == FileKind::none ? " " : "_files";
 }
@@ -31,10 +32,10 @@ std::string action(const Option& option) {
 std::string specification(const Option& option) {
     const bool many = std::holds_alternative<std::vector<std::string>*>(option.target);
     if (option.is_argument())
-        return fmt::format("'{}:{}:{}'", many ? "*" : "", zsh_quoted(option.names), action(option));
+        return fmt::format("'{}:{}:{}'", many ? "*" : "", zsh_quoted(option.names), value_action(option));
     std::string text;
     const std::string value =
-        option.is_flag() ? "" : fmt::format(":{}:{}", zsh_quoted(value_name(option)), action(option));
+        option.is_flag() ? "" : fmt::format(":{}:{}", zsh_quoted(value_name(option)), value_action(option));
     for (const std::string_view name : {option.short_name(), option.long_name()}) {
         if (!name.empty())
             text += fmt::format(" '{}{}[{}]{}'", many ? "*" : "", name, zsh_quoted(option.help), value);
@@ -48,7 +49,7 @@ std::string specifications(const CommandLine& line) {
     return text;
 }
 
-std::string arguments_of(const CommandLine& line) {
+std::string arguments_call(const CommandLine& line) {
     std::string text =
         fmt::format("_arguments -s '--help[print help and end]' '--version[print the version and end]'{}",
                     specifications(line));
@@ -68,14 +69,14 @@ std::string arguments_of(const CommandLine& line) {
 
 std::string program_case(const CompletedProgram& program) {
     return fmt::format("    {}|{})\n        {}        ;;\n", program.command, program.line->program(),
-                       arguments_of(*program.line));
+                       arguments_call(*program.line));
 }
 
 }  // namespace
 
-std::string own_zsh_completion(const CommandLine& line) {
+std::string standalone_zsh_completion(const CommandLine& line) {
     return fmt::format("#compdef {0}\n# Completion of {0} for zsh; made by `{0} completion zsh`.\n\n{1}",
-                       line.program(), arguments_of(line));
+                       line.program(), arguments_call(line));
 }
 
 std::string zsh_completion(const CommandLine& front, std::span<const CompletedProgram> programs) {

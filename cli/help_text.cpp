@@ -12,15 +12,15 @@ namespace gsim::apps {
 namespace {
 
 constexpr std::size_t kWidth = 100;
-constexpr std::size_t kColumn = 30;  // start of an option's help text
+constexpr std::size_t kHelpColumn = 30;  // start of an option's help text
 
 std::string entry(const std::string& name, const std::string& help) {
-    const std::string text = wrapped(help, kWidth - kColumn, kColumn);
-    if (name.size() + 4 > kColumn) return fmt::format("  {}\n{}", name, text);
-    return fmt::format("  {:<{}}{}", name, kColumn - 2, text.substr(kColumn));
+    const std::string text = wrap_text(help, kWidth - kHelpColumn, kHelpColumn);
+    if (name.size() + 4 > kHelpColumn) return fmt::format("  {}\n{}", name, text);
+    return fmt::format("  {:<{}}{}", name, kHelpColumn - 2, text.substr(kHelpColumn));
 }
 
-std::string shown_names(const Option& option) {
+std::string names_text(const Option& option) {
     const std::string value = value_name(option);
     const std::string separator = option.short_name().empty() ? "" : ", ";
     return fmt::format("{}{}{}{}{}", option.short_name(), separator, option.long_name(),
@@ -32,7 +32,7 @@ std::string option_lists(const CommandLine& line) {
     for (const std::string& group : line.groups()) {
         text += fmt::format("\n{}:\n", group);
         for (const Option& option : line.options()) {
-            if (option.group == group) text += entry(shown_names(option), full_help(option));
+            if (option.group == group) text += entry(names_text(option), full_help(option));
         }
     }
     return text;
@@ -50,13 +50,13 @@ std::string example_list(const CommandLine& line) {
     if (line.examples().empty()) return {};
     std::string text = "\nExamples:\n";
     for (const Example& example : line.examples())
-        text += fmt::format("  {}\n{}", example.command, wrapped(example.effect, kWidth - 6, 6));
+        text += fmt::format("  {}\n{}", example.command, wrap_text(example.effect, kWidth - 6, 6));
     return text;
 }
 
 std::string note_list(const CommandLine& line) {
     std::string text;
-    for (const std::string& note : line.notes()) text += "\n" + wrapped(note, kWidth, 0);
+    for (const std::string& note : line.notes()) text += "\n" + wrap_text(note, kWidth, 0);
     return text;
 }
 
@@ -71,7 +71,7 @@ std::string usage_of_command(const CommandLine& line, const CommandLine& command
 
 }  // namespace
 
-std::string wrapped(const std::string& text, std::size_t width, std::size_t indent) {
+std::string wrap_text(const std::string& text, std::size_t width, std::size_t indent) {
     const std::string margin(indent, ' ');
     std::istringstream words(text);
     std::string result;
@@ -89,19 +89,19 @@ std::string exit_statuses() {
            "options, files or standard output.";
 }
 
-std::string help_text(const CommandLine& line, const CommandLine* chosen) {
-    const bool within = chosen != &line;
-    const std::string usage = within ? usage_of_command(line, *chosen) : line.usage();
-    std::string description = chosen->description() + ".";
+std::string help_text(const CommandLine& line, const CommandLine* selected) {
+    const bool is_subcommand = selected != &line;
+    const std::string usage = is_subcommand ? usage_of_command(line, *selected) : line.usage();
+    std::string description = selected->description() + ".";
     description.replace(0, 1, text::upper(description.substr(0, 1)));
-    std::string text = fmt::format("Usage: {}\n\n{}", usage, wrapped(description, kWidth, 0));
-    text += option_lists(*chosen);
-    if (within) text += option_lists(line);
+    std::string text = fmt::format("Usage: {}\n\n{}", usage, wrap_text(description, kWidth, 0));
+    text += option_lists(*selected);
+    if (is_subcommand) text += option_lists(line);
     text += "\nHelp:\n" + entry("-h, --help", "print this and end") +
             entry("--version", "print the version and those of parts, and end");
-    if (!within) text += command_list(line);
+    if (!is_subcommand) text += command_list(line);
     return text + note_list(line) + example_list(line) + "\n" +
-           wrapped("Exit status: " + exit_statuses(), kWidth, 0);
+           wrap_text("Exit status: " + exit_statuses(), kWidth, 0);
 }
 
 }  // namespace gsim::apps

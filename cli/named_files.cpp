@@ -21,25 +21,25 @@ struct NamedFile {
     std::optional<os::FileIdentity> identity;  ///< None if it may be named twice.
 
     bool is_written() const { return option == nullptr || option->file != FileKind::input; }
-    std::string shown() const {
+    std::string description() const {
         return option == nullptr ? std::string("standard output")
                                  : fmt::format("{} '{}'", option->long_name(), value);
     }
 };
 
-bool is_standard(const std::string& value) {
+bool is_standard_stream(const std::string& value) {
     return value == os::kStandardStream;
 }
 
-std::optional<os::FileIdentity> identity_of_value(const Option& option, const std::string& value) {
-    if (!is_standard(value)) {
-        const bool name = option.may_be_name && value.find('.') == std::string::npos;
-        return name ? std::nullopt : os::identity_of(value);
+std::optional<os::FileIdentity> value_identity(const Option& option, const std::string& value) {
+    if (!is_standard_stream(value)) {
+        const bool name = option.allows_name && value.find('.') == std::string::npos;
+        return name ? std::nullopt : os::file_identity(value);
     }
-    return option.file == FileKind::input ? os::identity_of_open(STDIN_FILENO) : std::nullopt;
+    return option.file == FileKind::input ? os::open_file_identity(STDIN_FILENO) : std::nullopt;
 }
 
-std::vector<std::string> values_of(const Option& option) {
+std::vector<std::string> option_values(const Option& option) {
     if (const auto* one = std::get_if<std::string*>(&option.target)) return {**one};
     if (const auto* many = std::get_if<std::vector<std::string>*>(&option.target)) return **many;
     return {};
@@ -51,7 +51,7 @@ bool is_given(const CommandLine& line, std::string_view name) {
         if (option.long_name() != name) continue;
         const auto* flag = std::get_if<bool*>(&option.target);
         const auto* file = std::get_if<std::string*>(&option.target);
-        return (flag != nullptr && **flag) || (file != nullptr && is_standard(**file));
+        return (flag != nullptr && **flag) || (file != nullptr && is_standard_stream(**file));
     }
     return false;
 }
@@ -60,13 +60,13 @@ class NamedFiles {
   public:
     explicit NamedFiles(const CommandLine& line) {
         add(line);
-        files_.push_back({nullptr, {}, os::identity_of_open(STDOUT_FILENO)});
+        files_.push_back({nullptr, {}, os::open_file_identity(STDOUT_FILENO)});
     }
 
     std::optional<std::string> find_conflict() const {
         for (auto second = files_.begin(); second != files_.end(); ++second) {
             for (auto first = files_.begin(); first != second; ++first) {
-                if (auto sentence = conflict(*first, *second)) return sentence;
+                if (auto message = conflict(*first, *second)) return message;
             }
         }
         return std::nullopt;
@@ -82,33 +82,34 @@ class NamedFiles {
     void add(const Option& option) {
         const bool is_file = option.file != FileKind::none && option.file != FileKind::folder;
         if (!is_file || !targets_.insert(option.target).second) return;
-        for (const std::string& value : values_of(option)) {
-            if (!value.empty()) files_.push_back({&option, value, identity_of_value(option, value)});
+        for (const std::string& value : option_values(option)) {
+            if (!value.empty()) files_.push_back({&option, value, value_identity(option, value)});
         }
     }
 
     static std::optional<std::string> conflict(const NamedFile& a, const NamedFile& b) {
         if (!a.is_written() && !b.is_written()) return std::nullopt;
         if (a.option != nullptr && b.option != nullptr) {
-            const bool allowed =
-                a.option->may_be == b.option->long_name() || b.option->may_be == a.option->long_name();
-            if (allowed) return std::nullopt;
-            if (a.is_written() && b.is_written() && is_standard(a.value) && is_standard(b.value)) {
+            const bool feasible = a.option->shares_file_with == b.option->long_name() ||
+                                  b.option->shares_file_with == a.option->long_name();
+            if (feasible) return std::nullopt;
+            if (a.is_written() && b.is_written() && is_standard_stream(a.value) &&
+                is_standard_stream(b.value)) {
                 return fmt::format("{} - and {} - both want standard output; give one of them a file",
                                    a.option->long_name(), b.option->long_name());
             }
         }
         if (!a.identity || a.identity != b.identity) return std::nullopt;
         if (a.is_written() && b.is_written()) {
-            return fmt::format("{} and {} are the same file; give each output a file of its own", a.shown(),
-                               b.shown());
+            return fmt::format("{} and {} are the same file; give each output a file of its own",
+                               a.description(), b.description());
         }
         const NamedFile& output = a.is_written() ? a : b;
         const NamedFile& input = a.is_written() ? b : a;
         return fmt::format(
             "{} and {} are the same file, which would be read and overwritten; give the output a file of its "
             "own",
-            output.shown(), input.shown());
+            output.description(), input.description());
     }
 
     std::set<Target> targets_;

@@ -15,22 +15,22 @@ namespace gsim::apps {
 
 namespace {
 
-iovec piece(const char* text) {
+iovec to_iovec(const char* text) {
     return {const_cast<char*>(text), std::strlen(text)};
 }
 
 // Allocates no memory. A failure to write the message could not be reported.
-void end_without_memory() {
+void exit_out_of_memory() {
     os::remove_temporaries();
-    const std::array sentence{piece(::program_invocation_short_name), piece(": out of memory\n")};
-    static_cast<void>(!::writev(STDERR_FILENO, sentence.data(), static_cast<int>(sentence.size())));
-    ::_exit(kUsage);
+    const std::array message{to_iovec(::program_invocation_short_name), to_iovec(": out of memory\n")};
+    static_cast<void>(!::writev(STDERR_FILENO, message.data(), static_cast<int>(message.size())));
+    ::_exit(kUsageError);
 }
 
 }  // namespace
 
-void end_where_memory_lacks() {
-    std::set_new_handler(end_without_memory);
+void exit_on_out_of_memory() {
+    std::set_new_handler(exit_out_of_memory);
 }
 
 }  // namespace gsim::apps

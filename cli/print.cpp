@@ -12,10 +12,10 @@ namespace gsim::apps {
 
 namespace {
 
-void tell_failure(int error) {
-    const std::string sentence =
+void report_write_error(int error) {
+    const std::string message =
         fmt::format("cannot write standard output: {}\n", std::generic_category().message(error));
-    tell(sentence);
+    print_to_standard_error(message);
 }
 
 }  // namespace
@@ -23,20 +23,20 @@ void tell_failure(int error) {
 // The stream's own error flag means that the error was already reported.
 void print(std::string_view text) {
     if (std::ferror(stdout) != 0) return;
-    const bool whole = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
-    if (!whole || std::ferror(stdout) != 0) tell_failure(errno);
+    const bool is_complete = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+    if (!is_complete || std::ferror(stdout) != 0) report_write_error(errno);
 }
 
-void tell(std::string_view text) {
+void print_to_standard_error(std::string_view text) {
     static_cast<void>(std::fwrite(text.data(), 1, text.size(), stderr));
 }
 
 int finish_standard_output(int status) {
-    const bool told = std::ferror(stdout) != 0;
+    const bool has_failed = std::ferror(stdout) != 0;
     // Some systems report a full disk or a lost server only when the file is closed.
     const bool closed = std::fclose(stdout) == 0;
-    if (!closed && !told) tell_failure(errno);
-    return (told || !closed) && status == kDone ? kUsage : status;
+    if (!closed && !has_failed) report_write_error(errno);
+    return (has_failed || !closed) && status == kSuccess ? kUsageError : status;
 }
 
 }  // namespace gsim::apps

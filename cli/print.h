@@ -12,10 +12,10 @@ void print(std::string_view text);
 /// Writes a text to standard error. If that cannot be written (its disk is full, its reader has ended), the
 /// error cannot be reported and the program continues. Text from files and options must pass
 /// text::printable() first.
-void tell(std::string_view text);
+void print_to_standard_error(std::string_view text);
 
-/// Closes standard output after all work. Returns the exit status: `status`, or kUsage in place of kDone if
-/// not all output has arrived. For main() alone.
+/// Closes standard output after all work. Returns the exit status: `status`, or kUsageError in place of
+/// kSuccess if not all output has arrived. For main() alone.
 int finish_standard_output(int status);
 
 }  // namespace gsim::apps

@@ -22,14 +22,14 @@ class Program {
 
 /// A program with the plain values of a structure as its arguments.
 template <typename Arguments>
-class ProgramOf final : public Program {
+class ProgramWithArguments final : public Program {
   public:
-    using Describe = void (*)(CommandLine&, Arguments&);
+    using AddOptions = void (*)(CommandLine&, Arguments&);
     using Run = int (*)(const Arguments&);
 
-    ProgramOf(std::string name, std::string description, Describe describe, Run action)
+    ProgramWithArguments(std::string name, std::string description, AddOptions add_options_to, Run action)
         : line_(std::move(name), std::move(description)), run_(action) {
-        describe(line_, arguments_);
+        add_options_to(line_, arguments_);
     }
     const CommandLine& command_line() const override { return line_; }
     int run() const override { return run_(arguments_); }

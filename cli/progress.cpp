@@ -11,7 +11,7 @@ namespace gsim::apps {
 namespace {
 
 constexpr std::size_t kProgressBarWidth = 40;
-constexpr auto kPause = std::chrono::milliseconds(100);
+constexpr auto kUpdateInterval = std::chrono::milliseconds(100);
 
 }  // namespace
 
@@ -21,12 +21,12 @@ void Progress::update(std::uint64_t done, std::uint64_t total) {
     if (!enabled_) return;
     const Clock::time_point now = Clock::now();
     if (now < next_) return;
-    next_ = now + kPause;
+    next_ = now + kUpdateInterval;
     draw(done, total);
 }
 
 void Progress::draw(std::uint64_t done, std::uint64_t total) {
-    drawn_ = true;
+    is_drawn_ = true;
     std::string text = fmt::format("\r{} blocks", done);
     if (total != 0) {
         const double share = std::min(1.0, static_cast<double>(done) / static_cast<double>(total));
@@ -39,10 +39,10 @@ void Progress::draw(std::uint64_t done, std::uint64_t total) {
 }
 
 void Progress::clear() {
-    if (!drawn_) return;
+    if (!is_drawn_) return;
     std::fputs("\r\x1b[K", stream_);
     std::fflush(stream_);
-    drawn_ = false;
+    is_drawn_ = false;
 }
 
 }  // namespace gsim::apps

@@ -29,7 +29,7 @@ class Progress {
 
     std::FILE* stream_;
     bool enabled_;
-    bool drawn_ = false;
+    bool is_drawn_ = false;
     Clock::time_point next_ = {};
 };
 

@@ -12,14 +12,14 @@
 namespace gsim::apps {
 
 /// Writes "PROGRAM: MESSAGE" to standard error, in a form that is safe for a terminal.
-inline void tell_fault(std::string_view program, std::string_view message) {
-    tell(text::printable(fmt::format("{}: {}\n", program, message)));
+inline void report_error(std::string_view program, std::string_view message) {
+    print_to_standard_error(text::printable(fmt::format("{}: {}\n", program, message)));
 }
 
 /// Reports an error of options or files; returns the exit status for it.
 inline int usage_error(const char* program, const std::string& message) {
-    tell_fault(program, message);
-    return kUsage;
+    report_error(program, message);
+    return kUsageError;
 }
 
 }  // namespace gsim::apps

@@ -8,7 +8,7 @@
 
 #include "base/text/format.h"
 #include "base/text/letter_case.h"
-#include "grammar/control_name.h"
+#include "grammar/controller_name.h"
 #include "grammar/dialect.h"
 #include "lexer/names.h"
 
@@ -31,13 +31,13 @@ class Page {
         text::append_format(text_, format, std::forward<Args>(args)...);
         text_ += '\n';
     }
-    std::string take() { return std::move(text_); }
+    std::string release() { return std::move(text_); }
 
   private:
     std::string text_;
 };
 
-std::string words_of(const Code& code) {
+std::string argument_words(const Code& code) {
     std::string words = code.axes == AxisUse::none ? "" : "axes";
     const auto add = [&](std::string_view word) {
         if (!words.empty()) words += ' ';
@@ -55,8 +55,8 @@ std::string words_of(const Code& code) {
     return words;
 }
 
-std::string lua_of(const Code& code) {
-    if (code.support == Support::later) return "refused";
+std::string lua_text(const Code& code) {
+    if (code.support == Support::planned) return "refused";
     const bool has_words = code.axes != AxisUse::none || !code.words.empty();
     return fmt::format("`{}{}`", grammar::lua_name(code), has_words ? "{..}" : "()");
 }
@@ -67,7 +67,7 @@ bool is_initial(const Dialect& dialect, const Code& code) {
 }
 
 /// Returns true for rows that differ only in their number: the settable frames, the user codes.
-bool continues(const Code& before, const Code& code) {
+bool is_continuation(const Code& before, const Code& code) {
     return before.letter == code.letter && before.group == code.group && before.meaning == code.meaning &&
            code.code_x10 == before.code_x10 + 10 &&
            (code.group == Group::user || code.group == Group::work_frame);
@@ -78,10 +78,11 @@ void add_group(Page& page, const Dialect& dialect, const std::vector<const Code*
     page.line("| --- | --- | --- | --- | --- |");
     for (std::size_t i = 0; i < codes.size(); ++i) {
         std::size_t last = i;
-        while (last + 1 < codes.size() && continues(*codes[last], *codes[last + 1])) ++last;
+        while (last + 1 < codes.size() && is_continuation(*codes[last], *codes[last + 1])) ++last;
         const std::string to = last > i ? fmt::format(" to {}", grammar::code_name(*codes[last])) : "";
         page.line("| {}{} | {} | {} | {} | {} |", grammar::code_name(*codes[i]), to, codes[i]->meaning,
-                  words_of(*codes[i]), lua_of(*codes[i]), is_initial(dialect, *codes[i]) ? "yes" : "");
+                  argument_words(*codes[i]), lua_text(*codes[i]),
+                  is_initial(dialect, *codes[i]) ? "yes" : "");
         i = last;
     }
     page.line("");
@@ -113,9 +114,9 @@ void add_order(Page& page, const Dialect& dialect) {
     for (std::size_t i = 0; i < phases.size(); ++i) {
         std::string codes;
         for (const Code& code : dialect.codes()) {
-            const bool shown =
+            const bool is_visible =
                 code.phase == phases[i] && code.group != Group::user && code.code_x10 < kFirstFrame;
-            if (shown) codes += (codes.empty() ? ": " : " ") + grammar::code_name(code);
+            if (is_visible) codes += (codes.empty() ? ": " : " ") + grammar::code_name(code);
         }
         page.line("{}. {}{}", i + 1, grammar::name(phases[i]), codes);
     }
@@ -149,7 +150,7 @@ void add_dialect(Page& page, const Dialect& dialect, lexer::NameStyle other) {
     add_expressions(page, other);
 }
 
-constexpr std::string_view kHead =
+constexpr std::string_view kPageHeader =
     R"(# The language, code by code
 
 Made by `make docs` from the tables that the translator runs by; a test compares the two. What a word does in detail
@@ -179,7 +180,7 @@ constexpr std::string_view kAb9Statements = R"(### Statements
 Binding: brackets and functions; `*` `/` `MOD` `AND`; `+` `-` `OR` `XOR`; comparisons. A vacant variable is `nil`.
 )";
 
-constexpr std::string_view kControls = R"(
+constexpr std::string_view kControllers = R"(
 ## Names of controls
 
 `--dialect`, and `dialect` under `[program]` of a machine file, take these; capitals, blanks, dots, dashes and slashes do not count. Where a control's own language is only near
@@ -246,9 +247,9 @@ void add_klipper(Page& page) {
 
 std::string language_page() {
     Page page;
-    page.line("{}", kHead);
-    page.line("{}", kControls);
-    page.line("{}", grammar::control_table());
+    page.line("{}", kPageHeader);
+    page.line("{}", kControllers);
+    page.line("{}", grammar::controller_table());
     add_dialect(page, grammar::dialect_ab9(), lexer::NameStyle::rs274ngc);
     page.line("{}", kAb9Statements);
     add_dialect(page, grammar::dialect_rs274ngc(), lexer::NameStyle::ab9);
@@ -257,7 +258,7 @@ std::string language_page() {
         page.line("| {} | {} |", text::lower(flow.name), flow.meaning);
     page.line("{}", kNgcStatements);
     add_klipper(page);
-    return page.take();
+    return page.release();
 }
 
 }  // namespace gsim::codegen

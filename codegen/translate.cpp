@@ -24,28 +24,28 @@ std::string_view file_name(const TranslateOptions& options) {
 }
 
 /// Result of one reading of the source.
-struct Written {
+struct WrittenCode {
     ProgramMap programs;
     std::uint32_t last_line = 0;
 };
 
-Written write_commands(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
-                       lexer::Diagnostics& diagnostics) {
+WrittenCode write_commands(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
+                           lexer::Diagnostics& diagnostics) {
     CommandWriter writer(*options.dialect, diagnostics, spool, options.annotate);
     writer.write(source, file_name(options));
     return {writer.map(), writer.line()};
 }
 
-Written write_blocks(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
-                     lexer::Diagnostics& diagnostics) {
+WrittenCode write_blocks(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
+                         lexer::Diagnostics& diagnostics) {
     const lexer::Style style = options.dialect->rules().style;
     const FileScan scan = scan_file(source, options.aliases, style);
     lexer::Lexer lexer(source, diagnostics, options.aliases, style, options.annotate);
-    lexer.pass_over_leader(scan.leader_lines);
+    lexer.skip_leader(scan.leader_lines);
     if (scan.leader_lines > 0)
         diagnostics.warning({0, 1, 1}, lexer::DiagnosticKind::syntax, leader_warning(scan.leader_lines));
     LuaWriter writer(*options.dialect, scan, lexer, diagnostics, spool,
-                     {options.annotate, options.unknown == Unknown::warn, options.inch});
+                     {options.annotate, options.unknown == UnknownCodePolicy::warn, options.inch});
     writer.begin_file(file_name(options));
     grammar::Parser(lexer, diagnostics, writer).run();
     if (!diagnostics.full()) writer.end_file();
@@ -55,31 +55,32 @@ Written write_blocks(lexer::Source& source, LuaSpool& spool, const TranslateOpti
 }  // namespace
 
 Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
-                      const std::function<void(const text::Diagnostic&)>& take_all) {
+                      const std::function<void(const text::Diagnostic&)>& on_diagnostic) {
     source.set_name(options.source_name);
-    source.end_where(options.ends);
+    source.set_end_condition(options.should_stop);
     // Errors of a program that was read in part are meaningless.
-    const auto take = [&](const text::Diagnostic& told) {
-        if (!source.was_ended() && source.error() == 0) take_all(told);
+    const auto report_diagnostic = [&](const text::Diagnostic& diagnostic) {
+        if (!source.ended_early() && source.error() == 0) on_diagnostic(diagnostic);
     };
-    lexer::Diagnostics diagnostics(source, options.max_errors, take);
+    lexer::Diagnostics diagnostics(source, options.max_errors, report_diagnostic);
     const bool commands = options.dialect->rules().style == lexer::Style::command_lines;
-    Written written = commands ? write_commands(source, spool, options, diagnostics)
-                               : write_blocks(source, spool, options, diagnostics);
+    WrittenCode written = commands ? write_commands(source, spool, options, diagnostics)
+                                   : write_blocks(source, spool, options, diagnostics);
     Translation result;
     result.ok = diagnostics.error_count() == 0;
     result.first_error = diagnostics.first_error();
     if (source.error() != 0) {
         result.ok = false;
-        result.first_error = text::Diagnostic{.kind = text::DiagnosticKind::file, .text = *source.fault()};
+        result.first_error =
+            text::Diagnostic{.kind = text::DiagnosticKind::file, .text = *source.error_message()};
     }
-    if (source.was_ended()) {
+    if (source.ended_early()) {
         result.ok = false;
         result.first_error = text::Diagnostic{.kind = text::DiagnosticKind::run_limit,
                                               .file = options.source_name,
                                               .line = written.last_line,
                                               .text = options.end_reason()};
-        take_all(*result.first_error);
+        on_diagnostic(*result.first_error);
     }
     if (result.ok) {
         if (const auto finished = spool.finish(); !finished) throw std::runtime_error(finished.error());
@@ -92,8 +93,8 @@ TextTranslation translate_text(std::string_view gcode, const TranslateOptions& o
     lexer::Source source = lexer::Source::from_text(std::string(gcode), options.source_name);
     LuaSpool spool;
     TextTranslation result;
-    Translation translation = translate(source, spool, options, [&](const text::Diagnostic& told) {
-        result.diagnostics += text::to_text(told);
+    Translation translation = translate(source, spool, options, [&](const text::Diagnostic& diagnostic) {
+        result.diagnostics += text::to_text(diagnostic);
     });
     result.ok = translation.ok;
     if (!result.ok) return result;

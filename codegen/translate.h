@@ -15,14 +15,14 @@
 namespace gsim::codegen {
 
 /// Handling of a code that the dialect does not have.
-enum class Unknown : std::uint8_t {
+enum class UnknownCodePolicy : std::uint8_t {
     error,
     warn,  ///< Its word is left out; one warning per code, with the count.
 };
 
 struct TranslateOptions {
     const grammar::Dialect* dialect = &grammar::dialect_ab9();
-    Unknown unknown = Unknown::error;
+    UnknownCodePolicy unknown = UnknownCodePolicy::error;
     std::string source_name = "part.nc";  ///< For messages and the first line of the Lua.
     bool inch = false;                    ///< The unit in force at the start, for the first line of the Lua.
     bool annotate = false;                ///< Each complete source block as a trailing comment.
@@ -30,7 +30,7 @@ struct TranslateOptions {
     lexer::Aliases aliases;
     /// Called as the source is read: true ends the translation with an error of kind run_limit and
     /// `end_reason`.
-    std::function<bool()> ends;
+    std::function<bool()> should_stop;
     std::function<std::string()> end_reason;
 };
 
@@ -44,7 +44,7 @@ struct Translation {
 /// Translates one source to Lua in `spool`. Each diagnostic is passed to `take` as soon as it is known. The
 /// caller must check if the source could be read to its end (Source::error()).
 Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
-                      const std::function<void(const text::Diagnostic&)>& take);
+                      const std::function<void(const text::Diagnostic&)>& report_diagnostic);
 
 /// Result of the same for a text in memory.
 struct TextTranslation {

@@ -9,14 +9,14 @@ namespace gsim::engine {
 /// share one state.
 class Cancel {
   public:
-    void now() { *asked_ = true; }
-    bool asked() const { return *asked_; }
+    void now() { *cancel_flag_ = true; }
+    bool is_requested() const { return *cancel_flag_; }
 
     /// For internal use.
-    std::shared_ptr<const std::atomic<bool>> flag() const { return asked_; }
+    std::shared_ptr<const std::atomic<bool>> flag() const { return cancel_flag_; }
 
   private:
-    std::shared_ptr<std::atomic<bool>> asked_ = std::make_shared<std::atomic<bool>>(false);
+    std::shared_ptr<std::atomic<bool>> cancel_flag_ = std::make_shared<std::atomic<bool>>(false);
 };
 
 }  // namespace gsim::engine

@@ -13,7 +13,7 @@
 
 namespace gsim::engine {
 
-/// A contour that could be cut, for display and selection (ContourChoice::edges).
+/// A contour that could be cut, for display and selection (ContourSelection::edges).
 struct ListedContour {
     std::string face = {};  ///< As messages name it, of which it is.
     bool is_hole = false;
@@ -21,8 +21,8 @@ struct ListedContour {
     std::vector<std::string> edges = {};  ///< Their numbers in the file; empty if they have none.
     double length_mm = 0;
     double depth_mm = 0;  ///< The max depth of a wall below it.
-    double lean_deg = 0;  ///< The max tilt of a wall from the face's normal.
-    std::vector<std::array<double, 3>> line_mm =
+    double tilt_deg = 0;  ///< The max tilt of a wall from the face's normal.
+    std::vector<std::array<double, 3>> polyline_mm =
         {};  ///< Positions along it, of the file; if closed, the last is the first.
 };
 
@@ -33,7 +33,7 @@ struct ContourList {
 
 /// Returns the contours that a choice selects in a STEP or IGES file, which is named as
 /// DrawingRequest::drawing is, and read by Host::read_contours.
-GSIM_API tl::expected<ContourList, Failure> list_contours(const Host& host, const std::string& part,
-                                                          const ContourChoice& choice);
+GSIM_API tl::expected<ContourList, Error> list_contours(const Host& host, const std::string& part,
+                                                        const ContourSelection& selection);
 
 }  // namespace gsim::engine

@@ -9,7 +9,7 @@ namespace gsim::engine {
 
 /// The contours of a part, which may be curved, that are cut. A contour is a closed loop of edges of one
 /// face, or a chain of edges requested by their numbers.
-struct ContourChoice {
+struct ContourSelection {
     double tolerance_mm = 0.005;  ///< Max deviation of chords from an edge.
     /// "holes": loops within faces; "outlines": around them; "all"; "edges": those of `edges`, in chains.
     std::string kind = "holes";
@@ -27,22 +27,22 @@ struct ContourChoice {
 /// Contours of a part, with the walls below them. Positions and directions are those of its file, in mm or of
 /// length 1.
 struct Contours {
-    using Triple = std::array<double, 3>;
+    using Vec3 = std::array<double, 3>;
     /// A point of an edge at which the jet enters.
     struct Point {
-        Triple position_mm = {};
-        Triple normal = {};       ///< Normal of the face, out of the material.
-        Triple tangent = {};      ///< Along the contour; material is to its left, seen from outside.
-        Triple wall_normal = {};  ///< Normal of the face across the edge, out of the material.
-        Triple along_wall = {};   ///< Straight down that face; 0 0 0 if it is not straight.
-        double depth_mm = 0;      ///< Length of that face along it.
-        Triple far_normal = {};   ///< Wall normal at that end; different if the wall is twisted.
+        Vec3 position_mm = {};
+        Vec3 normal = {};       ///< Normal of the face, out of the material.
+        Vec3 tangent = {};      ///< Along the contour; material is to its left, seen from outside.
+        Vec3 wall_normal = {};  ///< Normal of the face across the edge, out of the material.
+        Vec3 along_wall = {};   ///< Straight down that face; 0 0 0 if it is not straight.
+        double depth_mm = 0;    ///< Length of that face along it.
+        Vec3 exit_normal = {};  ///< Wall normal at that end; different if the wall is twisted.
     };
     struct Edge {
         std::string name = {};  ///< For messages.
         std::vector<Point> points = {};
-        double behind_mm = 0;    ///< Distance along the jet at which it meets the part again; 0: never.
-        std::string label = {};  ///< Its number in the file, for ContourChoice::edges; may be empty.
+        double next_surface_mm = 0;  ///< Distance along the jet at which it meets the part again; 0: never.
+        std::string label = {};      ///< Its number in the file, for ContourSelection::edges; may be empty.
     };
     struct Contour {
         std::string face = {};  ///< For messages.
@@ -53,11 +53,11 @@ struct Contours {
     /// An edge that is not cut.
     struct PartEdge {
         std::string name = {};  ///< For messages.
-        std::vector<Triple> points_mm = {};
+        std::vector<Vec3> points_mm = {};
     };
 
     std::vector<Contour> contours = {};
-    Triple low_mm = {}, high_mm = {};     ///< The box about all bodies.
+    Vec3 low_mm = {}, high_mm = {};       ///< The box about all bodies.
     std::vector<std::string> notes = {};  ///< Messages about omitted elements.
     /// For chains of edges: other edges of the part that a jet could hit, except the walls' lower ends.
     std::vector<PartEdge> other_edges = {};

@@ -26,10 +26,10 @@ struct Diagnostic {
 };
 
 /// Receives each diagnostic when it is found.
-using Tell = std::function<void(const Diagnostic&)>;
+using DiagnosticHandler = std::function<void(const Diagnostic&)>;
 
 /// The reason why an operation failed.
-struct Failure {
+struct Error {
     /// "file": a file cannot be read; "usage": a conflict in the request; "internal": an error of this
     /// library; else as Diagnostic::code.
     std::string code;

@@ -18,18 +18,18 @@
 namespace gsim::engine {
 
 /// Options for reading a drawing (.dxf, .svg) or a flat part (.step, .stp, .iges, .igs).
-struct DrawingChoice {
+struct DrawingOptions {
     double unit_mm = 0;                    ///< Size of one unit of a drawing; 0: as the drawing says.
     std::vector<std::string> layers = {};  ///< Only these, if there are any (DXF).
     double curve_tolerance_mm = 0.005;     ///< Max deviation of arcs from splines and ellipses.
     double gap_mm = 0.02;                  ///< Ends that are nearer than this are joined.
-    std::string up = {};                   ///< For a flat part: PlateChoice::up.
+    std::string up = {};                   ///< For a flat part: PlateReadOptions::up.
     bool flip = false;                     ///< For a flat part: the plate is turned over.
 };
 
 /// The cutting parameters, by the materials file or by own values. The material settles missing values;
 /// without one, speed_mm_min and kerf_mm must be given.
-struct CuttingChoice {
+struct CuttingOptions {
     std::string material = {};           ///< Name in the materials file; empty: none.
     std::string materials = {};          ///< Materials file (TOML); empty: the one built in.
     double thickness_mm = 0;             ///< 0: that of the flat part.
@@ -37,13 +37,13 @@ struct CuttingChoice {
     std::optional<double> speed_mm_min = {};
     std::optional<double> kerf_mm = {};   ///< Width of the cut.
     std::optional<double> pierce_s = {};  ///< For each pierce; 0 if missing without a material.
-    bool moving_pierce =
+    bool dynamic_pierce =
         false;  ///< The nozzle moves back and forth on the lead meanwhile, which takes less time.
-    bool straighten = false;  ///< The jet leans against the taper of its kerf. Needs a material.
+    bool taper_compensation = false;  ///< The jet leans against the taper of its kerf. Needs a material.
 };
 
 /// Positions of the tool.
-struct CuttingWays {
+struct CuttingPathOptions {
     /// Position of the drawing's origin, on the material's upper side, in the work frame.
     std::array<double, 3> origin_mm = {};
     double lead_mm = 0;          ///< Radius of leads; 0: three kerfs.
@@ -55,17 +55,17 @@ struct CuttingWays {
 
 /// Options for cutting contours of a part that may be curved: the jet runs along the walls below their edges,
 /// or along the normal of the face that it enters.
-struct SurfaceChoice {
-    ContourChoice contours = {};  ///< Its tolerance is DrawingChoice::curve_tolerance_mm.
+struct SurfaceCuttingOptions {
+    ContourSelection contours = {};  ///< Its tolerance is DrawingOptions::curve_tolerance_mm.
     /// A script that selects among these: it returns a function that is true for the contours to cut
     /// (docs/autopath.md). Empty: all.
     std::string choose = {};
-    double lean_deg =
+    double tilt_deg =
         0;  ///< From the normal to the side; above 0 the part is smaller below. Not along walls.
-    double tilt_deg = 0;       ///< Forwards.
-    double max_lean_deg = 60;  ///< From the normal; what leans more is refused.
-    int bridges = 0;           ///< Uncut bridges of each contour.
-    double bridge_mm = 0.5;    ///< Width of each bridge.
+    double lead_angle_deg = 0;  ///< Forwards.
+    double max_tilt_deg = 60;   ///< From the normal; what leans more is refused.
+    int bridges = 0;            ///< Uncut bridges of each contour.
+    double bridge_mm = 0.5;     ///< Width of each bridge.
     /// Start and end of the program, in the work frame; if missing, over the first pierce and the last one.
     std::optional<std::array<double, 3>> start_mm = {};
 };
@@ -73,7 +73,7 @@ struct SurfaceChoice {
 /// The surroundings of the cutting machine: moves between cuts avoid them, and cuts that collide with them
 /// are errors. Names are those of files, or as Host::find finds them. Without a cell only the machine's own
 /// bodies are checked.
-struct CuttingPlace {
+struct CuttingCellOptions {
     std::string cell = {};
     std::string machine = {};       ///< Empty: that of the cell, or the one built in.
     std::string machine_data = {};  ///< Position of G54; empty: as cell or machine name it, or at 0.
@@ -83,35 +83,35 @@ struct CuttingPlace {
 /// flat parts.
 struct DrawingRequest {
     std::string drawing = {};
-    DrawingChoice reading = {};
-    CuttingChoice cutting = {};
-    CuttingWays ways = {};
+    DrawingOptions reading = {};
+    CuttingOptions cutting = {};
+    CuttingPathOptions ways = {};
     /// Contours of a part (Host::read_contours) instead of a drawing or a flat part.
-    std::optional<SurfaceChoice> surface = {};
+    std::optional<SurfaceCuttingOptions> surface = {};
     /// If missing, no check is made.
-    std::optional<CuttingPlace> place = {};
+    std::optional<CuttingCellOptions> work_cell = {};
     Host host = {};
 };
 
 /// The amount of cutting in a path.
-struct CuttingFigures {
+struct CuttingMetrics {
     std::size_t outlines = 0;  ///< Contours of the drawing.
     std::size_t pierces = 0;
     std::size_t without_leads = 0;
     double cut_mm = 0;     ///< Path length with the jet on: leads and contours.
     double travel_mm = 0;  ///< Between the cuts, over the material.
     double cut_s = 0;  ///< At the feeds of the path, without pierces or the time that a machine speeds up in.
-    double slower_s =
+    double slowdown_s =
         0;  ///< Part of it: extra time of curves and corners over straight lines of their length.
-    double turning_s = 0;        ///< Part of it: turning at a fixed position.
-    double straightening_s = 0;  ///< Part of it: extra time for taper compensation.
-    std::size_t moving_pierces = 0;
+    double reorientation_s = 0;       ///< Part of it: turning at a fixed position.
+    double taper_compensation_s = 0;  ///< Part of it: extra time for taper compensation.
+    std::size_t dynamic_pierces = 0;
     /// For DrawingRequest::place: paths from cut to cut, and those that were rerouted.
-    std::size_t ways = 0, ways_round = 0;
+    std::size_t ways = 0, rerouted_moves = 0;
 };
 
 /// The consumption for cutting it, by the material. Money is in `currency`.
-struct JobFigures {
+struct JobMetrics {
     double thickness_mm = 0;
     double quality = 0;
     double speed_mm_min = 0;  ///< On straight lines.
@@ -130,7 +130,7 @@ struct JobFigures {
 class GSIM_API DrawingPath {
   public:
     /// Finds the drawing, and reads the materials file.
-    static tl::expected<DrawingPath, Failure> open(DrawingRequest request);
+    static tl::expected<DrawingPath, Error> open(DrawingRequest request);
     DrawingPath(DrawingPath&&) noexcept;
     DrawingPath& operator=(DrawingPath&&) noexcept;
     ~DrawingPath();
@@ -141,19 +141,19 @@ class GSIM_API DrawingPath {
     bool is_solid() const;
     /// Reads the drawing, and settles the cutting parameters. "usage": options that do not fit the drawing or
     /// each other.
-    tl::expected<void, Failure> read();
+    tl::expected<void, Error> read();
     /// Makes the path, after read(). `tell` receives the deviations from the drawing. An error of the drawing
     /// itself is a failure with `in_program`: ends that stay open, contours that cross.
-    tl::expected<void, Failure> make(const Tell& tell = {});
+    tl::expected<void, Error> make(const DiagnosticHandler& on_diagnostic = {});
 
     /// Writes the path file (docs/paths.md) after make(), for PathTranslation or a viewer. It stops when a
     /// sink returns false.
     void write(const TextSink& sink) const;
-    const CuttingFigures& figures() const;
+    const CuttingMetrics& metrics() const;
     /// Returns the metrics in one message.
     std::string summary() const;
     /// Returns nothing without a material.
-    std::optional<JobFigures> job() const;
+    std::optional<JobMetrics> job() const;
     /// Returns the sources of the values and the price of the job, in full lines; empty without a material.
     std::string job_report() const;
 

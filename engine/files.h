@@ -26,16 +26,16 @@ class GSIM_API Files {
   public:
     /// Returns the bytes of a file; nothing if no file has this name. Names are those of a request, and names
     /// in files of other files, relative to the file's folder, normalized: "cell/table.toml".
-    using Give = std::function<std::optional<std::string>(const std::string& name)>;
+    using FileProvider = std::function<std::optional<std::string>(const std::string& name)>;
 
     /// Uses the files of the system.
     Files();
     /// Uses the results of `give` only, and no file of the system. The caller of this library calls it, and
     /// it must not throw.
-    static Files given(Give give);
+    static Files given(FileProvider provider);
 
     /// For internal use.
-    const os::Files& inner() const { return *files_; }
+    const os::Files& impl() const { return *files_; }
 
   private:
     explicit Files(std::shared_ptr<const os::Files> files) : files_(std::move(files)) {}
@@ -50,9 +50,9 @@ class GSIM_API Text {
     Text(std::string text, std::string name);
     /// Copies the remainder of a stream (a pipe, standard input), to a temporary file if it is long. The
     /// error is a message.
-    static tl::expected<Text, std::string> of_stream(std::FILE* stream, std::string name);
+    static tl::expected<Text, std::string> from_stream(std::FILE* stream, std::string name);
     /// For internal use.
-    lexer::Source& inner() { return *source_; }
+    lexer::Source& impl() { return *source_; }
 
   private:
     explicit Text(std::shared_ptr<lexer::Source> source) : source_(std::move(source)) {}

@@ -16,10 +16,10 @@ struct CheckedProgram {
 };
 
 /// Returns "part.nc:12:7: error: text; hint" and the excerpt, in full lines.
-GSIM_API std::string text_of(const Diagnostic& told);
+GSIM_API std::string diagnostic_text(const Diagnostic& diagnostic);
 
 /// Returns a failure as a diagnostic, with the source location that its message begins with.
-GSIM_API Diagnostic diagnostic_of(const Failure& failure);
+GSIM_API Diagnostic to_diagnostic(const Error& error);
 
 /// Returns {"diagnostics": [...]}: each with file, line, column, end_column, severity, code, text and hint
 /// (null if not known), after {"programs": [...]} if programs are given (docs/diagnostics.md).

@@ -174,7 +174,7 @@ int32_t gsim_run_take_moves(gsim_run* run, size_t robot, gsim_take_moves take, v
 int32_t gsim_run_take_segments(gsim_run* run, size_t robot, gsim_take_segments take, void* user);
 /*  Delivers samples each `step_s` (1e-6 at least), and at the last instant. */
 int32_t gsim_run_take_samples(gsim_run* run, size_t robot, double step_s, gsim_take_samples take, void* user);
-/*  Writes an output, by the words of gsim/engine/documents.def: "moves", "dxf", ... */
+/*  Writes an output, by the words of gsim/engine/outputs.def: "moves", "dxf", ... */
 int32_t gsim_run_write(gsim_run* run, size_t robot, const char* document, double step_s, gsim_take_text take,
                        void* user);
 int32_t gsim_run_show_progress(gsim_run* run, gsim_show_progress show, void* user);

@@ -49,11 +49,12 @@ struct Host {
         read_solid = {};
     /// Returns the outlines of a flat part in a STEP or IGES file. The error is a message. Null: such files
     /// are rejected.
-    std::function<tl::expected<Plate, std::string>(const std::string& file, const PlateChoice& choice)>
+    std::function<tl::expected<Plate, std::string>(const std::string& file, const PlateReadOptions& options)>
         read_plate = {};
     /// Returns contours of a part in a STEP or IGES file that may be curved. The error is a message. Null:
     /// such files are rejected.
-    std::function<tl::expected<Contours, std::string>(const std::string& file, const ContourChoice& choice)>
+    std::function<tl::expected<Contours, std::string>(const std::string& file,
+                                                      const ContourSelection& options)>
         read_contours = {};
     /// Returns a controller module that plans for the machine. The error is a message. Null: none is
     /// accepted.

@@ -22,7 +22,7 @@ struct FramePose {
 
 /// The check results of a machine without a program.
 struct MachineCheck {
-    bool clean = true;
+    bool is_clean = true;
     std::string json;
     std::string text;  ///< For people, in full lines.
 };
@@ -37,9 +37,9 @@ enum class EnvelopeKind : std::uint8_t {
 class GSIM_API Machine {
   public:
     /// Returns the machine of a request: its values for machine, machine data, cell and collisions.
-    static tl::expected<Machine, Failure> read(const Request& request);
+    static tl::expected<Machine, Error> read(const Request& request);
     /// Reads the bodies that runs check, the meshes of machine and cell.
-    tl::expected<void, Failure> read_bodies();
+    tl::expected<void, Error> read_bodies();
     Machine(Machine&&) noexcept;
     Machine& operator=(Machine&&) noexcept;
     ~Machine();
@@ -56,15 +56,15 @@ class GSIM_API Machine {
     std::string file() const;
     /// Returns the pose of a frame or an object of the cell in the work frame, after read_bodies(). The
     /// error: none has that name, or it does not move with the work.
-    tl::expected<FramePose, Failure> frame_in_work(const std::string& name) const;
+    tl::expected<FramePose, Error> frame_in_work(const std::string& name) const;
 
     /// Checks limits, inverse, singular ranges, and collisions of its bodies for all joint values.
-    tl::expected<MachineCheck, Failure> check() const;
+    tl::expected<MachineCheck, Error> check() const;
     /// Returns the reach of the TCP; envelope_summary() returns its accuracy afterwards.
-    tl::expected<std::string, Failure> envelope(EnvelopeKind kind);
+    tl::expected<std::string, Error> envelope(EnvelopeKind kind);
     std::string envelope_summary() const;
     /// Returns a picture (SVG) of the direction in which each axis moves the tool.
-    tl::expected<std::string, Failure> axes_svg() const;
+    tl::expected<std::string, Error> axes_svg() const;
 
     /// For internal use.
     struct Parts;

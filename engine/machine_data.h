@@ -30,7 +30,7 @@ enum class LengthUnit : std::uint8_t { mm, inch };
 class GSIM_API MachineData {
   public:
     /// Output form of entries.
-    enum class Form : std::uint8_t {
+    enum class Format : std::uint8_t {
         text,  ///< In columns, for people.
         json,  ///< Each an object with "id", "unit" and its fields; null is a wall that is not there.
     };
@@ -41,18 +41,18 @@ class GSIM_API MachineData {
         angle,    ///< deg
         unknown,  ///< A length or an angle: of an axis of a machine that is not known.
         number,   ///< Without unit.
-        whole,    ///< An integer from `least` to `greatest`.
+        integer,  ///< An integer from `least` to `greatest`.
         text,     ///< A word; with choices, one of them.
     };
     /// One value of the entries of a section.
     struct Field {
         std::string name = {};
         Quantity quantity = Quantity::length;
-        std::string meaning = {};  ///< For people: "length along Z".
-        bool required = false;     ///< It is written even if it is 0 or no wall.
-        bool may_be_open = false;  ///< "-" is allowed: no such wall.
-        int least = 0;
-        int greatest = 0;
+        std::string meaning = {};       ///< For people: "length along Z".
+        bool required = false;          ///< It is written even if it is 0 or no wall.
+        bool may_be_unlimited = false;  ///< "-" is allowed: no such wall.
+        int min = 0;
+        int max = 0;
         std::vector<std::string> choices = {};  ///< The first one is the default.
     };
     struct Section {
@@ -69,14 +69,16 @@ class GSIM_API MachineData {
     explicit MachineData(std::string name, const Machine* machine = nullptr);
     /// Reads the data of a file; if the file does not exist: data without entries. Names are those of files
     /// alone.
-    static tl::expected<MachineData, Failure> open(const Host& host, const std::string& name,
-                                                   const Machine* machine = nullptr, const Tell& tell = {});
+    static tl::expected<MachineData, Error> open(const Host& host, const std::string& name,
+                                                 const Machine* machine = nullptr,
+                                                 const DiagnosticHandler& on_diagnostic = {});
     /// Reads the data of a text. `tell` receives all errors of its lines, the failure has the first one.
-    static tl::expected<MachineData, Failure> read(std::string_view text, std::string name,
-                                                   const Machine* machine = nullptr, const Tell& tell = {});
+    static tl::expected<MachineData, Error> read(std::string_view text, std::string name,
+                                                 const Machine* machine = nullptr,
+                                                 const DiagnosticHandler& on_diagnostic = {});
     /// Reads the data of JSON as to_json() returns it.
-    static tl::expected<MachineData, Failure> from_json(std::string_view json, std::string name,
-                                                        const Machine* machine = nullptr);
+    static tl::expected<MachineData, Error> from_json(std::string_view json, std::string name,
+                                                      const Machine* machine = nullptr);
     MachineData(MachineData&&) noexcept;
     MachineData& operator=(MachineData&&) noexcept;
     ~MachineData();
@@ -87,29 +89,28 @@ class GSIM_API MachineData {
     std::vector<Section> sections() const;
     /// Returns all entries in the form of list(). The failure: a word is not UTF-8, which list() shows as a
     /// replacement character.
-    tl::expected<std::string, Failure> to_json() const;
+    tl::expected<std::string, Error> to_json() const;
     /// Returns all entries, or those of a section, in full lines. As JSON: a list of the section's entries,
     /// or an object with a list for each section that has entries.
-    tl::expected<std::string, Failure> list(Form form, const std::string& section = {}) const;
+    tl::expected<std::string, Error> list(Format form, const std::string& section = {}) const;
     /// Returns an entry, or one value of it, in full lines. JSON of a missing value is null.
-    tl::expected<std::string, Failure> get(Form form, const std::string& section, const std::string& id,
-                                           const std::string& field = {}) const;
+    tl::expected<std::string, Error> get(Format form, const std::string& section, const std::string& id,
+                                         const std::string& field = {}) const;
     /// Returns lint warnings for readable data: aliases that a controller would reject, points and walls
     /// beyond the ranges of the machine, zones that no code switches on.
-    std::vector<Diagnostic> suspects() const;
+    std::vector<Diagnostic> lint_warnings() const;
 
     /// Changes an entry, or adds it at the end of its section. Each change is "FIELD=VALUE", the value as it
     /// is written in the file, in the unit of the entry; an empty one removes it. If `unit` is given and the
     /// entry has the other one, its other lengths are converted first.
-    tl::expected<void, Failure> set(const std::string& section, const std::string& id,
-                                    std::span<const std::string> changes,
-                                    std::optional<LengthUnit> unit = {});
+    tl::expected<void, Error> set(const std::string& section, const std::string& id,
+                                  std::span<const std::string> changes, std::optional<LengthUnit> unit = {});
     /// Sets the values of an entry to 0; an alias or a zone is removed, a point keeps its name.
-    tl::expected<void, Failure> reset(const std::string& section, const std::string& id);
+    tl::expected<void, Error> reset(const std::string& section, const std::string& id);
     /// Does the same with all entries, or those of a section.
-    tl::expected<void, Failure> reset_all(const std::string& section = {});
+    tl::expected<void, Error> reset_all(const std::string& section = {});
     /// Writes all lengths in one unit.
-    tl::expected<void, Failure> convert(LengthUnit unit);
+    tl::expected<void, Error> convert(LengthUnit unit);
 
   private:
     struct State;

@@ -20,8 +20,8 @@ struct CuttingMaterial {
     std::string source = {};   ///< Source of the number; may be empty.
 };
 
-/// Returns the materials of a file as CuttingChoice::materials names it, in its order.
-GSIM_API tl::expected<std::vector<CuttingMaterial>, Failure> cutting_materials(const Host& host,
-                                                                               const std::string& file = {});
+/// Returns the materials of a file as CuttingOptions::materials names it, in its order.
+GSIM_API tl::expected<std::vector<CuttingMaterial>, Error> cutting_materials(const Host& host,
+                                                                             const std::string& file = {});
 
 }  // namespace gsim::engine

@@ -18,10 +18,10 @@ struct Machine;
 namespace gsim::engine {
 
 /// The max number of axes of a machine.
-inline constexpr std::size_t kMostAxes = 16;
+inline constexpr std::size_t kMaxAxes = 16;
 /// A value for each axis of the machine, in the order of Run::axes(): mm, or deg of rotary ones. Values after
 /// the last axis are 0.
-using AxisValues = std::array<double, kMostAxes>;
+using AxisValues = std::array<double, kMaxAxes>;
 
 /// An axis of the machine.
 struct Axis {
@@ -46,7 +46,7 @@ struct Arc {
 struct Move {
     std::uint64_t n = 0;  ///< Number of the move, from 1.
     MoveKind kind = MoveKind::rapid;
-    bool jet_on = false;         ///< The process (jet, plasma, laser, spindle) was on.
+    bool process_on = false;     ///< The process (jet, plasma, laser, spindle) was on.
     bool circular = false;       ///< `arc` says how.
     std::string_view file = {};  ///< Valid in the call alone.
     std::uint32_t line = 0;      ///< From 1; 0: not known.
@@ -67,10 +67,11 @@ enum class SegmentKind : std::uint8_t {
 /// A finished part of motion: a path and a law of time in closed form. Valid in the call alone.
 class GSIM_API Segment {
   public:
-    Segment(const motion::Segment& exact, const machine::Machine& machine, std::uint32_t in_line, bool on);
+    Segment(const motion::Segment& exact, const machine::Machine& machine, std::uint32_t line_number,
+            bool on);
 
     SegmentKind kind = SegmentKind::rest;
-    bool jet_on = false;
+    bool process_on = false;
     std::uint32_t line = 0;
     double start_s = 0;
     double duration_s = 0;
@@ -100,8 +101,8 @@ struct Sample {
 
 /// Receive the results of a run since the last call, in the order of time: moves and segments when they
 /// become final, so that at most a chunk is held.
-using TakeMoves = std::function<void(std::span<const Move>)>;
-using TakeSegments = std::function<void(std::span<const Segment>)>;
-using TakeSamples = std::function<void(std::span<const Sample>)>;
+using MovesHandler = std::function<void(std::span<const Move>)>;
+using SegmentsHandler = std::function<void(std::span<const Segment>)>;
+using SamplesHandler = std::function<void(std::span<const Sample>)>;
 
 }  // namespace gsim::engine

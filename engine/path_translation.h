@@ -69,7 +69,8 @@ struct PathRequest {
     bool inch = false;
     bool verbose_words = false;   ///< Words are written though they have not changed.
     bool separate_files = false;  ///< Each sub-path in a separate file.
-    bool go_on = false;     ///< Elements without words in the post become comments, instead of an error.
+    bool continue_on_unknown =
+        false;              ///< Elements without words in the post become comments, instead of an error.
     double cpu_s = 86'400;  ///< For a script, in the calling thread, from open() on.
     std::uint64_t memory_bytes = 2048U << 20U;  ///< For a script.
     Host host = {};
@@ -84,7 +85,7 @@ GSIM_API std::vector<std::string> post_names();
 class GSIM_API PathTranslation {
   public:
     /// Reads the files that the request names in addition to the path: post, machine and machine data.
-    static tl::expected<PathTranslation, Failure> open(PathRequest request);
+    static tl::expected<PathTranslation, Error> open(PathRequest request);
     PathTranslation(PathTranslation&&) noexcept;
     PathTranslation& operator=(PathTranslation&&) noexcept;
     ~PathTranslation();
@@ -92,20 +93,20 @@ class GSIM_API PathTranslation {
     /// Returns the file of the path's name, the only one that is not yet read.
     const std::string& path_file() const;
     /// Reads the path.
-    tl::expected<void, Failure> read();
+    tl::expected<void, Error> read();
     /// Returns the remainder of PathRequest::cpu_s, in s.
     double cpu_left_s() const;
     /// Plans the axes after read() and checks every move, so that writing cannot fail.
-    tl::expected<void, Failure> plan();
+    tl::expected<void, Error> plan();
 
     /// Returns messages for the user, after plan(): sub-segments, unwinding, elements for which the post has
     /// no words.
     const std::vector<std::string>& notes() const;
     /// Returns the files to write in addition to the main one.
     std::vector<std::string> file_names() const;
-    /// Writes all files; `sink_of` returns the target for the text of a file, "" for the main one. A file
+    /// Writes all files; `open_sink` returns the target for the text of a file, "" for the main one. A file
     /// stops when its sink returns false.
-    tl::expected<void, Failure> write(const std::function<TextSink(const std::string& file)>& sink_of) const;
+    tl::expected<void, Error> write(const std::function<TextSink(const std::string& file)>& open_sink) const;
 
   private:
     class State;

@@ -9,7 +9,7 @@
 namespace gsim::engine {
 
 /// Options for reading a flat part.
-struct PlateChoice {
+struct PlateReadOptions {
     double tolerance_mm = 0.005;  ///< Max deviation of arcs from the curves they replace.
     bool flip = false;            ///< The other side of the plate is the upper one.
     /// "x", "-x", "y" and so on: the largest face that faces along this axis of the file is the upper side;

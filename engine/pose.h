@@ -16,9 +16,9 @@ namespace gsim::engine {
 
 /// The requested pose of a machine: by its axes, or by the tip of its tool. Values of axes are as in
 /// programs, mm and deg, one for each axis. Points and directions are in the work frame.
-struct PoseChoice {
+struct PoseRequest {
     std::optional<std::vector<double>> joints = {};
-    std::optional<std::array<double, 3>> tip_mm = {};
+    std::optional<std::array<double, 3>> tcp_mm = {};
     /// With a tip, one of these, or neither: then the tool is oriented as at `near`.
     std::optional<std::array<double, 3>> tool_axis =
         {};  ///< From the tip to the spindle, of any length; its rotation is the smallest from `near`.
@@ -34,19 +34,19 @@ struct PoseChoice {
 /// The resulting pose.
 struct Pose {
     std::vector<double> joints = {};
-    std::array<double, 3> tip_mm = {};
+    std::array<double, 3> tcp_mm = {};
     std::array<double, 3> tool_axis = {};  ///< Z of the tool's frame, of length 1.
     std::array<double, 3> rpy_deg = {};
     /// All known values of the axes for it: those within the ranges first, and the nearest first among them.
     /// Without an inverse, the machine's own values.
     std::vector<std::vector<double>> solutions = {};
-    std::vector<int> beyond = {};  ///< For each axis -1, 0 or 1: below, within, above its range.
+    std::vector<int> out_of_range = {};  ///< For each axis -1, 0 or 1: below, within, above its range.
     /// Names of bodies that touch each other; none if Machine::read_bodies() has read none.
     std::vector<std::pair<std::string, std::string>> collisions = {};
 };
 
 /// Computes a pose. Ranges do not limit it. "unreachable": the tip cannot reach it, or the machine has no
 /// inverse; "usage": a conflict in the request.
-GSIM_API tl::expected<Pose, Failure> pose_of(const Machine& machine, const PoseChoice& choice);
+GSIM_API tl::expected<Pose, Error> solve_pose(const Machine& machine, const PoseRequest& pose_request);
 
 }  // namespace gsim::engine

@@ -22,22 +22,22 @@ enum class RunStatus : std::uint8_t {
 GSIM_API std::string_view name(RunStatus status);
 
 /// A source location; line 0: not known.
-struct Place {
+struct SourceLocation {
     std::string file = {};
     std::uint32_t line = 0;
 };
 
 /// A program call that had not ended.
 struct OpenCall {
-    std::string program;  ///< "O2"
-    Place place = {};     ///< Location of the call.
+    std::string program;           ///< "O2"
+    SourceLocation location = {};  ///< Location of the call.
 };
 
 /// The reason why a run did not complete.
 struct Alarm {
     std::string code;  ///< As Diagnostic::code.
     std::string message;
-    Place place = {};
+    SourceLocation location = {};
     std::vector<OpenCall> calls = {};  ///< From the innermost to the first.
     char axis = 0;                     ///< Letter, if one axis is the cause.
     std::optional<double> value = {};  ///< Value of that axis, mm or deg.
@@ -47,7 +47,7 @@ struct Alarm {
 /// An axis beyond its range, or a tool in a zone that forbids it; the run continued.
 struct Violation {
     double t_s = 0;
-    Place place = {};
+    SourceLocation location = {};
     std::string message = {};
     std::string zone = {};  ///< Its name; empty for the range of an axis.
     char axis = 'X';
@@ -59,15 +59,15 @@ struct Violation {
 /// The first contact of two bodies.
 struct Collision {
     double t_s = 0;
-    Place place = {};
+    SourceLocation location = {};
     std::string first = {}, second = {};  ///< Names of the bodies.
     std::array<double, 3> point_mm = {};  ///< In the world.
 };
 
 struct Event {
     double t_s = 0;
-    Place place = {};
-    std::string kind = {};  ///< "jet_on", "tool", "stop", ... (docs/report.md)
+    SourceLocation location = {};
+    std::string kind = {};  ///< "process_on", "tool", "stop", ... (docs/report.md)
     std::string detail = {};
 };
 
@@ -83,7 +83,7 @@ struct AxisRange {
 /// (docs/report.md).
 struct GSIM_API Report {
     /// For internal use.
-    struct Whole;
+    struct Full;
 
     std::string program = {};
     std::string machine = {};
@@ -92,12 +92,12 @@ struct GSIM_API Report {
     double cycle_time_s = 0;
     /// Interval with a probability of 95 %, if the machine file says how it was fitted.
     struct Interval {
-        double least_s = 0;
-        double most_s = 0;
+        double min_s = 0;
+        double max_s = 0;
     };
     std::optional<Interval> cycle_time_95 = {};
     double rapid_s = 0, feed_s = 0, dwell_s = 0;
-    double rapid_mm = 0, feed_mm = 0, jet_on_mm = 0;
+    double rapid_mm = 0, feed_mm = 0, process_on_mm = 0;
     std::uint64_t blocks = 0;
     std::uint64_t moves = 0;
     std::vector<AxisRange> ranges = {};
@@ -111,7 +111,7 @@ struct GSIM_API Report {
         {};                  ///< All diagnostics, including those above, in the order of docs/diagnostics.md.
     std::string robot = {};  ///< Name of the robot, if the run has several.
     std::vector<Report> robots = {};  ///< Reports of several robots; the other fields are of all.
-    std::shared_ptr<const Whole> whole = nullptr;
+    std::shared_ptr<const Full> full = nullptr;
 
     /// Returns true if the run completed, within limits and zones, and nothing touched.
     bool is_clean() const;
@@ -119,9 +119,9 @@ struct GSIM_API Report {
     bool passes_check() const;
     /// Returns true if the run ended because a required file cannot be read, which is no error of the
     /// program.
-    bool lacks_file() const;
+    bool is_file_missing() const;
     /// Returns the errors for people, in full lines: collisions, violations, the reason for the end.
-    std::string faults_text() const;
+    std::string errors_text() const;
     /// Returns the report as JSON, keys in a fixed order, without a line feed at its end.
     std::string json() const;
     /// Returns a compact table for people, in full lines.

@@ -11,7 +11,7 @@
 #include "engine/host.h"
 
 namespace gsim::script {
-class CompiledLibrary;
+class CompiledLibraryCache;
 }
 
 namespace gsim::engine {
@@ -27,7 +27,7 @@ struct Limits {
 };
 
 /// Options for reading G-code.
-struct LanguageChoice {
+struct LanguageOptions {
     std::string dialect =
         {};  ///< "ab9", "rs274ngc", "klipper" or a control's name; empty: as the machine file says.
     /// Handling of a code that the dialect does not have: kError, or kWarn: omitted with a warning.
@@ -37,32 +37,32 @@ struct LanguageChoice {
     static constexpr const char* kWarn = "warn";
 };
 
-/// Returns the names valid for LanguageChoice::dialect.
-GSIM_API std::vector<std::string> control_names();
+/// Returns the names valid for LanguageOptions::dialect.
+GSIM_API std::vector<std::string> controller_names();
 
-/// Returns a message why LanguageChoice::dialect rejects a name; nothing if it is valid.
-GSIM_API std::optional<std::string> why_no_control(const std::string& name);
+/// Returns a message why LanguageOptions::dialect rejects a name; nothing if it is valid.
+GSIM_API std::optional<std::string> find_controller_error(const std::string& name);
 
 /// The operator's override settings; if missing: 100 %.
-struct OverrideChoice {
+struct OverrideOptions {
     std::optional<double> feed_percent = {};
     std::optional<double> rapid_percent = {};
     std::optional<double> spindle_percent = {};
     std::string file = {};  ///< File of changes during the run; empty: none.
 
-    bool turns_nothing() const { return !feed_percent && !rapid_percent && !spindle_percent && file.empty(); }
+    bool is_default() const { return !feed_percent && !rapid_percent && !spindle_percent && file.empty(); }
 };
 
 /// The built-in compiled Lua library, compiled once for all runs that have this in their request. Compiling
 /// is most of the time of a small program. Copies share one library, for any number of threads.
-class GSIM_API SharedLibrary {
+class GSIM_API CompiledLuaLibrary {
   public:
-    SharedLibrary();
+    CompiledLuaLibrary();
     /// For internal use.
-    const std::shared_ptr<script::CompiledLibrary>& inner() const { return compiled_; }
+    const std::shared_ptr<script::CompiledLibraryCache>& impl() const { return compiled_; }
 
   private:
-    std::shared_ptr<script::CompiledLibrary> compiled_;
+    std::shared_ptr<script::CompiledLibraryCache> compiled_;
 };
 
 /// The program to run, and its environment. Names are those of files, or as Host::find finds them; an empty
@@ -79,12 +79,12 @@ struct Request {
     std::string robots = {};     ///< Robots and conveyors, each robot with a separate machine.
     std::string variables = {};  ///< Permanent variables; there need be no such file.
     std::string library = {};    ///< Folder of the library in Lua; empty: the one built in.
-    std::optional<SharedLibrary> shared_library = {};  ///< Used without a folder.
-    std::string module = {};                           ///< Controller module (Host::load_module).
+    std::optional<CompiledLuaLibrary> compiled_lua_library = {};  ///< Used without a folder.
+    std::string module = {};                                      ///< Controller module (Host::load_module).
     std::string probe =
         {};  ///< The contact of probes: "none", "z=-3.2" (mm of the machine); empty: the cell.
-    LanguageChoice language = {};
-    OverrideChoice overrides = {};
+    LanguageOptions language = {};
+    OverrideOptions overrides = {};
     Limits limits = {};
     std::uint64_t passes = 1;    ///< For a main program that leads back to its start.
     bool stop_at_first = false;  ///< The first violation of a range or a zone ends the run.

@@ -29,22 +29,22 @@ namespace gsim::engine {
 /// Consumes a text in parts. False: it cannot be written; no more of it is passed then.
 using TextSink = std::function<bool(std::string_view)>;
 
-/// Outputs of a run (docs/report.md), which documents.def lists and explains.
-enum class Document : std::uint8_t {
+/// Outputs of a run (docs/report.md), which outputs.def lists and explains.
+enum class OutputKind : std::uint8_t {
 #define GSIM_DOCUMENT(name, number, option, help, ...) name = number,
-#include "engine/documents.def"
+#include "engine/outputs.def"
 };
 
 /// Returns the words for them ("dxf"), in the order of their numbers.
-GSIM_API std::vector<std::string> document_names();
+GSIM_API std::vector<std::string> output_names();
 /// Returns the output for such a word; nothing if none has it.
-GSIM_API std::optional<Document> document_named(std::string_view name);
+GSIM_API std::optional<OutputKind> find_output(std::string_view name);
 
 /// The min time between samples.
-inline constexpr double kLeastStep_s = 1e-6;
+inline constexpr double kMinStep_s = 1e-6;
 
 /// Options of outputs.
-struct DocumentOptions {
+struct OutputOptions {
     double step_s = 0.01;      ///< Step of a trajectory's samples.
     bool forces = false;       ///< A trajectory has those of the motors, and their power.
     bool following = false;    ///< A trajectory has following and contour errors, and the actual TCP.
@@ -63,18 +63,19 @@ class GSIM_API Run {
 
     /// Reads machine and cell, and opens the program: files that may be in any folder. `tell` receives all
     /// diagnostics of inputs until the run is destroyed; the report has them, too.
-    static tl::expected<Run, Failure> open(Request request, Tell tell = {});
+    static tl::expected<Run, Error> open(Request request, DiagnosticHandler on_diagnostic = {});
     /// Does the same on a machine that has been read, with its bodies, for this request or another one. The
     /// request's machine and cell are ignored, and so are its machine data if the cell named some. The
     /// machine may be destroyed before the run.
-    static tl::expected<Run, Failure> open(Request request, const Machine& machine, Tell tell = {});
+    static tl::expected<Run, Error> open(Request request, const Machine& machine,
+                                         DiagnosticHandler on_diagnostic = {});
     Run(Run&&) noexcept;
     Run& operator=(Run&&) noexcept;
     ~Run();
 
     /// Translates the program and reads all other files: those that the request names, and those next to the
     /// program.
-    tl::expected<void, Failure> prepare();
+    tl::expected<void, Error> prepare();
 
     /// Returns the names of the robots; one without a name if the run has no file of robots.
     const std::vector<std::string>& robots() const;
@@ -85,43 +86,43 @@ class GSIM_API Run {
 
     /// Requests an output, between prepare() and go(). The error: this machine has no such output, or options
     /// are out of their ranges.
-    tl::expected<void, Failure> write(Document document, TextSink sink, const DocumentOptions& options = {},
-                                      std::size_t robot = 0);
-    void take_moves(TakeMoves take, std::size_t robot = 0);
-    void take_segments(TakeSegments take, std::size_t robot = 0);
+    tl::expected<void, Error> write(OutputKind output_kind, TextSink sink, const OutputOptions& options = {},
+                                    std::size_t robot = 0);
+    void on_moves(MovesHandler callback, std::size_t robot = 0);
+    void on_segments(SegmentsHandler callback, std::size_t robot = 0);
     /// Requests samples each `step_s` (1e-6 at least), and at the last instant.
-    tl::expected<void, Failure> take_samples(TakeSamples take, double step_s, std::size_t robot = 0);
-    /// Does the same as take_segments(), for use elsewhere: all inputs of the closed forms, and the path of
+    tl::expected<void, Error> on_samples(SamplesHandler callback, double step_s, std::size_t robot = 0);
+    /// Does the same as on_segments(), for use elsewhere: all inputs of the closed forms, and the path of
     /// the TCP. After the run, scene() returns the independent motion of frames.
-    void take_columns(TakeColumns take, std::size_t robot = 0);
+    void on_columns(ColumnsHandler callback, std::size_t robot = 0);
     /// Requests the forces and torques of the motors. The error: the machine file does not specify masses.
-    tl::expected<void, Failure> take_efforts(TakeEfforts take, std::size_t robot = 0);
+    tl::expected<void, Error> on_efforts(EffortsHandler callback, std::size_t robot = 0);
     /// Reports to `observer`, which outlives the run, its requests to the controller, for use on other
     /// machines (runtime/motion_sources/motion_replay.h).
     void observe_motion(simulation::MotionObserver& observer, std::size_t robot = 0);
     /// Requests the actual positions of axes and TCP. The error: the machine file does not specify servo
     /// loops.
-    tl::expected<void, Failure> take_following(TakeFollowing take, std::size_t robot = 0);
-    void show_progress(Progress progress);
+    tl::expected<void, Error> on_following(FollowingHandler callback, std::size_t robot = 0);
+    void on_progress(Progress progress);
 
     /// Runs to the end, an alarm, a limit, or Request::cancel. Returns the report.
-    tl::expected<Report, Failure> go();
+    tl::expected<Report, Error> go();
 
     /// Returns the machine and its surroundings, after prepare().
-    tl::expected<Scene, Failure> scene(std::size_t robot = 0) const;
+    tl::expected<Scene, Error> scene(std::size_t robot = 0) const;
     /// Returns names of the sources; SegmentColumns::file is an index into them.
     const std::vector<std::string>& files(std::size_t robot = 0) const;
 
     /// Returns the deficiencies of outputs, after go(): a path that cannot be recorded, more samples than
     /// allowed.
-    const std::vector<Failure>& faults() const;
+    const std::vector<Error>& errors() const;
     /// Returns the variables that a controller keeps from one run to the next, in the form of their file.
-    tl::expected<std::string, Failure> variables() const;
+    tl::expected<std::string, Error> variables() const;
     /// Returns the machine data after the program: the text that was read, with changes in their lines.
-    tl::expected<std::string, Failure> machine_data() const;
+    tl::expected<std::string, Error> machine_data() const;
 
     /// Returns the report of a program that prepare() has rejected, for readers of reports only.
-    Report report_of(const Failure& failure) const;
+    Report make_report(const Error& error) const;
 
     /// Returns the request with the files of its names, including those of the cell.
     const Request& request() const;

@@ -23,7 +23,8 @@ struct EditedToml {
 /// "at": ["object"], "value": {...}}, {"op": "remove", "at": [...]} and {"op": "move", "at": ["axis", 2],
 /// "to": 0}. Keys of new tables are inserted in the order of docs/machine-file.md and docs/cell-file.md. If
 /// the file is no TOML, `tell` receives the source location. The file itself is not written.
-GSIM_API tl::expected<EditedToml, Failure> edited_toml(const Host& host, const std::string& name,
-                                                       std::string_view changes, const Tell& tell = {});
+GSIM_API tl::expected<EditedToml, Error> edited_toml(const Host& host, const std::string& name,
+                                                     std::string_view changes,
+                                                     const DiagnosticHandler& on_diagnostic = {});
 
 }  // namespace gsim::engine

@@ -22,7 +22,7 @@ struct TranslationRequest {
     std::string machine = {};       ///< Dialect and units of its programs; empty: not specified.
     std::string machine_data = {};  ///< Aliases; empty: none.
     std::string cell = {};  ///< Names machine and machine data that are empty here; itself empty: none.
-    LanguageChoice language = {};
+    LanguageOptions language = {};
     bool annotate = false;  ///< Each complete source block as a trailing comment.
     std::uint64_t max_errors = 100;
     double cpu_s = 86'400;  ///< Processor time of the calling thread, from open() on.
@@ -34,7 +34,7 @@ struct TranslationRequest {
 class GSIM_API Translation {
   public:
     /// Reads the files that the request names in addition to the program, and opens the program.
-    static tl::expected<Translation, Failure> open(TranslationRequest request);
+    static tl::expected<Translation, Error> open(TranslationRequest request);
     Translation(Translation&&) noexcept;
     Translation& operator=(Translation&&) noexcept;
     ~Translation();
@@ -43,9 +43,9 @@ class GSIM_API Translation {
     void reserve_space();
     /// Translates. `tell` receives the errors of the program; the failure says that it has errors, or why it
     /// was not read to its end.
-    tl::expected<void, Failure> make(const Tell& tell);
+    tl::expected<void, Error> make(const DiagnosticHandler& on_diagnostic);
     /// Writes the Lua in parts: line n of the program is its line n+1. `take` returns false to stop.
-    tl::expected<void, Failure> write(const std::function<bool(std::string_view)>& take) const;
+    tl::expected<void, Error> write(const std::function<bool(std::string_view)>& callback) const;
 
   private:
     class State;

@@ -50,7 +50,7 @@ std::string_view name(Group group) {
         case Group::input_output: return "inputs and outputs";
         case Group::extrusion: return "extruder mode";
         case Group::user: return "user M codes";
-        case Group::one_action: return "one action a block";
+        case Group::non_modal: return "one action a block";
     }
     return "";
 }
@@ -93,8 +93,8 @@ Dialect::Dialect(const DialectRules& rules, std::span<const Code> codes)
     }
     for (std::size_t phase = 0; phase < kPhaseCount; ++phase)
         ranks_[phase] = static_cast<int>(kPhaseCount + phase);
-    for (std::size_t place = 0; place < rules_.order.size(); ++place)
-        ranks_[static_cast<std::size_t>(rules_.order[place])] = static_cast<int>(place);
+    for (std::size_t dialect_index = 0; dialect_index < rules_.order.size(); ++dialect_index)
+        ranks_[static_cast<std::size_t>(rules_.order[dialect_index])] = static_cast<int>(dialect_index);
 }
 
 const Code* Dialect::find(char letter, std::int32_t code_x10) const {
@@ -108,7 +108,7 @@ std::span<const Dialect* const> dialects() {
     return all;
 }
 
-const Dialect* dialect_named(std::string_view name) {
+const Dialect* find_dialect(std::string_view name) {
     for (const Dialect* dialect : dialects()) {
         if (dialect->name() == name) return dialect;
     }
@@ -118,7 +118,7 @@ const Dialect* dialect_named(std::string_view name) {
 namespace {
 
 /// Returns "G1" for G1 and G1.5; called for each code of a program.
-std::string whole_name(const Code& code) {
+std::string full_name(const Code& code) {
     std::string name(1, code.letter);
     name += std::to_string(code.code_x10 / 10);
     return name;
@@ -128,13 +128,13 @@ std::string whole_name(const Code& code) {
 
 std::string code_name(const Code& code) {
     const int part = code.code_x10 % 10;
-    return part == 0 ? whole_name(code) : fmt::format("{}.{}", whole_name(code), part);
+    return part == 0 ? full_name(code) : fmt::format("{}.{}", full_name(code), part);
 }
 
 std::string lua_name(const Code& code) {
     const int part = code.code_x10 % 10;
     if (code.group == Group::user) return fmt::format("M[{}]", code.code_x10 / 10);
-    return part == 0 ? whole_name(code) : fmt::format("{}_{}", whole_name(code), part);
+    return part == 0 ? full_name(code) : fmt::format("{}_{}", full_name(code), part);
 }
 
 }  // namespace gsim::grammar

@@ -48,23 +48,29 @@ enum class Group : std::uint8_t {
     input_output,
     extrusion,
     user,
-    one_action,  ///< The last one.
+    non_modal,  ///< The last one.
 };
 
-inline constexpr std::size_t kGroupCount = static_cast<std::size_t>(Group::one_action) + 1;
+inline constexpr std::size_t kGroupCount = static_cast<std::size_t>(Group::non_modal) + 1;
 std::string_view name(Group group);
 
 /// Use of the axis words of a block by a code.
 enum class AxisUse : std::uint8_t { none, motion, data };
 
-/// Support of a code in the library. `bare_only`: only without words, because it switches off something that
-/// cannot be on; with words it is `later`.
-enum class Support : std::uint8_t { full, bare_only, later };
+/// Support of a code in the library. `without_words`: only without words, because it switches off something
+/// that cannot be on; with words it is `later`.
+enum class Support : std::uint8_t { full, without_words, planned };
 
 /// Effect of cutter compensation on a code. It acts as usual, or is rejected, always or only while the tool
 /// runs next to the path (RS274/NGC permits a radius of 0). Or the tool is led out before it and in again
 /// after it (9/Series). Or the move before it ends first, whatever corner follows (RS274/NGC).
-enum class Compensation : std::uint8_t { allowed, refused, refused_beside_path, led_out, ends_move };
+enum class Compensation : std::uint8_t {
+    feasible,
+    rejected,
+    refused_next_to_path,
+    lead_out_and_in,
+    ends_move
+};
 
 /// Time in its block at which a code acts, here in the order of the 9/Series; another dialect has its own
 /// (Dialect::rank). Words of one phase act in their order in the block.
@@ -110,7 +116,7 @@ struct Code {
                              ///< K1=, ',' for ,C ,R ,A.
     Support support;
     std::string_view meaning;  ///< As messages and documents say it.
-    Compensation compensation = Compensation::allowed;
+    Compensation compensation = Compensation::feasible;
 };
 
 /// Meaning of a letter, or of a longer address.
@@ -133,7 +139,7 @@ struct DialectRules {
     std::string_view title;            ///< As people call it.
     lexer::Style style;                ///< Style of its text.
     std::string_view lua_module;       ///< Module that its scripts require.
-    std::string_view alone = {};       ///< Letters that are words by themselves, if no code accepts them.
+    std::string_view standalone = {};  ///< Letters that are words by themselves, if no code accepts them.
     std::string_view move_words = {};  ///< Letters that a modal motion accepts in addition to axis words.
     std::string_view initial;          ///< Codes in force when a program begins, between blanks.
     std::span<const Letter> letters;
@@ -172,7 +178,7 @@ const Dialect& dialect_klipper();
 /// Returns all dialects.
 std::span<const Dialect* const> dialects();
 /// Returns the dialect with this name ("ab9", "rs274ngc", "klipper"), or null.
-const Dialect* dialect_named(std::string_view name);
+const Dialect* find_dialect(std::string_view name);
 
 /// Returns the usual name of a code: "G92.1", "M8".
 std::string code_name(const Code& code);

@@ -50,7 +50,7 @@ using gsim::lexer::Role;
 
 static int gcode_lex(gsim::lexer::Value* value, gsim::grammar::Parser& parser) { return parser.scan(*value); }
 static void gcode_error(gsim::grammar::Parser& parser, const char*) { parser.syntax_error(); }
-static Operator operator_of(gsim::lexer::Value token) { return static_cast<Operator>(token.index); }
+static Operator token_operator(gsim::lexer::Value token) { return static_cast<Operator>(token.index); }
 }
 
 /* In the order of lexer/tokens.def. */
@@ -212,10 +212,10 @@ assignment: reference '=' expression { parser.add_assignment($1.index, $3.index)
 expression: product                 { $$ = $1; }
   | expression '+' expression       { $$ = {parser.add_node(NodeKind::binary, Operator::add, $1, $3), $1.column}; }
   | expression '-' expression       { $$ = {parser.add_node(NodeKind::binary, Operator::subtract, $1, $3), $1.column}; }
-  | expression SUM_WORD expression  { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
-  | expression LOGIC_WORD expression { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
-  | expression COMPARISON expression { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
-  | expression RELATION expression  { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
+  | expression SUM_WORD expression  { $$ = {parser.add_node(NodeKind::binary, token_operator($2), $1, $3), $1.column}; }
+  | expression LOGIC_WORD expression { $$ = {parser.add_node(NodeKind::binary, token_operator($2), $1, $3), $1.column}; }
+  | expression COMPARISON expression { $$ = {parser.add_node(NodeKind::binary, token_operator($2), $1, $3), $1.column}; }
+  | expression RELATION expression  { $$ = {parser.add_node(NodeKind::binary, token_operator($2), $1, $3), $1.column}; }
   ;
 
 /* ATAN[a] / [b] is one angle: where a product ends in an ATAN of one side, '/' '[' does not make it a quotient. */
@@ -223,12 +223,12 @@ product: plain_product              { $$ = $1; }
   | atan_product                    { $$ = $1; }
   ;
 plain_product: power                { $$ = $1; }
-  | product times power             { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
+  | product times power             { $$ = {parser.add_node(NodeKind::binary, token_operator($2), $1, $3), $1.column}; }
   | plain_product '/' power         { $$ = {parser.add_node(NodeKind::binary, Operator::divide, $1, $3), $1.column}; }
   | atan_product '/' factor         { $$ = {parser.add_node(NodeKind::binary, Operator::divide, $1, $3), $1.column}; }
   ;
 atan_product: signed_atan           { $$ = $1; }
-  | product times signed_atan       { $$ = {parser.add_node(NodeKind::binary, operator_of($2), $1, $3), $1.column}; }
+  | product times signed_atan       { $$ = {parser.add_node(NodeKind::binary, token_operator($2), $1, $3), $1.column}; }
   | plain_product '/' signed_atan   { $$ = {parser.add_node(NodeKind::binary, Operator::divide, $1, $3), $1.column}; }
   | atan_product '/' signed_atan    { $$ = {parser.add_node(NodeKind::binary, Operator::divide, $1, $3), $1.column}; }
   ;
@@ -256,7 +256,7 @@ primary: NUMBER                     { $$ = {parser.add_number($1), $1.column}; }
   | function                        { $$ = $1; }
   ;
 function: FUNCTION '[' expression ']'
-                                    { $$ = {parser.add_node(NodeKind::call, operator_of($1), $3), $1.column}; }
+                                    { $$ = {parser.add_node(NodeKind::call, token_operator($1), $3), $1.column}; }
   | ATAN '[' expression ']' '/' '[' expression ']'
                                     { $$ = {parser.add_node(NodeKind::call, Operator::atan, $3, $7), $1.column}; }
   | EXISTS '[' reference ']'        { $$ = {parser.add_node(NodeKind::exists, Operator::exists, $3), $1.column}; }

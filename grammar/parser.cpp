@@ -127,10 +127,10 @@ void Parser::syntax_error() {
     if (text.bad) return;  // the scanner has said it all
     if (opens_word(lexer_.previous_token())) {
         // A letter after a letter has opened a word of its own.
-        const std::size_t later = opens_word(lexer_.last_token()) ? 1 : 0;
-        const lexer::Word& word = text.words[lexer_.open_word_index() - later];
-        const bool keyword =
-            later == 1 && lexer_.is_ngc() && begins_macro_keyword(word.address, text.words.back().address);
+        const std::size_t opened_words = opens_word(lexer_.last_token()) ? 1 : 0;
+        const lexer::Word& word = text.words[lexer_.open_word_index() - opened_words];
+        const bool keyword = opened_words == 1 && lexer_.is_ngc() &&
+                             begins_macro_keyword(word.address, text.words.back().address);
         lexer_.fail(
             word.column, DiagnosticKind::word_without_value,
             fmt::format("{} has no value{}", lexer::address_name(word.address),
@@ -147,7 +147,7 @@ void Parser::syntax_error() {
 }
 
 void Parser::finish_block() {
-    sink_.take(block_);
+    sink_.on_block(block_);
     block_.clear();
     lexer_.start_block();
     ended_ = done_ && done_();
@@ -224,16 +224,16 @@ void Parser::set_flow_program() {
 namespace {
 
 /// Number of values after a keyword.
-struct FlowShape {
-    std::size_t least;
-    std::size_t most;
+struct FlowSyntax {
+    std::size_t min;
+    std::size_t max;
     std::string_view text;
 };
 
-FlowShape shape_of(Flow flow) {
-    constexpr std::size_t kMostArguments = 30;
+FlowSyntax flow_syntax(Flow flow) {
+    constexpr std::size_t kMaxArguments = 30;
     switch (flow) {
-        case Flow::call: return {0, kMostArguments, "up to 30 values, each in brackets"};
+        case Flow::call: return {0, kMaxArguments, "up to 30 values, each in brackets"};
         case Flow::end_sub:
         case Flow::return_: return {0, 1, "at most one value"};
         case Flow::if_:
@@ -249,8 +249,8 @@ FlowShape shape_of(Flow flow) {
 void Parser::set_flow(Value keyword) {
     block_.kind = BlockKind::flow;
     block_.flow = static_cast<Flow>(keyword.index);
-    const FlowShape shape = shape_of(block_.flow);
-    if (block_.arguments.size() < shape.least || block_.arguments.size() > shape.most)
+    const FlowSyntax shape = flow_syntax(block_.flow);
+    if (block_.arguments.size() < shape.min || block_.arguments.size() > shape.max)
         lexer_.fail(keyword.column, DiagnosticKind::word_value,
                     fmt::format("behind this keyword stands {}", shape.text));
     const bool expression = block_.flow_node >= 0;

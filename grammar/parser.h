@@ -14,7 +14,7 @@ class BlockSink {
     virtual ~BlockSink() = default;
     /// Processes a block. `block.text->bad`: an error has been reported, the remainder of the block may be
     /// incomplete.
-    virtual void take(const Block& block) = 0;
+    virtual void on_block(const Block& block) = 0;
 };
 
 /// GLR parser over a full source: reads, builds one block, passes it on, empties it.

@@ -41,20 +41,20 @@ std::optional<std::string> Aliases::add(std::string_view name, std::string_view 
         return fmt::format(
             "'{}' is not a word that an alias can stand for: one letter and a number, such as M08", word);
     }
-    const auto [place, added] = words_.try_emplace(
+    const auto [found_entry, is_new] = words_.try_emplace(
         text::upper(name), Word{text::upper(word.substr(0, 1))[0], std::string(word.substr(1))});
-    if (!added) return fmt::format("the alias '{}' is given twice", name);
+    if (!is_new) return fmt::format("the alias '{}' is given twice", name);
     return std::nullopt;
 }
 
 const Aliases::Word* Aliases::find(std::string_view name) const {
-    const auto place = words_.find(text::upper(name));
-    return place == words_.end() ? nullptr : &place->second;
+    const auto found_entry = words_.find(text::upper(name));
+    return found_entry == words_.end() ? nullptr : &found_entry->second;
 }
 
-bool Aliases::stand_for(char letter, int number) const {
+bool Aliases::has_alias_of(char letter, int number) const {
     return std::any_of(words_.begin(), words_.end(), [&](const auto& entry) {
-        return entry.second.letter == letter && text::number_of(entry.second.number) == number;
+        return entry.second.letter == letter && text::parse_number(entry.second.number) == number;
     });
 }
 

@@ -26,7 +26,7 @@ class Aliases {
     /// Returns the word of a name, or null.
     const Word* find(std::string_view name) const;
     /// Returns true if some name means this letter and integer.
-    bool stand_for(char letter, int number) const;
+    bool has_alias_of(char letter, int number) const;
     /// Returns the known name that `name` most likely meant, or an empty text.
     std::string nearest(std::string_view name) const;
 

@@ -16,9 +16,9 @@ std::string address_name(Address address) {
     }
 }
 
-Slice BlockText::add(std::string_view piece) {
-    const Slice slice{static_cast<std::uint32_t>(text.size()), static_cast<std::uint32_t>(piece.size())};
-    text.append(piece);
+Slice BlockText::add(std::string_view fragment) {
+    const Slice slice{static_cast<std::uint32_t>(text.size()), static_cast<std::uint32_t>(fragment.size())};
+    text.append(fragment);
     return slice;
 }
 

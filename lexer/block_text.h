@@ -76,7 +76,7 @@ struct BlockText {
     std::string_view view(Slice slice) const {
         return std::string_view(text).substr(slice.begin, slice.size);
     }
-    Slice add(std::string_view piece);
+    Slice add(std::string_view fragment);
     Location at(std::uint32_t column) const { return {begin.line_begin, begin.line, column}; }
     void clear();
 };

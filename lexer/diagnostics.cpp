@@ -10,7 +10,7 @@ namespace gsim::lexer {
 namespace {
 
 /// Length of the part of a long line that a message shows, in bytes.
-constexpr std::size_t kShownBytes = 160;
+constexpr std::size_t kMaxExcerptBytes = 160;
 
 bool is_control(char c) {
     const auto byte = static_cast<unsigned char>(c);
@@ -20,13 +20,14 @@ bool is_control(char c) {
 /// Returns the part of the line around the column and the caret under it.
 std::string excerpt(const std::string& line, std::size_t column) {
     const std::size_t index = std::min(column > 0 ? column - 1 : 0, line.size());
-    const std::size_t begin = index > kShownBytes - 20 ? index - (kShownBytes - 20) : 0;
-    std::string shown = line.substr(begin, kShownBytes);
+    const std::size_t begin = index > kMaxExcerptBytes - 20 ? index - (kMaxExcerptBytes - 20) : 0;
+    std::string display_text = line.substr(begin, kMaxExcerptBytes);
     std::replace_if(
-        shown.begin(), shown.end(), [](char c) { return is_control(c) && c != '\t'; }, '?');
+        display_text.begin(), display_text.end(), [](char c) { return is_control(c) && c != '\t'; }, '?');
     std::string caret;
-    for (std::size_t i = 0; i < index - begin; ++i) caret += shown[i] == '\t' ? '\t' : ' ';
-    return fmt::format("  {}{}\n  {}{}^\n", begin > 0 ? "..." : "", shown, begin > 0 ? "   " : "", caret);
+    for (std::size_t i = 0; i < index - begin; ++i) caret += display_text[i] == '\t' ? '\t' : ' ';
+    return fmt::format("  {}{}\n  {}{}^\n", begin > 0 ? "..." : "", display_text, begin > 0 ? "   " : "",
+                       caret);
 }
 
 /// Returns the end of the word that begins at `column`: a letter or a keyword with the number after it, or
@@ -58,7 +59,7 @@ std::string printable(std::string_view text) {
     return out;
 }
 
-text::Diagnostic Diagnostics::made(const Location& location, text::Severity severity, DiagnosticKind kind,
+text::Diagnostic Diagnostics::make_diagnostic(const Location& location, text::Severity severity, DiagnosticKind kind,
                                    std::string_view message, std::string_view hint) const {
     const std::string line = source_.line_at(location.line_begin);
     return {.severity = severity,
@@ -76,19 +77,19 @@ void Diagnostics::error(const Location& location, DiagnosticKind kind, std::stri
                         std::string_view hint) {
     if (full()) return;
     ++errors_;
-    const text::Diagnostic diagnostic = made(location, text::Severity::error, kind, message, hint);
+    const text::Diagnostic diagnostic = make_diagnostic(location, text::Severity::error, kind, message, hint);
     if (!first_error_) first_error_ = diagnostic;
-    take_(diagnostic);
+    handler_(diagnostic);
     if (!full()) return;
-    take_({.severity = text::Severity::note,
-           .kind = DiagnosticKind::too_many_errors,
-           .file = source_.name(),
-           .text = fmt::format("{} errors, giving up", errors_)});
+    handler_({.severity = text::Severity::note,
+              .kind = DiagnosticKind::too_many_errors,
+              .file = source_.name(),
+              .text = fmt::format("{} errors, giving up", errors_)});
 }
 
 void Diagnostics::warning(const Location& location, DiagnosticKind kind, std::string_view message,
                           std::string_view hint) {
-    if (!full()) take_(made(location, text::Severity::warning, kind, message, hint));
+    if (!full()) handler_(make_diagnostic(location, text::Severity::warning, kind, message, hint));
 }
 
 }  // namespace gsim::lexer

@@ -23,12 +23,12 @@ using text::DiagnosticKind;
 /// Collector of the errors and warnings of one source.
 class Diagnostics {
   public:
-    using Take = std::function<void(const text::Diagnostic&)>;
+    using DiagnosticHandler = std::function<void(const text::Diagnostic&)>;
 
     /// Passes each diagnostic to `take` as soon as it is known, with the line and a caret as its excerpt.
     /// After `max_errors` errors, one more says so and full() is true.
-    Diagnostics(const Source& source, std::size_t max_errors, Take take)
-        : source_(source), max_errors_(max_errors), take_(std::move(take)) {}
+    Diagnostics(const Source& source, std::size_t max_errors, DiagnosticHandler on_diagnostic)
+        : source_(source), max_errors_(max_errors), handler_(std::move(on_diagnostic)) {}
 
     void error(const Location& location, DiagnosticKind kind, std::string_view message,
                std::string_view hint = {});
@@ -41,12 +41,12 @@ class Diagnostics {
     const std::optional<text::Diagnostic>& first_error() const { return first_error_; }
 
   private:
-    text::Diagnostic made(const Location& location, text::Severity severity, DiagnosticKind kind,
-                          std::string_view message, std::string_view hint) const;
+    text::Diagnostic make_diagnostic(const Location& location, text::Severity severity, DiagnosticKind kind,
+                                     std::string_view message, std::string_view hint) const;
 
     const Source& source_;
     std::size_t max_errors_;
-    Take take_;
+    DiagnosticHandler handler_;
     std::size_t errors_ = 0;
     std::optional<text::Diagnostic> first_error_;
 };

@@ -79,8 +79,8 @@ std::size_t Lexer::fill(char* buffer, std::size_t capacity) {
             const auto* end = static_cast<const char*>(std::memchr(buffer + in, '\n', count - in));
             const std::size_t size =
                 end == nullptr ? count - in : static_cast<std::size_t>(end - (buffer + in));
-            const std::size_t room = kMaxLineBytes - std::min(kMaxLineBytes, read_line_bytes_);
-            const std::size_t kept = std::min(size, room);
+            const std::size_t space_left = kMaxLineBytes - std::min(kMaxLineBytes, read_line_bytes_);
+            const std::size_t kept = std::min(size, space_left);
             if (out != in) std::memmove(buffer + out, buffer + in, kept);
             out += kept;
             read_line_bytes_ += size;
@@ -109,11 +109,11 @@ void Lexer::advance(const char* text, std::size_t size) {
     if (keep_raw_ && size > 0 && text[size - 1] != '\n') block_.raw.append(text, size);
 }
 
-void Lexer::give_back(std::size_t kept) {
-    const std::size_t returned = token_size_ - kept;
-    next_column_ -= static_cast<std::uint32_t>(returned);
+void Lexer::unread(std::size_t kept) {
+    const std::size_t returned_bytes = token_size_ - kept;
+    next_column_ -= static_cast<std::uint32_t>(returned_bytes);
     token_size_ = static_cast<std::uint32_t>(kept);
-    if (keep_raw_) block_.raw.resize(block_.raw.size() - returned);
+    if (keep_raw_) block_.raw.resize(block_.raw.size() - returned_bytes);
 }
 
 Token Lexer::newline() {

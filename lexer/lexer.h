@@ -40,7 +40,7 @@ class Lexer {
     void fail(std::uint32_t column, DiagnosticKind kind, std::string_view message,
               std::string_view hint = {});
     /// Treats the first lines of the source as remarks. To be called before the first token.
-    void pass_over_leader(std::uint32_t lines) { leader_lines_ = lines; }
+    void skip_leader(std::uint32_t lines) { leader_lines_ = lines; }
     /// Returns the line that is read.
     std::uint32_t line() const { return line_; }
     bool in_leader() const { return line_ <= leader_lines_; }
@@ -66,14 +66,14 @@ class Lexer {
     // Actions of the generated scanner, one for each of its rules; `text` is the token as in the source.
     std::size_t fill(char* buffer, std::size_t capacity);
     void advance(const char* text, std::size_t size);
-    void give_back(std::size_t kept);
+    void unread(std::size_t kept);
     Token word(std::string_view text, Value& value);
     Token comma_word(std::string_view text, Value& value);
     Token comma_letter(std::string_view text, Value& value);
     Token flow_name(std::string_view text, Value& value);
     Token flow_expression();
     Token named_variable(std::string_view text, Value& value);
-    Token endless_name();
+    Token unterminated_name();
     Token power(Value& value);
     Token print_text(std::string_view text, Value& value);
     Token print_switch(std::string_view name, Value& value);
@@ -109,9 +109,9 @@ class Lexer {
     Token classify(const Word& word) const;
     Token add_word(const Word& word, Value& value);
     Slice add_name(std::string_view text);
-    Slice without_zeros(Slice name) const;
+    Slice strip_leading_zeros(Slice name) const;
     std::optional<Slice> add_number(std::string_view digits, bool negative);
-    Token wrong_name(std::string_view text);
+    Token fail_name(std::string_view text);
 
     struct CutLine {
         std::uint32_t line;

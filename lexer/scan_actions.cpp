@@ -47,17 +47,17 @@ SignedDigits split_sign(std::string_view text) {
 std::int32_t code_x10(const SignedDigits& number) {
     if (number.negative) return -1;
     const std::size_t dot = number.digits.find('.');
-    std::string_view whole = number.digits.substr(0, dot);
+    std::string_view integer_part = number.digits.substr(0, dot);
     std::string_view part = dot == std::string_view::npos ? "" : number.digits.substr(dot + 1);
     while (part.size() > 1 && part.back() == '0') part.remove_suffix(1);
-    while (whole.size() > 1 && whole.front() == '0') whole.remove_prefix(1);
-    if (whole.size() > 4 || part.size() > 1) return -1;
+    while (integer_part.size() > 1 && integer_part.front() == '0') integer_part.remove_prefix(1);
+    if (integer_part.size() > 4 || part.size() > 1) return -1;
     std::int32_t code = 0;
-    for (const char c : whole) code = code * 10 + (c - '0');
+    for (const char c : integer_part) code = code * 10 + (c - '0');
     return code * 10 + (part.empty() ? 0 : part[0] - '0');
 }
 
-std::optional<std::uint32_t> small_number(std::string_view digits) {
+std::optional<std::uint32_t> parse_small_number(std::string_view digits) {
     while (digits.size() > 1 && digits.front() == '0') digits.remove_prefix(1);
     if (digits.size() > 9) return std::nullopt;
     std::uint32_t value = 0;
@@ -75,9 +75,9 @@ bool is_value_start(char c) {
 }
 
 const Keyword* find_keyword(std::string_view name) {
-    const auto* place =
+    const auto* found_entry =
         std::find_if(kKeywords.begin(), kKeywords.end(), [&](const Keyword& k) { return k.name == name; });
-    return place == kKeywords.end() ? nullptr : place;
+    return found_entry == kKeywords.end() ? nullptr : found_entry;
 }
 
 }  // namespace
@@ -232,7 +232,7 @@ Token Lexer::identifier(std::string_view text, std::size_t& kept, Value& value) 
 Token Lexer::sequence(std::string_view text, Value& value) {
     const std::string digits = remove_blanks(text.substr(1));
     const std::optional<std::uint32_t> number =
-        small_number(std::string_view(digits).substr(0, digits.find('.')));
+        parse_small_number(std::string_view(digits).substr(0, digits.find('.')));
     if (!number) {
         fail(token_column_, DiagnosticKind::number, "the sequence number has more than 9 digits");
         return kBad;
@@ -243,7 +243,7 @@ Token Lexer::sequence(std::string_view text, Value& value) {
 
 Token Lexer::skip(std::string_view text, Value& value) {
     const std::string_view digits = skip_blanks(text.substr(1));
-    const std::uint32_t level = digits.empty() ? 1 : small_number(digits).value_or(10);
+    const std::uint32_t level = digits.empty() ? 1 : parse_small_number(digits).value_or(10);
     if (level < 1 || level > 9) {
         fail(token_column_, DiagnosticKind::number,
              fmt::format("block delete is / or /1 to /9, not {}", text.substr(0, 20)));
@@ -271,7 +271,7 @@ Token Lexer::variable(std::string_view text, Value& value) {
              fmt::format("the number of a variable is whole, not {}", digits.substr(0, 40)));
         return kBad;
     }
-    const std::optional<std::uint32_t> number = small_number(std::string_view(digits).substr(0, dot));
+    const std::optional<std::uint32_t> number = parse_small_number(std::string_view(digits).substr(0, dot));
     if (!number) {
         fail(token_column_, DiagnosticKind::number, "the variable's number has more than 9 digits");
         return kBad;

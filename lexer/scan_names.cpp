@@ -25,7 +25,7 @@ Slice Lexer::add_name(std::string_view text) {
 }
 
 /// Zeros before a number do not change it. A name in < > is used as written, so o<02> is not o2.
-Slice Lexer::without_zeros(Slice name) const {
+Slice Lexer::strip_leading_zeros(Slice name) const {
     if (block_.view(name).find_first_not_of("0123456789") != std::string_view::npos) return name;
     while (name.size > 1 && block_.text[name.begin] == '0') {
         ++name.begin;
@@ -38,7 +38,7 @@ Token Lexer::flow_name(std::string_view text, Value&) {
     expression_to_end_ = true;
     block_.structural = true;
     const Slice name = add_name(text.substr(1));
-    block_.program = text.ends_with('>') ? name : without_zeros(name);
+    block_.program = text.ends_with('>') ? name : strip_leading_zeros(name);
     if (block_.program.size > 0) return kFlowName;
     fail(token_column_, DiagnosticKind::syntax, "the name of an O-word is empty");
     return kBad;
@@ -61,7 +61,7 @@ Token Lexer::named_variable(std::string_view text, Value& value) {
     return kNamedVariable;
 }
 
-Token Lexer::endless_name() {
+Token Lexer::unterminated_name() {
     if (!is_ngc()) return unknown("<");
     fail(token_column_, DiagnosticKind::syntax, "the name has no '>' behind it, or more than 100 characters");
     return kBad;
@@ -84,14 +84,14 @@ Token Lexer::expression_name(std::string_view text, std::size_t& kept, Value& va
     const std::string name = text::upper(remove_blanks(text));
     const NameStyle other = is_ngc() ? NameStyle::ab9 : NameStyle::rs274ngc;
     const bool may_be_joined = is_ngc() && brackets_ > 0;
-    const auto* place =
+    const auto* found_entry =
         std::find_if(kExpressionNames.begin(), kExpressionNames.end(), [&](const ExpressionName& t) {
             return t.style != other && (t.name == name || (may_be_joined && name.starts_with(t.name)));
         });
-    if (place != kExpressionNames.end()) {
-        kept = length_with_blanks(text, place->name.size());
-        value.index = static_cast<std::uint32_t>(place->op);
-        return is_ngc() && place->token == kRelation ? kComparison : place->token;
+    if (found_entry != kExpressionNames.end()) {
+        kept = length_with_blanks(text, found_entry->name.size());
+        value.index = static_cast<std::uint32_t>(found_entry->op);
+        return is_ngc() && found_entry->token == kRelation ? kComparison : found_entry->token;
     }
     if (is_ngc() && brackets_ == 0) {
         const auto* flow = std::find_if(kFlowNames.begin(), kFlowNames.end(),
@@ -106,11 +106,11 @@ Token Lexer::expression_name(std::string_view text, std::size_t& kept, Value& va
         kept = blank;
         return expression_name(text.substr(0, blank), kept, value);
     }
-    return wrong_name(text);
+    return fail_name(text);
 }
 
 /// Reports the text at the position of an expected name of an expression, or keyword after an O-word.
-Token Lexer::wrong_name(std::string_view text) {
+Token Lexer::fail_name(std::string_view text) {
     const std::string name = text::upper(text);
     if (!is_ngc() && brackets_ == 0 && name.size() == 1) {
         fail(token_column_, DiagnosticKind::code_conflict,

@@ -18,10 +18,10 @@ std::string file_error(const std::string& path, int error_number) {
     return fmt::format("{}: {}", path, std::strerror(error_number));
 }
 
-tl::expected<Source, std::string> Source::open(const std::string& path, os::NamedBy named_by) {
+tl::expected<Source, std::string> Source::open(const std::string& path, os::NameSource name_source) {
     Source source;
     source.name_ = path;
-    auto file = os::open_input(path, named_by);
+    auto file = os::open_input(path, name_source);
     if (!file) return tl::unexpected(fmt::format("{}: {}", path, file.error()));
     source.file_ = *std::move(file);
     struct stat info {};
@@ -32,9 +32,9 @@ tl::expected<Source, std::string> Source::open(const std::string& path, os::Name
 }
 
 tl::expected<Source, std::string> Source::open(const os::Files& files, const std::string& path,
-                                               os::NamedBy named_by) {
-    if (files.are_of_system()) return open(path, named_by);
-    return files.read(path, named_by, std::numeric_limits<std::size_t>::max()).map([&](std::string text) {
+                                               os::NameSource name_source) {
+    if (files.are_system_files()) return open(path, name_source);
+    return files.read(path, name_source, std::numeric_limits<std::size_t>::max()).map([&](std::string text) {
         return from_text(std::move(text), path);
     });
 }
@@ -44,7 +44,7 @@ tl::expected<Source, std::string> Source::spool(std::FILE* stream, std::string n
     source.name_ = std::move(name);
     source.file_.reset(std::tmpfile());
     // A confined program may have no access to a folder for temporary files.
-    if (!source.file_) source.file_ = os::file_in_memory("spool");
+    if (!source.file_) source.file_ = os::open_memory_file("spool");
     if (!source.file_)
         return tl::unexpected("no temporary file for " + source.name_ + ": " + std::strerror(errno));
     std::array<char, 65536> buffer;
@@ -85,15 +85,15 @@ std::size_t Source::read_at(std::uint64_t offset, char* buffer, std::size_t capa
 }
 
 std::size_t Source::read(char* buffer, std::size_t capacity) {
-    was_ended_ = was_ended_ || (ends_ && ends_());
-    if (was_ended_ || at_end_) return 0;
+    ended_early_ = ended_early_ || (ends_ && ends_());
+    if (ended_early_ || at_end_) return 0;
     const std::size_t count = read_at(position_, buffer, capacity);
     at_end_ = count == 0;
     position_ += count;
     return count;
 }
 
-std::optional<std::string> Source::fault() const {
+std::optional<std::string> Source::error_message() const {
     if (error_ == 0) return std::nullopt;
     return fmt::format("{}: cannot be read to its end: {}", name_, std::strerror(error_));
 }
@@ -107,8 +107,8 @@ std::string Source::line_at(std::uint64_t line_begin, std::size_t max_bytes) con
     std::string line;
     std::array<char, 512> buffer;
     while (line.size() < max_bytes) {
-        const std::size_t wanted = std::min(buffer.size(), max_bytes - line.size());
-        const std::size_t count = read_at(line_begin + line.size(), buffer.data(), wanted);
+        const std::size_t requested = std::min(buffer.size(), max_bytes - line.size());
+        const std::size_t count = read_at(line_begin + line.size(), buffer.data(), requested);
         const std::string_view part(buffer.data(), count);
         const std::size_t end = part.find('\n');
         line.append(part.substr(0, end));

@@ -27,10 +27,10 @@ class Source {
 
     /// Opens a regular file, or copies the data of a pipe like spool(). The error is a message for the user.
     static tl::expected<Source, std::string> open(const std::string& path,
-                                                  os::NamedBy named_by = os::NamedBy::a_file);
+                                                  os::NameSource name_source = os::NameSource::in_file);
     /// Does the same for files that may be those of a program.
     static tl::expected<Source, std::string> open(const os::Files& files, const std::string& path,
-                                                  os::NamedBy named_by = os::NamedBy::a_file);
+                                                  os::NameSource name_source = os::NameSource::in_file);
     /// Copies a stream that cannot be read twice (standard input) to an anonymous temporary file.
     static tl::expected<Source, std::string> spool(std::FILE* stream, std::string name);
     /// Makes a source from a text in memory.
@@ -42,9 +42,9 @@ class Source {
 
     /// Sets a condition that ends reading in sequence early: `ends` is called at each read, and true holds
     /// from then on.
-    void end_where(std::function<bool()> ends) { ends_ = std::move(ends); }
+    void set_end_condition(std::function<bool()> should_stop) { ends_ = std::move(should_stop); }
     /// Returns true if that has happened: the file was not read completely.
-    bool was_ended() const { return was_ended_; }
+    bool ended_early() const { return ended_early_; }
     /// Reads up to `capacity` bytes into `buffer`, in sequence; 0 at the end, and from then on. So a reader
     /// of a file that grows, or is readable again after an error, finds no more after the supposed end.
     std::size_t read(char* buffer, std::size_t capacity);
@@ -56,7 +56,7 @@ class Source {
     /// then.
     int error() const { return error_; }
     /// Returns the same as a message with the name; no value without an error.
-    std::optional<std::string> fault() const;
+    std::optional<std::string> error_message() const;
 
   private:
     std::size_t read_at(std::uint64_t offset, char* buffer, std::size_t capacity) const;
@@ -68,7 +68,7 @@ class Source {
     std::uint64_t position_ = 0;
     mutable int error_ = 0;
     std::function<bool()> ends_;
-    bool was_ended_ = false;
+    bool ended_early_ = false;
     bool at_end_ = false;
 };
 

@@ -40,11 +40,19 @@ def names():
                      for name in same_source.names_of(Path(file).read_text(encoding="utf-8", errors="replace")))
 
 
+@functools.cache
+def renamings():
+    """The pairs of .ci/renames: names that got another one since the commit in .ci/accepted, although other things keep the old one."""
+    path = Path(".ci/renames")
+    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
+    return frozenset(tuple(line.split()) for line in lines if line and not line.startswith("#"))
+
+
 def is_same_source(since, before, after, old_names):
     if not SOURCE.fullmatch(after) or not Path(after).exists():
         return False
     old = subprocess.run(["git", "show", f"{since}:{before}"], check=True, capture_output=True, text=True).stdout
-    return same_source.is_same(old, Path(after).read_text(encoding="utf-8"), after.endswith(".lua"), old_names, names())
+    return same_source.is_same(old, Path(after).read_text(encoding="utf-8"), after.endswith(".lua"), old_names, names(), renamings())
 
 
 def changed_files(since):
@@ -52,7 +60,7 @@ def changed_files(since):
     if since == "all":
         return tracked()
     found = set(git("ls-files", "--others", "--exclude-standard"))
-    rows = [line.split("\t") for line in git("diff", "--name-status", "--find-renames", "-l0", since, "--")]
+    rows = [line.split("\t") for line in git("diff", "--name-status", "--find-renames=5%", "-l0", since, "--")]
     old_names = {names[1]: names[0] for status, *names in rows if status[0] == "R"}
     for status, *names in rows:
         if status[0] in "MR" and is_same_source(since, names[0], names[-1], old_names):
@@ -100,11 +108,19 @@ def module_names():
     return tuple(modules.rows(page.read_text(encoding="utf-8"))) if page.exists() else ()
 
 
+def headers_of(changed, graph):
+    """The headers by which others see the changed files: those that changed, those that include one, and those of the changed sources."""
+    headers = {name for name in changed if not name.endswith(".cpp")} | {str(Path(name).with_suffix(".h")) for name in changed if name.endswith(".cpp")}
+    while more := {name for name in including(headers, graph) if name.endswith(".h")} - headers:
+        headers |= more
+    return headers
+
+
 def affected_folders(since):
-    """Modules with changed sources, and those with a source that includes a header of such a module."""
+    """Modules with changed sources, and those with a source that includes a header of one."""
     graph = includes()
-    changed = {module_of(name) for name in changed_files(since) if SOURCE.fullmatch(name)}
-    return changed | {module_of(name) for name, used in graph.items() if any(module_of(header) in changed for header in used)}
+    changed = {name for name in changed_files(since) if SOURCE.fullmatch(name)}
+    return {module_of(name) for name in changed | including(headers_of(changed, graph), graph)}
 
 
 def test_folders():

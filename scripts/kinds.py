@@ -48,7 +48,7 @@ def page():
 
 {names("limitKinds", "limit_kind")}export type LimitKind = (typeof limitKinds)[number];
 
-/** What reports call a limit; speed and acceleration follow the axis (docs/report.md). */
+/** Names of limits in reports; speed and acceleration follow the axis (docs/report.md). */
 export const limitWords: Record<LimitKind, string> = {{
 {words}}};
 

@@ -1,7 +1,7 @@
 """Compares two versions of a source (C++, flex, Bison, Lua) for what a compiler makes of them: names, comments and layout may differ.
 
 Two versions are the same if one becomes the other by renaming: each name of the first has one name in the second, no two names share one, and everything else
-is equal, token by token. A renamed source is built and tested as every other one; only checks that cost hours do not repeat for it."""
+is equal, token by token. Renamings that a list declares need not be one-to-one, because they follow scopes, which this module does not know. A renamed source is built and tested as every other one; only checks that cost hours do not repeat for it."""
 
 import re
 
@@ -48,24 +48,31 @@ def essence(text, is_lua, old_headers):
     return headers, list(tokens_of(INCLUDE.sub("", text), is_lua))
 
 
-def renaming(before, after):
-    """The names that changed, as a mapping by which `before` becomes `after` one-to-one; None if there is none."""
+def changed_names(before, after):
+    """The pairs of different names at one position of both lists; None if anything but names differs."""
     if len(before) != len(after):
         return None
-    forth, back = {}, {}
+    pairs = set()
     for (is_name, old), (is_new_name, new) in zip(before, after):
         if is_name != is_new_name or (not is_name and old != new):
             return None
-        if is_name and (forth.setdefault(old, new) != new or back.setdefault(new, old) != old):
-            return None
-    return {old: new for old, new in forth.items() if old != new}
+        if old != new:
+            pairs.add((old, new))
+    return pairs
 
 
-def is_same(before, after, is_lua, old_headers, names):
+def is_one_to_one(pairs, kept):
+    """True if no name has two new ones, and no two names have one, those among them that the source keeps."""
+    return len({old for old, _ in pairs}) == len({new for _, new in pairs} - kept) == len(pairs)
+
+
+def is_same(before, after, is_lua, old_headers, names, renamings):
     """True if two texts of a source differ in names, comments, layout and moved headers only. `names`: all of the project by now. An old name that is still
-    among them was not renamed: another one is used in its place."""
+    among them was not renamed, but another one is used in its place. `renamings`: pairs that were renamed all the same, because a name had several meanings."""
     (headers, tokens), (new_headers, new_tokens) = essence(before, is_lua, {}), essence(after, is_lua, old_headers)
-    if headers != new_headers:
+    pairs = changed_names(tokens, new_tokens)
+    if headers != new_headers or pairs is None:
         return False
-    renamed = renaming(tokens, new_tokens)
-    return renamed is not None and not names & renamed.keys()
+    kept = {old for (is_name, old), (_, new) in zip(tokens, new_tokens) if is_name and old == new}
+    undeclared = pairs - renamings
+    return is_one_to_one(undeclared, kept) and not any(old in names for old, _ in undeclared)

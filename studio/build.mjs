@@ -7,10 +7,10 @@ import { mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "n
 import { join, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
 import * as esbuild from "esbuild";
-import { textsOfForms } from "./texts_of_forms.mjs";
+import { formTexts } from "./form_texts.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
-const [engineFolder, samplesFolder, outputFolder] = process.argv.slice(2).map((name) => resolve(name));
+const [engineFolder, samplesFolder, distFolder] = process.argv.slice(2).map((name) => resolve(name));
 
 const packed = (bytes) => gzipSync(bytes, { level: 9 }).toString("base64");
 
@@ -32,15 +32,15 @@ async function bundle(entry, options = {}) {
     metafile: true,
     ...options,
   });
-  const text = (ending) => built.outputFiles.find((file) => file.path.endsWith(ending))?.text ?? "";
+  const text = (extension) => built.outputFiles.find((file) => file.path.endsWith(extension))?.text ?? "";
   return { js: text(".js"), css: text(".css"), inputs: Object.keys(built.metafile.inputs) };
 }
 
 /** A page without forms does not have what they say. */
-const withoutForms = {
+const omitFormTexts = {
   name: "without-forms",
   setup: (build) =>
-    build.onLoad({ filter: new RegExp(`/src/texts/(${textsOfForms.join("|")})\\.ts$`) }, ({ path }) => ({
+    build.onLoad({ filter: new RegExp(`/src/texts/(${formTexts.join("|")})\\.ts$`) }, ({ path }) => ({
       contents: `export const ${path.match(/(\w+)\.ts$/)[1]} = {};`,
     })),
 };
@@ -65,10 +65,10 @@ const libraries = ["libeigen3-dev", "libexpected-dev", "libfast-float-dev", "lib
   "nlohmann-json3-dev",
 ]);
 
-function* filesBelow(folder) {
+function* listFilesRecursively(folder) {
   for (const name of readdirSync(folder).sort()) {
     const file = join(folder, name);
-    if (statSync(file).isDirectory()) yield* filesBelow(file);
+    if (statSync(file).isDirectory()) yield* listFilesRecursively(file);
     else yield file;
   }
 }
@@ -77,7 +77,7 @@ function* filesBelow(folder) {
 function samples() {
   const texts = {};
   const others = {};
-  for (const file of filesBelow(samplesFolder)) {
+  for (const file of listFilesRecursively(samplesFolder)) {
     const name = `samples/${relative(samplesFolder, file)}`;
     if (name.startsWith("samples/engine/")) continue;
     const bytes = readFileSync(file);
@@ -92,16 +92,16 @@ const data = (id, text) => `<script type="application/octet-stream" id="${id}">$
 const engine = join(engineFolder, "gsim-studio-engine");
 const [page, viewer, worker] = await Promise.all([
   bundle("main.ts"),
-  bundle("look.ts", { plugins: [withoutForms] }),
+  bundle("viewer.ts", { plugins: [omitFormTexts] }),
   bundle("worker.ts", { alias: { "gsim-engine": `${engine}.js` } }),
 ]);
 const fill = (parts) =>
   readFileSync(join(here, "src/page.html"), "utf8").replace(/<!-- ([a-z]+) -->/g, (_, name) => parts[name] ?? "");
 
-const partsOf = ({ css, js }) => ({ style: `<style>${css}</style>`, script: `<script>${inline(js)}</script>` });
-mkdirSync(outputFolder, { recursive: true });
-const withEngine = fill({
-  ...partsOf(page),
+const inlineParts = ({ css, js }) => ({ style: `<style>${css}</style>`, script: `<script>${inline(js)}</script>` });
+mkdirSync(distFolder, { recursive: true });
+const standalonePage = fill({
+  ...inlineParts(page),
   data: [
     data("worker", packed(worker.js)),
     data("engine", packed(readFileSync(`${engine}.wasm`))),
@@ -109,9 +109,9 @@ const withEngine = fill({
     licences(page.inputs, libraries),
   ].join("\n"),
 });
-const withoutEngine = fill({ ...partsOf(viewer), data: `<!-- run -->\n${licences(viewer.inputs, [])}` });
+const viewerPage = fill({ ...inlineParts(viewer), data: `<!-- run -->\n${licences(viewer.inputs, [])}` });
 const served = fill({
-  ...partsOf(page),
+  ...inlineParts(page),
   policy: "; connect-src 'self'",
   data: [
     `<script type="application/json" id="server"><!-- server --></script>`,
@@ -119,7 +119,7 @@ const served = fill({
     licences(page.inputs, []),
   ].join("\n"),
 });
-for (const [name, text] of Object.entries({ "studio.html": withEngine, "view.html": withoutEngine, "served.html": served })) {
-  writeFileSync(join(outputFolder, name), text);
+for (const [name, text] of Object.entries({ "studio.html": standalonePage, "view.html": viewerPage, "served.html": served })) {
+  writeFileSync(join(distFolder, name), text);
   console.log(`${name}: ${text.length} bytes, ${gzipSync(text, { level: 9 }).length} with gzip`);
 }

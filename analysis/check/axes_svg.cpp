@@ -14,58 +14,58 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kSize = 440;       // of the picture above its text, in its units
-constexpr double kReach = 130;      // of an arrow
-constexpr double kFrameReach = 55;  // of the work frame's axes
-constexpr double kHead = 9;         // of an arrow
+constexpr double kSize = 440;             // of the picture above its text, in its units
+constexpr double kArrowLength = 130;      // of an arrow
+constexpr double kFrameArrowLength = 55;  // of the work frame's axes
+constexpr double kArrowHead = 9;          // of an arrow
 constexpr double kWidth = 640;
-constexpr double kLineHeight = 18;   // of the messages below
-constexpr double kTurnRadius = 26;   // of the arrow of a turn
-constexpr double kTurnPlace = 0.62;  // position of a turn on its axis, as a share of the reach
+constexpr double kLineHeight = 18;      // of the messages below
+constexpr double kTurnRadius = 26;      // of the arrow of a turn
+constexpr double kTurnPosition = 0.62;  // position of a turn on its axis, as a share of the reach
 constexpr int kTurnSteps = 24;
-constexpr double kTurnPart = 0.8;  // of a full turn that the arrow spans
-constexpr double kStepAside = 20;  // between arrows of the same direction
+constexpr double kTurnShare = 0.8;    // of a full turn that the arrow spans
+constexpr double kArrowSpacing = 20;  // between arrows of the same direction
 constexpr double kSameDirection = 0.999;
 
 // Projects a point as seen from the front, the right and above: x to the right, y into the picture, z up.
-Vector2d on_paper(const Vector3d& point) {
+Vector2d project(const Vector3d& point) {
     constexpr double kYRight = 0.45;
     constexpr double kYUp = 0.38;
     return {point.x() + kYRight * point.y(), -(point.z() + kYUp * point.y())};
 }
 
 // Colours.
-constexpr const char* kOfFrame = "#777777";
-constexpr const char* kOfTool = "#1f4e79";
-constexpr const char* kOfWork = "#a04000";
-constexpr const char* kOfFault = "#b00020";
+constexpr const char* kFrameColour = "#777777";
+constexpr const char* kToolColour = "#1f4e79";
+constexpr const char* kWorkColour = "#a04000";
+constexpr const char* kErrorColour = "#b00020";
 
-const char* colour_of(const AxisMotion& motion) {
-    return motion.carries_work ? kOfWork : kOfTool;
+const char* axis_colour(const AxisMotion& motion) {
+    return motion.carries_work ? kWorkColour : kToolColour;
 }
 
 // Returns some direction at right angles to another one.
-Vector3d across(const Vector3d& direction) {
-    constexpr double kUpright = 0.9;
-    return direction.cross(std::abs(direction.z()) < kUpright ? Vector3d::UnitZ() : Vector3d::UnitX())
+Vector3d perpendicular(const Vector3d& direction) {
+    constexpr double kVerticalLimit = 0.9;
+    return direction.cross(std::abs(direction.z()) < kVerticalLimit ? Vector3d::UnitZ() : Vector3d::UnitX())
         .normalized();
 }
 
 class Picture {
   public:
     explicit Picture(const machine::Machine& machine)
-        : motions_(axis_motions(machine)), faults_(find_left_handed(motions_)) {}
+        : motions_(axis_motions(machine)), errors_(find_left_handed(motions_)) {}
 
-    std::string take() {
-        const double height = kSize + kLineHeight * static_cast<double>(motions_.size() + faults_.size() + 2);
+    std::string release() {
+        const double height = kSize + kLineHeight * static_cast<double>(motions_.size() + errors_.size() + 2);
         add("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
             "font-family=\"sans-serif\" font-size=\"13\" stroke-width=\"2.5\">\n",
             kWidth, height);
         draw_frame();
         for (std::size_t i = 0; i < motions_.size(); ++i) {
-            motions_[i].turns ? draw_turn(motions_[i]) : draw_way(i);
+            motions_[i].is_rotary ? draw_rotary_axis(motions_[i]) : draw_linear_axis(i);
         }
-        write_sentences();
+        write_messages();
         return std::move(svg_) + "</svg>\n";
     }
 
@@ -75,10 +75,12 @@ class Picture {
         text::append_format(svg_, format, std::forward<Args>(args)...);
     }
 
-    static Vector2d place(const Vector3d& point) { return Vector2d(kWidth / 2, kSize / 2) + on_paper(point); }
+    static Vector2d to_paper(const Vector3d& point) {
+        return Vector2d(kWidth / 2, kSize / 2) + project(point);
+    }
 
     // Draws a line through points of the paper, with a head at its end.
-    void arrow(const char* colour, const std::vector<Vector2d>& points) {
+    void draw_arrow(const char* colour, const std::vector<Vector2d>& points) {
         add("<path fill=\"none\" stroke=\"{}\" d=\"", colour);
         char command = 'M';
         for (const Vector2d& point : points) {
@@ -87,12 +89,12 @@ class Picture {
         }
         const Vector2d& end = points.back();
         const Vector2d along = (end - points[points.size() - 2]).normalized();
-        const Vector2d beside(-along.y(), along.x());
-        const Vector2d left = end - kHead * (along + beside / 2);
-        const Vector2d right = end - kHead * (along - beside / 2);
-        const Vector2d tip = end + kHead / 3 * along;
-        add("\"/>\n<path fill=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\"/>\n", colour, tip.x(),
-            tip.y(), left.x(), left.y(), right.x(), right.y());
+        const Vector2d normal(-along.y(), along.x());
+        const Vector2d left = end - kArrowHead * (along + normal / 2);
+        const Vector2d right = end - kArrowHead * (along - normal / 2);
+        const Vector2d arrow_tip = end + kArrowHead / 3 * along;
+        add("\"/>\n<path fill=\"{}\" d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}L{:.1f} {:.1f}Z\"/>\n", colour,
+            arrow_tip.x(), arrow_tip.y(), left.x(), left.y(), right.x(), right.y());
     }
 
     void label(const char* colour, const Vector2d& at, std::string_view text) {
@@ -101,67 +103,67 @@ class Picture {
 
     // Draws the work frame itself, in a separate corner.
     void draw_frame() {
-        const Vector3d corner(-3 * kFrameReach, 0, -3 * kFrameReach);
+        const Vector3d corner(-3 * kFrameArrowLength, 0, -3 * kFrameArrowLength);
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
-            const Vector2d end = place(corner + kFrameReach * Vector3d::Unit(axis));
-            arrow(kOfFrame, {place(corner), end});
-            label(kOfFrame, end, std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1));
+            const Vector2d end = to_paper(corner + kFrameArrowLength * Vector3d::Unit(axis));
+            draw_arrow(kFrameColour, {to_paper(corner), end});
+            label(kFrameColour, end, std::string_view("xyz").substr(static_cast<std::size_t>(axis), 1));
         }
-        label(kOfFrame, place(corner) + Vector2d(-10, kLineHeight + 6), "work frame");
+        label(kFrameColour, to_paper(corner) + Vector2d(-10, kLineHeight + 6), "work frame");
     }
 
     // Shifts arrows that would lie on one another, so that they are side by side.
-    Vector3d aside(std::size_t index) const {
+    Vector3d lateral_offset(std::size_t index) const {
         const Vector3d& direction = motions_[index].direction;
         int before = 0;
         for (std::size_t i = 0; i < index; ++i) {
             const AxisMotion& other = motions_[i];
-            if (!other.turns && std::abs(other.direction.dot(direction)) > kSameDirection) ++before;
+            if (!other.is_rotary && std::abs(other.direction.dot(direction)) > kSameDirection) ++before;
         }
-        return before * kStepAside * across(direction);
+        return before * kArrowSpacing * perpendicular(direction);
     }
 
-    void draw_way(std::size_t index) {
+    void draw_linear_axis(std::size_t index) {
         const AxisMotion& motion = motions_[index];
-        const Vector3d start = aside(index);
-        const Vector2d end = place(start + kReach * motion.direction);
-        arrow(colour_of(motion), {place(start), end});
-        label(colour_of(motion), end, fmt::format("+{}", motion.letter));
+        const Vector3d start = lateral_offset(index);
+        const Vector2d end = to_paper(start + kArrowLength * motion.direction);
+        draw_arrow(axis_colour(motion), {to_paper(start), end});
+        label(axis_colour(motion), end, fmt::format("+{}", motion.letter));
     }
 
-    void draw_turn(const AxisMotion& motion) {
-        const Vector3d first = across(motion.direction);
+    void draw_rotary_axis(const AxisMotion& motion) {
+        const Vector3d first = perpendicular(motion.direction);
         const Vector3d second = motion.direction.cross(first);
         std::vector<Vector2d> points;
         for (int step = 0; step <= kTurnSteps; ++step) {
-            const double angle = 2 * std::numbers::pi * kTurnPart * step / kTurnSteps;
-            points.push_back(place(kTurnPlace * kReach * motion.direction +
-                                   kTurnRadius * (std::cos(angle) * first + std::sin(angle) * second)));
+            const double angle = 2 * std::numbers::pi * kTurnShare * step / kTurnSteps;
+            points.push_back(to_paper(kTurnPosition * kArrowLength * motion.direction +
+                                      kTurnRadius * (std::cos(angle) * first + std::sin(angle) * second)));
         }
-        arrow(colour_of(motion), points);
-        label(colour_of(motion), points.back(), fmt::format("+{}", motion.letter));
+        draw_arrow(axis_colour(motion), points);
+        label(axis_colour(motion), points.back(), fmt::format("+{}", motion.letter));
     }
 
-    void write_sentences() {
+    void write_messages() {
         double y = kSize + kLineHeight;
         const auto line = [&](const char* colour, const std::string& text) {
             label(colour, {kLineHeight, y}, text);
             y += kLineHeight;
         };
-        line(kOfFrame, "blue: the tool moves; brown: the work moves, drawn is how the tool goes over it");
-        for (const AxisMotion& motion : motions_) line(colour_of(motion), to_sentence(motion));
-        for (const std::string& fault : faults_) line(kOfFault, fault);
+        line(kFrameColour, "blue: the tool moves; brown: the work moves, drawn is how the tool goes over it");
+        for (const AxisMotion& motion : motions_) line(axis_colour(motion), to_message(motion));
+        for (const std::string& error : errors_) line(kErrorColour, error);
     }
 
     std::vector<AxisMotion> motions_;
-    std::vector<std::string> faults_;
+    std::vector<std::string> errors_;
     std::string svg_;
 };
 
 }  // namespace
 
 std::string axes_svg(const machine::Machine& machine) {
-    return Picture(machine).take();
+    return Picture(machine).release();
 }
 
 }  // namespace gsim::check

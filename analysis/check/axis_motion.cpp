@@ -11,14 +11,15 @@ namespace gsim::check {
 
 namespace {
 
-constexpr double kAlong = 1e-6;  // what a direction may be off an axis of the frame, as a share of its length
-constexpr double kFlat = 1e-3;   // three directions in a plane have no hand
+constexpr double kDirectionTolerance =
+    1e-6;  // what a direction may be off an axis of the frame, as a share of its length
+constexpr double kFlatTolerance = 1e-3;  // three directions in a plane have no hand
 
 // Direction of the work frame, as seen from the front.
 struct Side {
-    const char* sign;  // "+x"
-    const char* way;   // "moves ... to the right"
-    const char* turn;  // sense of a turn about it, seen from the best side
+    const char* sign;            // "+x"
+    const char* direction_text;  // "moves ... to the right"
+    const char* turn;            // sense of a turn about it, seen from the best side
 };
 
 // Sides of x, y and z: towards plus, and towards minus.
@@ -31,9 +32,9 @@ constexpr std::array<std::array<Side, 2>, 3> kSides{{
 }};
 
 // Returns the side that a direction points to; null if it lies between them.
-const Side* side_of(const Eigen::Vector3d& direction) {
+const Side* find_side(const Eigen::Vector3d& direction) {
     Eigen::Index largest = 0;
-    if (direction.cwiseAbs().maxCoeff(&largest) < 1 - kAlong) return nullptr;
+    if (direction.cwiseAbs().maxCoeff(&largest) < 1 - kDirectionTolerance) return nullptr;
     return &kSides[static_cast<std::size_t>(largest)][direction[largest] < 0 ? 1 : 0];
 }
 
@@ -43,19 +44,20 @@ std::string coordinates(const Eigen::Vector3d& direction) {
                        rounded(direction.z()));
 }
 
-std::string way(const Eigen::Vector3d& direction) {
-    if (const Side* side = side_of(direction)) return fmt::format("{} ({})", side->way, side->sign);
+std::string direction_text(const Eigen::Vector3d& direction) {
+    if (const Side* side = find_side(direction))
+        return fmt::format("{} ({})", side->direction_text, side->sign);
     return "along " + coordinates(direction);
 }
 
 std::string turn(const Eigen::Vector3d& direction) {
-    if (const Side* side = side_of(direction)) return fmt::format("{} (about {})", side->turn, side->sign);
+    if (const Side* side = find_side(direction)) return fmt::format("{} (about {})", side->turn, side->sign);
     return fmt::format("counter-clockwise about {}", coordinates(direction));
 }
 
-const AxisMotion* find_motion(const std::vector<AxisMotion>& motions, char letter, bool turns) {
+const AxisMotion* find_motion(const std::vector<AxisMotion>& motions, char letter, bool is_rotary) {
     for (const AxisMotion& motion : motions) {
-        if (motion.letter == letter && motion.turns == turns) return &motion;
+        if (motion.letter == letter && motion.is_rotary == is_rotary) return &motion;
     }
     return nullptr;
 }
@@ -72,29 +74,29 @@ std::vector<AxisMotion> axis_motions(const machine::Machine& machine) {
     motions.reserve(machine.axes.size());
     for (std::size_t i = 0; i < machine.axes.size(); ++i) {
         const machine::Axis& axis = machine.axes[i];
-        if (axis.carries == machine::Carries::nothing) continue;
-        const bool work = axis.carries == machine::Carries::work;
+        if (axis.carries == machine::CarriedPart::none) continue;
+        const bool work = axis.carries == machine::CarriedPart::work;
         const Eigen::Vector3d of_joint = to_work * frames[i].linear().col(2);
         motions.push_back({.letter = axis.letter,
-                           .turns = axis.kind == machine::AxisKind::rotary,
+                           .is_rotary = axis.kind == machine::AxisKind::rotary,
                            .carries_work = work,
                            .direction = work ? Eigen::Vector3d(-of_joint) : of_joint});
     }
     return motions;
 }
 
-std::string to_sentence(const AxisMotion& motion) {
-    const Eigen::Vector3d of_work = -motion.direction;
-    if (motion.turns) {
+std::string to_message(const AxisMotion& motion) {
+    const Eigen::Vector3d work_direction = -motion.direction;
+    if (motion.is_rotary) {
         if (!motion.carries_work)
             return fmt::format("+{} turns the tool {}", motion.letter, turn(motion.direction));
         return fmt::format("+{} turns the work {}, so that the tool goes round it the other way",
-                           motion.letter, turn(of_work));
+                           motion.letter, turn(work_direction));
     }
     if (!motion.carries_work)
-        return fmt::format("+{} moves the tool {}", motion.letter, way(motion.direction));
-    return fmt::format("+{} moves the work {}, so that the tool goes {} over it", motion.letter, way(of_work),
-                       way(motion.direction));
+        return fmt::format("+{} moves the tool {}", motion.letter, direction_text(motion.direction));
+    return fmt::format("+{} moves the work {}, so that the tool goes {} over it", motion.letter,
+                       direction_text(work_direction), direction_text(motion.direction));
 }
 
 std::vector<std::string> find_left_handed(const std::vector<AxisMotion>& motions) {
@@ -104,7 +106,7 @@ std::vector<std::string> find_left_handed(const std::vector<AxisMotion>& motions
         const AxisMotion* second = find_motion(motions, set[1], false);
         const AxisMotion* third = find_motion(motions, set[2], false);
         if (first == nullptr || second == nullptr || third == nullptr) continue;
-        if (first->direction.cross(second->direction).dot(third->direction) > -kFlat) continue;
+        if (first->direction.cross(second->direction).dot(third->direction) > -kFlatTolerance) continue;
         found.push_back(fmt::format(
             "{0} {1} {2} are left-handed: +{0} turned into +{1} screws against +{2}, so that parts come out "
             "mirrored; turn one of them round, or exchange two letters",
@@ -118,7 +120,8 @@ std::vector<std::string> find_left_turns(const std::vector<AxisMotion>& motions)
     for (const std::string_view pair : {"AX", "BY", "CZ"}) {
         const AxisMotion* rotary = find_motion(motions, pair[0], true);
         const AxisMotion* line = find_motion(motions, pair[1], false);
-        if (rotary == nullptr || line == nullptr || rotary->direction.dot(line->direction) > kAlong - 1)
+        if (rotary == nullptr || line == nullptr ||
+            rotary->direction.dot(line->direction) > kDirectionTolerance - 1)
             continue;
         found.push_back(
             fmt::format("+{0} turns against the right-hand rule about +{1}; ISO 841 has it the "

@@ -11,7 +11,7 @@ namespace gsim::check {
 /// work, in the work frame.
 struct AxisMotion {
     char letter = 'X';
-    bool turns = false;                  ///< A rotary axis.
+    bool is_rotary = false;              ///< A rotary axis.
     bool carries_work = false;           ///< The work moves, in reverse.
     Eigen::Vector3d direction{0, 0, 1};  ///< Length 1; for a turn its axis, by the right-hand rule.
 };
@@ -21,7 +21,7 @@ std::vector<AxisMotion> axis_motions(const machine::Machine& machine);
 
 /// Returns "+X moves the tool to the right (+x)": seen from the front, with the work frame's x to the right
 /// and its z up.
-std::string to_sentence(const AxisMotion& motion);
+std::string to_message(const AxisMotion& motion);
 
 /// Returns messages about wrong senses of linear axes that belong together (X Y Z, U V W): they are
 /// left-handed, so that parts come out mirrored.

@@ -50,10 +50,10 @@ Json motions(const MachineCheck& check) {
     for (const AxisMotion& motion : check.motions) {
         const Eigen::Vector3d& d = motion.direction;
         list.push_back({{"axis", std::string(1, motion.letter)},
-                        {"turns", motion.turns},
+                        {"turns", motion.is_rotary},
                         {"carries", motion.carries_work ? "work" : "tool"},
                         {"direction", {number(d.x()), number(d.y()), number(d.z())}},
-                        {"text", to_sentence(motion)}});
+                        {"text", to_message(motion)}});
     }
     return list;
 }
@@ -63,7 +63,7 @@ Json groups(const machine::Machine& machine) {
     for (const machine::AxisGroup& group : machine.groups) {
         Json axes = Json::array();
         for (const std::size_t axis : group.axes) axes.push_back(letter(machine, static_cast<int>(axis)));
-        const bool work = machine.axes[group.axes.front()].carries == machine::Carries::work;
+        const bool work = machine.axes[group.axes.front()].carries == machine::CarriedPart::work;
         list.push_back({{"name", group.name},
                         {"axes", std::move(axes)},
                         {"carries", work ? "work" : "tool"},
@@ -78,22 +78,22 @@ Json inverse(const MachineCheck& check) {
     return {{"poses", of.poses},
             {"unsolved", of.unsolved},
             {"out_of_range", of.out_of_range},
-            {"off", of.off},
+            {"off", of.inaccurate_count},
             {"worst_mm", number(of.worst_mm)},
             {"worst_deg", number(of.worst_rad * kDegPerRad)},
-            {"first_bad", of.closes() ? Json(nullptr) : values(check.machine, of.first_bad)}};
+            {"first_bad", of.is_consistent() ? Json(nullptr) : values(check.machine, of.first_bad)}};
 }
 
 Json singular(const MachineCheck& check) {
     Json ranges = Json::array();
     for (const SingularRange& range : check.singular.ranges) {
         const machine::Axis& axis = check.machine.axes[static_cast<std::size_t>(range.joint)];
-        Json lined_up = Json::array();
-        for (const int joint : range.lined_up) lined_up.push_back(letter(check.machine, joint));
+        Json aligned_joints = Json::array();
+        for (const int joint : range.aligned_joints) aligned_joints.push_back(letter(check.machine, joint));
         ranges.push_back({{"axis", letter(check.machine, range.joint)},
                           {"min_deg", number(machine::axis_value(axis, range.low))},
                           {"max_deg", number(machine::axis_value(axis, range.high))},
-                          {"lined_up", std::move(lined_up)}});
+                          {"lined_up", std::move(aligned_joints)}});
     }
     return {{"ranges", std::move(ranges)},
             {"near_share", number(check.singular.near_share)},
@@ -111,7 +111,7 @@ const char* verdict_name(Verdict verdict) {
 
 Json pairs(const MachineCheck& check) {
     Json list = Json::array();
-    for (const cell::MeetingFinding& of : check.meetings) {
+    for (const cell::PairFinding& of : check.pair_findings) {
         list.push_back({{"pair", {check.bodies[of.items.first], check.bodies[of.items.second]}},
                         {"verdict", verdict_name(of.verdict)},
                         {"nearest_mm", number(of.nearest_mm)},
@@ -124,13 +124,13 @@ Json pairs(const MachineCheck& check) {
 }  // namespace
 
 std::string to_json(const MachineCheck& check) {
-    const Eigen::Vector3d tip = check.home.translation();
+    const Eigen::Vector3d tcp = check.home.translation();
     const Json json = {{"machine", check.machine.name},
                        {"controller", check.machine.controller.model},
                        {"clean", check.is_clean()},
                        {"axes", axes(check.machine)},
                        {"groups", groups(check.machine)},
-                       {"home_mm", {number(tip.x()), number(tip.y()), number(tip.z())}},
+                       {"home_mm", {number(tcp.x()), number(tcp.y()), number(tcp.z())}},
                        {"motions", motions(check)},
                        {"left_handed", check.left_handed},
                        {"inverse", inverse(check)},

@@ -17,7 +17,7 @@ using cell::Verdict;
 
 // Removes everything that a terminal would take as a command, because names come from files of untrusted
 // users.
-std::string clean(std::string_view text) {
+std::string sanitized(std::string_view text) {
     std::string out(text);
     for (char& c : out) {
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
@@ -34,7 +34,7 @@ const char* inverse_name(machine::InverseKind kind) {
     return "none";
 }
 
-std::string or_none(double value) {
+std::string number_or_dash(double value) {
     return std::isfinite(value) ? fmt::format("{:.6g}", text::unsigned_zero(value)) : "-";
 }
 
@@ -42,14 +42,14 @@ class Text {
   public:
     explicit Text(const MachineCheck& check) : check_(check), machine_(check.machine) {}
 
-    std::string take() {
+    std::string release() {
         head();
         axes();
         groups();
         motions();
         inverse();
         singular();
-        meetings();
+        pair_findings();
         for (const std::string& note : check_.notes) add("note       {}\n", note);
         verdict();
         return std::move(text_);
@@ -69,8 +69,8 @@ class Text {
     }
 
     void head() {
-        add("machine    {}\n", clean(machine_.name));
-        add("controller {}\n", clean(machine_.controller.model));
+        add("machine    {}\n", sanitized(machine_.name));
+        add("controller {}\n", sanitized(machine_.controller.model));
         add("inverse    {}{}\n", inverse_name(machine_.inverse),
             check_.has_head ? ", a head that turns the tool about its tip" : "");
     }
@@ -80,17 +80,18 @@ class Text {
         for (const machine::Axis& axis : machine_.axes) {
             const bool linear = axis.kind == machine::AxisKind::linear;
             add("{}     {:<7} {:<7} {:>10} {:>10} {:>10.6g} {:>11} {:>13}\n", axis.letter,
-                linear ? "mm" : "deg", machine::name(axis.carries), or_none(axis.min), or_none(axis.max),
-                text::unsigned_zero(axis.home), or_none(axis.max_speed), or_none(axis.max_acceleration));
+                linear ? "mm" : "deg", machine::name(axis.carries), number_or_dash(axis.min),
+                number_or_dash(axis.max), text::unsigned_zero(axis.home), number_or_dash(axis.max_speed),
+                number_or_dash(axis.max_acceleration));
         }
-        const Eigen::Vector3d tip = check_.home.translation();
-        add("\nhome       tip at {} {} {} mm in the work frame\n", text::fixed(tip.x(), 3),
-            text::fixed(tip.y(), 3), text::fixed(tip.z(), 3));
+        const Eigen::Vector3d tcp = check_.home.translation();
+        add("\nhome       tip at {} {} {} mm in the work frame\n", text::fixed(tcp.x(), 3),
+            text::fixed(tcp.y(), 3), text::fixed(tcp.z(), 3));
     }
 
     void groups() {
         for (const machine::AxisGroup& group : machine_.groups) {
-            const bool work = machine_.axes[group.axes.front()].carries == machine::Carries::work;
+            const bool work = machine_.axes[group.axes.front()].carries == machine::CarriedPart::work;
             std::vector<char> letters;
             for (const std::size_t axis : group.axes) letters.push_back(machine_.axes[axis].letter);
             add("group      {}: {} ({}), {}\n", group.name, text::joined(letters, " "),
@@ -99,8 +100,8 @@ class Text {
     }
 
     void motions() {
-        for (const AxisMotion& motion : check_.motions) add("motion     {}\n", to_sentence(motion));
-        for (const std::string& sentence : check_.left_handed) add("wrong      {}\n", sentence);
+        for (const AxisMotion& motion : check_.motions) add("motion     {}\n", to_message(motion));
+        for (const std::string& message : check_.left_handed) add("wrong      {}\n", message);
     }
 
     void inverse() {
@@ -108,11 +109,11 @@ class Text {
         if (inverse.poses == 0) return;
         add("inverse    {} random poses, to {:.1e} mm and {:.1e} deg: ", inverse.poses, inverse.worst_mm,
             inverse.worst_rad * kDegPerRad);
-        if (inverse.closes()) return add("all come back\n");
+        if (inverse.is_consistent()) return add("all come back\n");
         add("{} without a solution, {} out of range, {} elsewhere\n", inverse.unsolved, inverse.out_of_range,
-            inverse.off);
-        add("           first at {}\n", axis_values(machine_, inverse.first_bad));
-        if (!inverse.sentence.empty()) add("           {}\n", clean(inverse.sentence));
+            inverse.inaccurate_count);
+        add("           first at {}\n", axis_values_text(machine_, inverse.first_bad));
+        if (!inverse.message.empty()) add("           {}\n", sanitized(inverse.message));
     }
 
     void singular() {
@@ -120,36 +121,37 @@ class Text {
             const machine::Axis& axis = machine_.axes[static_cast<std::size_t>(range.joint)];
             add("singular   {} {} .. {} deg, whatever the others: {} line up\n", axis.letter,
                 text::fixed(machine::axis_value(axis, range.low), 2),
-                text::fixed(machine::axis_value(axis, range.high), 2), letters(range.lined_up));
+                text::fixed(machine::axis_value(axis, range.high), 2), letters(range.aligned_joints));
         }
         add("singular   {:.2f} % of random stances are near a singular one\n",
             100 * check_.singular.near_share);
     }
 
-    void meetings() {
+    void pair_findings() {
         if (check_.bodies.empty()) return;
         add("bodies     {}; pairs {}: {} can touch, {} not decided, {} cannot touch\n", check_.bodies.size(),
-            check_.meetings.size(), check_.count(Verdict::contact), check_.count(Verdict::undecided),
+            check_.pair_findings.size(), check_.count(Verdict::contact), check_.count(Verdict::undecided),
             check_.count(Verdict::free));
         for (const Verdict verdict : {Verdict::contact, Verdict::undecided, Verdict::free}) {
-            for (const cell::MeetingFinding& meeting : check_.meetings) {
-                if (meeting.verdict == verdict) add_meeting(meeting);
+            for (const cell::PairFinding& pair_finding : check_.pair_findings) {
+                if (pair_finding.verdict == verdict) add_pair(pair_finding);
             }
         }
     }
 
-    void add_meeting(const cell::MeetingFinding& meeting) {
-        const std::string pair = fmt::format("{} and {}", clean(check_.bodies[meeting.items.first]),
-                                             clean(check_.bodies[meeting.items.second]));
-        const std::string at = axis_values(machine_, meeting.joints);
-        switch (meeting.verdict) {
+    void add_pair(const cell::PairFinding& pair_finding) {
+        const std::string pair = fmt::format("{} and {}", sanitized(check_.bodies[pair_finding.items.first]),
+                                             sanitized(check_.bodies[pair_finding.items.second]));
+        const std::string at = axis_values_text(machine_, pair_finding.joints);
+        switch (pair_finding.verdict) {
             case Verdict::contact:
                 return add("touch      {}: in {:.1f} % of the samples, such as {}\n", pair,
-                           100 * meeting.contact_share, at);
+                           100 * pair_finding.contact_share, at);
             case Verdict::undecided:
-                return add("undecided  {}: nearest found {:.3f} mm, at {}\n", pair, meeting.nearest_mm, at);
+                return add("undecided  {}: nearest found {:.3f} mm, at {}\n", pair, pair_finding.nearest_mm,
+                           at);
             case Verdict::free:
-                return add("free       {}: nearest found {:.3f} mm\n", pair, meeting.nearest_mm);
+                return add("free       {}: nearest found {:.3f} mm\n", pair, pair_finding.nearest_mm);
         }
     }
 
@@ -165,7 +167,7 @@ class Text {
         item(check_.count(Verdict::contact), "pairs can touch");
         item(check_.count(Verdict::undecided), "pairs are not decided");
         item(check_.left_handed.size(), "left-handed sets of axes");
-        if (!check_.inverse.closes()) add("{}the inverse does not lead back", before);
+        if (!check_.inverse.is_consistent()) add("{}the inverse does not lead back", before);
         add("\n");
     }
 
@@ -177,7 +179,7 @@ class Text {
 }  // namespace
 
 std::string to_text(const MachineCheck& check) {
-    return Text(check).take();
+    return Text(check).release();
 }
 
 }  // namespace gsim::check

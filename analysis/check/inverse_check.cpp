@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kClosedFormPoses = 2000;
 constexpr int kNumericPoses = 100;
-constexpr double kClose = 1e-6;  // mm and rad
+constexpr double kPoseTolerance = 1e-6;  // mm and rad
 
 std::vector<kinematics::JointRange> ranges(const machine::Machine& machine) {
     std::vector<kinematics::JointRange> list;
@@ -37,21 +37,22 @@ InverseCheck check_inverse(const machine::Machine& machine, const machine::Joint
         const rrs::JointPos joints = box.at(machine::halton_point(number, kinematics->joint_count()));
         const rrs::CartPos pose = kinematics->forward(joints);
         rrs::JointPos near = home;
-        for (const int held : kinematics->held_joints()) near[held] = joints[held];
+        for (const int fixed_joint : kinematics->fixed_joints()) near[fixed_joint] = joints[fixed_joint];
         const auto found = kinematics->inverse(pose, near);
-        const bool well_before = check.closes();
+        const bool was_consistent = check.is_consistent();
         if (!found) {
-            if (check.unsolved++ == 0) check.sentence = found.error();
+            if (check.unsolved++ == 0) check.message = found.error();
         } else {
-            const rrs::CartPos again = kinematics->forward(*found);
-            const double mm = (again.translation() - pose.translation()).norm();
-            const Eigen::AngleAxisd turn(pose.linear().transpose() * again.linear());
+            const rrs::CartPos relist = kinematics->forward(*found);
+            const double mm = (relist.translation() - pose.translation()).norm();
+            const Eigen::AngleAxisd turn(pose.linear().transpose() * relist.linear());
             check.worst_mm = std::max(check.worst_mm, mm);
             check.worst_rad = std::max(check.worst_rad, std::abs(turn.angle()));
-            check.off += mm <= kClose && std::abs(turn.angle()) <= kClose ? 0 : 1;
+            check.inaccurate_count +=
+                mm <= kPoseTolerance && std::abs(turn.angle()) <= kPoseTolerance ? 0 : 1;
             check.out_of_range += kinematics::in_range(limits, *found) ? 0 : 1;
         }
-        if (well_before && !check.closes()) check.first_bad = joints;
+        if (was_consistent && !check.is_consistent()) check.first_bad = joints;
     }
     return check;
 }

@@ -12,13 +12,13 @@ struct InverseCheck {
     int poses = 0;                 ///< 0: the machine has no inverse.
     int unsolved = 0;              ///< No solution was found, though there is one.
     int out_of_range = 0;          ///< One was found, but beyond the axes' ranges.
-    int off = 0;                   ///< One was found that does not lead back to 1e-6 mm and 1e-6 rad.
+    int inaccurate_count = 0;      ///< One was found that does not lead back to 1e-6 mm and 1e-6 rad.
     double worst_mm = 0;           ///< The greatest distance between pose and pose ...
     double worst_rad = 0;          ///< ... and the greatest angle, of those that were solved.
-    std::string sentence = {};     ///< Message of the inverse about the first unsolved one ...
+    std::string message = {};      ///< Message of the inverse about the first unsolved one ...
     rrs::JointPos first_bad = {};  ///< ... and the joint values of the first one that is not well.
 
-    bool closes() const { return unsolved == 0 && out_of_range == 0 && off == 0; }
+    bool is_consistent() const { return unsolved == 0 && out_of_range == 0 && inaccurate_count == 0; }
 };
 
 /// Checks poses of Halton points of the box, solved from home.

@@ -49,12 +49,13 @@ std::vector<std::string> find_notes(const MachineCheck& check) {
 }  // namespace
 
 std::size_t MachineCheck::count(cell::Verdict verdict) const {
-    return static_cast<std::size_t>(std::count_if(meetings.begin(), meetings.end(),
+    return static_cast<std::size_t>(std::count_if(pair_findings.begin(), pair_findings.end(),
                                                   [verdict](const auto& m) { return m.verdict == verdict; }));
 }
 
 bool MachineCheck::is_clean() const {
-    return left_handed.empty() && inverse.closes() && count(cell::Verdict::free) == meetings.size();
+    return left_handed.empty() && inverse.is_consistent() &&
+           count(cell::Verdict::free) == pair_findings.size();
 }
 
 MachineCheck check_machine(const machine::Machine& machine, const cell::Cell& cell) {
@@ -69,12 +70,12 @@ MachineCheck check_machine(const machine::Machine& machine, const cell::Cell& ce
     check.singular = check_singular(machine, check.box);
     check.bodies.reserve(cell.items.size());
     for (const cell::Item& item : cell.items) check.bodies.push_back(item.name);
-    check.meetings = cell::search_joint_box(cell, machine, check.box);
+    check.pair_findings = cell::search_joint_box(cell, machine, check.box);
     check.notes = find_notes(check);
     return check;
 }
 
-std::string axis_values(const machine::Machine& machine, const rrs::JointPos& joints) {
+std::string axis_values_text(const machine::Machine& machine, const rrs::JointPos& joints) {
     std::string text;
     Eigen::Index joint = 0;
     for (const machine::Axis& axis : machine.axes) {

@@ -21,7 +21,7 @@ struct MachineCheck {
     InverseCheck inverse = {};
     SingularCheck singular = {};
     std::vector<std::string> bodies = {};  ///< Names of the cell's items.
-    std::vector<cell::MeetingFinding> meetings = {};
+    std::vector<cell::PairFinding> pair_findings = {};
     std::vector<std::string> notes = {};  ///< Messages: possibly intended, but worth a check.
 
     std::size_t count(cell::Verdict verdict) const;
@@ -30,7 +30,7 @@ struct MachineCheck {
 };
 
 /// Checks a machine that its reader has accepted, with the bodies of a cell: its own ones
-/// (cell::cell_of_machine), or those of a cell that was read for it.
+/// (cell::make_machine_cell), or those of a cell that was read for it.
 MachineCheck check_machine(const machine::Machine& machine, const cell::Cell& cell);
 
 /// Returns the check as readable text, ASCII.
@@ -39,6 +39,6 @@ std::string to_text(const MachineCheck& check);
 std::string to_json(const MachineCheck& check);
 
 /// Returns the joint values of a machine as its axes show them: "A 0 B 45.5", mm and deg.
-std::string axis_values(const machine::Machine& machine, const rrs::JointPos& joints);
+std::string axis_values_text(const machine::Machine& machine, const rrs::JointPos& joints);
 
 }  // namespace gsim::check

@@ -12,7 +12,7 @@ struct SingularRange {
     double low;  ///< mm or rad, to half a step of the search.
     double high;
     std::vector<int>
-        lined_up;  ///< Joints that can then move against each other while the tool is at standstill.
+        aligned_joints;  ///< Joints that can then move against each other while the tool is at standstill.
 };
 
 /// Configurations in which the tool can hardly be moved in some direction: near singular ones joints must

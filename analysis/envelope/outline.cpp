@@ -13,10 +13,10 @@ namespace gsim::envelope {
 namespace {
 
 constexpr double kFullTurn = 2 * std::numbers::pi - 1e-9;
-constexpr int kPointsOfTurn = 180;
+constexpr int kPointsPerTurn = 180;
 
 // Returns the normal of the plane in which two joints keep the TCP.
-std::optional<Vector3d> plane_normal(const TipJoint& a, const TipJoint& b) {
+std::optional<Vector3d> plane_normal(const TcpJoint& a, const TcpJoint& b) {
     if (a.is_slide() && b.is_slide()) {
         const Vector3d normal = a.direction.cross(b.direction);
         return normal.norm() < kParallel ? a.direction.unitOrthogonal() : normal.normalized();
@@ -25,53 +25,54 @@ std::optional<Vector3d> plane_normal(const TipJoint& a, const TipJoint& b) {
         if (is_parallel(a.direction, b.direction)) return a.direction;
         return std::nullopt;
     }
-    const TipJoint& slide = a.is_slide() ? a : b;
-    const TipJoint& turn = a.is_slide() ? b : a;
+    const TcpJoint& slide = a.is_slide() ? a : b;
+    const TcpJoint& turn = a.is_slide() ? b : a;
     if (std::abs(slide.direction.dot(turn.direction)) < kParallel) return turn.direction;
     return std::nullopt;
 }
 
-Curve parallelogram(const TipChain& chain) {
-    const TipJoint& a = chain.joints[0];
-    const TipJoint& b = chain.joints[1];
+Curve parallelogram(const TcpChain& chain) {
+    const TcpJoint& a = chain.joints[0];
+    const TcpJoint& b = chain.joints[1];
     return {true,
-            {chain.tip({a.low, b.low}), chain.tip({a.high, b.low}), chain.tip({a.high, b.high}),
-             chain.tip({a.low, b.high})}};
+            {chain.tcp({a.low, b.low}), chain.tcp({a.high, b.low}), chain.tcp({a.high, b.high}),
+             chain.tcp({a.low, b.high})}};
 }
 
 // Returns the path of joint `moving` with the other one at `value`.
-Curve way(const TipChain& chain, std::size_t moving, double value) {
-    const TipJoint& joint = chain.joints[moving];
-    const int steps = joint.is_slide() ? 1 : kPointsOfTurn;
+Curve reachable_curve(const TcpChain& chain, std::size_t moving, double value) {
+    const TcpJoint& joint = chain.joints[moving];
+    const int steps = joint.is_slide() ? 1 : kPointsPerTurn;
     Curve curve{!joint.is_slide() && joint.high - joint.low >= kFullTurn, {}};
     const int count = steps + (curve.closed ? 0 : 1);
     curve.points_mm.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i) {
         std::vector<double> values(2, value);
         values[moving] = joint.low + (joint.high - joint.low) * i / steps;
-        curve.points_mm.push_back(chain.tip(values));
+        curve.points_mm.push_back(chain.tcp(values));
     }
     return curve;
 }
 
-std::vector<Curve> border_ways(const TipChain& chain) {
+std::vector<Curve> border_paths(const TcpChain& chain) {
     std::vector<Curve> curves;
     curves.reserve(4);
     for (const std::size_t fixed : {std::size_t{0}, std::size_t{1}}) {
-        const TipJoint& joint = chain.joints[fixed];
+        const TcpJoint& joint = chain.joints[fixed];
         if (!joint.is_slide() && joint.high - joint.low >= kFullTurn) continue;
-        for (const double value : {joint.low, joint.high}) curves.push_back(way(chain, 1 - fixed, value));
+        for (const double value : {joint.low, joint.high})
+            curves.push_back(reachable_curve(chain, 1 - fixed, value));
     }
     return curves;
 }
 
-PairOutline outline(const TipChain& chain) {
-    const TipJoint& a = chain.joints[0];
-    const TipJoint& b = chain.joints[1];
+PairOutline outline(const TcpChain& chain) {
+    const TcpJoint& a = chain.joints[0];
+    const TcpJoint& b = chain.joints[1];
     PairOutline result{a.joint, b.joint, false, Vector3d::UnitZ(), 0, {}};
     const auto normal = plane_normal(a, b);
     if (!normal) {
-        result.curves = border_ways(chain);
+        result.curves = border_paths(chain);
         return result;
     }
     result.flat = true;
@@ -88,11 +89,11 @@ PairOutline outline(const TipChain& chain) {
 
 }  // namespace
 
-std::vector<PairOutline> pair_outlines(const TipChain& chain, const rrs::JointPos& home) {
+std::vector<PairOutline> pair_outlines(const TcpChain& chain, const rrs::JointPos& home) {
     std::vector<PairOutline> outlines;
     for (std::size_t first = 0; first < chain.joints.size(); ++first) {
         for (std::size_t second = first + 1; second < chain.joints.size(); ++second) {
-            const TipChain pair = pair_chain(chain, first, second, home);
+            const TcpChain pair = pair_chain(chain, first, second, home);
             if (pair.joints.size() == 2) outlines.push_back(outline(pair));
         }
     }

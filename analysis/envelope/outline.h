@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "analysis/envelope/tip_chain.h"
+#include "analysis/envelope/tcp_chain.h"
 
 namespace gsim::envelope {
 
@@ -25,6 +25,6 @@ struct PairOutline {
 };
 
 /// Returns the outlines of all pairs of joints that both move the TCP.
-std::vector<PairOutline> pair_outlines(const TipChain& chain, const rrs::JointPos& home);
+std::vector<PairOutline> pair_outlines(const TcpChain& chain, const rrs::JointPos& home);
 
 }  // namespace gsim::envelope

@@ -29,10 +29,10 @@ double rounded(double value) {
     return std::round(value * 1e6) / 1e6 + 0.0;
 }
 
-std::string direction_name(const Vector3d& direction) {
+std::string direction_text(const Vector3d& direction) {
     Eigen::Index largest = 0;
-    const double most = direction.cwiseAbs().maxCoeff(&largest);
-    if (most < 1 - 1e-9) {
+    const double max = direction.cwiseAbs().maxCoeff(&largest);
+    if (max < 1 - 1e-9) {
         return fmt::format("({} {} {})", text::fixed(direction.x(), 2), text::fixed(direction.y(), 2),
                            text::fixed(direction.z(), 2));
     }
@@ -48,7 +48,7 @@ Eigen::AlignedBox2d bounds(const PairOutline& outline, const PlaneView& view) {
     return box;
 }
 
-PlaneView view_of(const PairOutline& outline) {
+PlaneView best_view(const PairOutline& outline) {
     if (outline.flat) return plane_view(outline.normal);
     PlaneView widest = plane_view(Vector3d::UnitZ());
     for (const Vector3d& normal : {Vector3d(Vector3d::UnitY()), Vector3d(Vector3d::UnitX())}) {
@@ -60,10 +60,10 @@ PlaneView view_of(const PairOutline& outline) {
 
 void append_panel(std::string& svg, const std::string& title, const PairOutline& outline, double left,
                   double top) {
-    const PlaneView view = view_of(outline);
+    const PlaneView view = best_view(outline);
     const Eigen::AlignedBox2d box = bounds(outline, view);
     text::append_format(svg, "<text x=\"{}\" y=\"{}\">{}: {} to the right, {} up{}</text>\n", left, top - 8,
-                        title, direction_name(view.right), direction_name(view.up),
+                        title, direction_text(view.right), direction_text(view.up),
                         outline.flat ? "" : ", a curved surface");
     if (outline.curves.empty()) {
         text::append_format(svg, "<text x=\"{}\" y=\"{}\">closed in itself, without a border</text>\n", left,

@@ -14,7 +14,7 @@ struct DistanceGrid {
     double step_mm = 1;
     Eigen::Array3i count;            ///< Nodes in each direction.
     std::vector<float> distance_mm;  ///< x fastest.
-    Eigen::AlignedBox3d holds;       ///< The set is in here.
+    Eigen::AlignedBox3d set_bounds;  ///< The set is in here.
     double error_mm = 0;             ///< Error of the distances at nodes, up to `band_mm`.
     double band_mm = 0;              ///< Distances beyond are lower bounds.
 
@@ -32,7 +32,7 @@ struct DistanceGrid {
     double at(const Vector3d& point) const;
     /// Returns the max error of at() for distances within the grid's reach. A distance changes by at most the
     /// travel, which from the corners of a cube to any point in it is at most half its diagonal.
-    double error_between_mm() const;
+    double interpolation_error_mm() const;
 };
 
 /// Reach of the TCP of a chain, as distances from it. It is computed from the last joint to the first. A
@@ -43,12 +43,12 @@ class ReachField {
   public:
     /// Builds the grids, with `nodes` in the longest direction of each. The chain has joints, with finite
     /// ranges.
-    ReachField(const TipChain& chain, int nodes);
+    ReachField(const TcpChain& chain, int nodes);
 
     /// Returns the grid of all joints.
     const DistanceGrid& grid() const { return grids_.back(); }
     /// Returns the level: distances between nodes are at most this at all reached points.
-    double level_mm() const { return grid().error_between_mm(); }
+    double level_mm() const { return grid().interpolation_error_mm(); }
     /// Returns joint values that bring the TCP about as near to a point as the field says.
     std::vector<double> nearest_values(const Vector3d& point) const;
 
@@ -59,13 +59,14 @@ class ReachField {
     void fill(std::size_t level);
     /// Returns the accuracy of the nodes of a grid, without that of the grid from which they are computed.
     double tolerance_mm(std::size_t level) const { return kTolerance * grids_[level].step_mm; }
-    NearestPass pass(std::size_t level, const Vector3d& point, double hint, const PassRule& rule) const;
+    ClosestApproach pass(std::size_t level, const Vector3d& point, double hint,
+                         const ApproachAccuracy& rule) const;
     /// Returns the joint that makes grid `level`; null if the closed form does it alone.
-    const TipJoint* joint_of(std::size_t level) const;
+    const TcpJoint* level_joint(std::size_t level) const;
 
     static constexpr double kTolerance = 0.25;  // of the step
 
-    TipChain chain_;
+    TcpChain chain_;
     TailSet tail_;
     std::vector<DistanceGrid> grids_;  ///< Last joints first.
 };

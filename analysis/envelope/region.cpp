@@ -20,18 +20,18 @@ using Eigen::Vector2d;
 
 constexpr int kNodes = 300;
 constexpr double kTolerance = 0.25;  // of the step
-constexpr double kHalfDiagonalOfSquare = std::numbers::sqrt2 / 2;
+constexpr double kSquareHalfDiagonal = std::numbers::sqrt2 / 2;
 constexpr double kSame_mm = 1e-6;
 
 /// Distances from the reach of the TCP, at the nodes of squares in its plane, and the line about those nodes
 /// that are near it.
 class PlaneField {
   public:
-    PlaneField(const TipChain& chain, const PlaneView& view) : chain_(chain), view_(view), tail_(chain) {
-        const Eigen::AlignedBox3d box = swept(chain.joints.front(), tail_.bounds());
+    PlaneField(const TcpChain& chain, const PlaneView& view) : chain_(chain), view_(view), tail_(chain) {
+        const Eigen::AlignedBox3d box = swept_box(chain.joints.front(), tail_.bounds());
         Eigen::AlignedBox2d flat;
         for (int i = 0; i < 8; ++i)
-            flat.extend(in_view(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i))));
+            flat.extend(to_plane(box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i))));
         step_mm_ = std::max(flat.sizes().maxCoeff(), 1e-3) / kNodes;
         low_ = flat.min() - Vector2d::Constant(3 * step_mm_);
         columns_ = static_cast<std::int64_t>(std::ceil(flat.sizes().x() / step_mm_)) + 7;
@@ -39,27 +39,27 @@ class PlaneField {
         fill();
     }
 
-    double level_mm() const { return (kTolerance + kHalfDiagonalOfSquare) * step_mm_; }
+    double level_mm() const { return (kTolerance + kSquareHalfDiagonal) * step_mm_; }
 
-    Region border() {
+    Region extract_border() {
         for (std::int64_t node = 0; node < columns_ * (rows_ - 1); ++node) {
             if (node % columns_ == columns_ - 1) continue;
             add_triangle({node, node + 1, node + columns_ + 1});
             add_triangle({node, node + columns_ + 1, node + columns_});
         }
         Region region{{}, 2 * level_mm()};
-        while (!next_.empty()) region.loops_mm.push_back(take_loop(region.error_mm));
+        while (!next_.empty()) region.loops_mm.push_back(extract_loop(region.error_mm));
         return region;
     }
 
   private:
     using Edge = std::uint64_t;
 
-    Vector2d in_view(const Vector3d& point) const {
+    Vector2d to_plane(const Vector3d& point) const {
         const Vector3d from = point - chain_.start_mm;
         return {from.dot(view_.right), from.dot(view_.up)};
     }
-    Vector3d in_space(const Vector2d& point) const {
+    Vector3d to_space(const Vector2d& point) const {
         return chain_.start_mm + point.x() * view_.right + point.y() * view_.up;
     }
     Vector2d node(std::int64_t index) const {
@@ -71,17 +71,17 @@ class PlaneField {
         return distance_mm_[static_cast<std::size_t>(index)] <= level_mm();
     }
 
-    NearestPass pass(const Vector3d& point, double hint, const PassRule& rule) const {
-        return nearest_pass(chain_.joints.front(), point, hint, rule,
-                            [this](const Vector3d& x) { return tail_.distance_mm(x); });
+    ClosestApproach pass(const Vector3d& point, double hint, const ApproachAccuracy& rule) const {
+        return find_closest_approach(chain_.joints.front(), point, hint, rule,
+                                     [this](const Vector3d& x) { return tail_.distance_mm(x); });
     }
 
     void fill() {
         distance_mm_.reserve(static_cast<std::size_t>(columns_ * rows_));
-        const PassRule rule{kTolerance * step_mm_, kTolerance * step_mm_, 2 * step_mm_};
+        const ApproachAccuracy rule{kTolerance * step_mm_, kTolerance * step_mm_, 2 * step_mm_};
         double hint = 0;
         for (std::int64_t index = 0; index < columns_ * rows_; ++index) {
-            const NearestPass nearest = pass(in_space(node(index)), hint, rule);
+            const ClosestApproach nearest = pass(to_space(node(index)), hint, rule);
             hint = nearest.value;
             distance_mm_.push_back(nearest.distance_mm);
         }
@@ -113,20 +113,21 @@ class PlaneField {
         const auto b = static_cast<std::int64_t>(edge & 0xffffffffU);
         const double from = distance_mm_[static_cast<std::size_t>(a)];
         const double share = (level_mm() - from) / (distance_mm_[static_cast<std::size_t>(b)] - from);
-        return in_space(node(a) + share * (node(b) - node(a)));
+        return to_space(node(a) + share * (node(b) - node(a)));
     }
 
-    std::vector<Vector3d> take_loop(double& error_mm) {
+    std::vector<Vector3d> extract_loop(double& error_mm) {
         std::vector<Vector3d> loop;
         const Edge first = next_.begin()->first;
-        for (auto here = next_.find(first); here != next_.end(); here = next_.find(take_piece(here))) {
-            const Vector3d outside = cut(here->first);
-            const NearestPass nearest = pass(outside, chain_.joints.front().low, {step_mm_, 0});
+        for (auto current = next_.find(first); current != next_.end();
+             current = next_.find(extract_edge(current))) {
+            const Vector3d outside = cut(current->first);
+            const ClosestApproach nearest = pass(outside, chain_.joints.front().low, {step_mm_, 0});
             std::vector<double> values{nearest.value};
             const std::vector<double> last =
                 tail_.nearest_values(Orbit(chain_.joints.front(), outside).at(nearest.value));
             values.insert(values.end(), last.begin(), last.end());
-            const Vector3d reached = nearest_reach(chain_, values, outside);
+            const Vector3d reached = nearest_reachable_point(chain_, values, outside);
             error_mm = std::max(error_mm, (reached - outside).norm());
             if (loop.empty() || (reached - loop.back()).norm() > kSame_mm) loop.push_back(reached);
         }
@@ -134,13 +135,13 @@ class PlaneField {
     }
 
     // Removes a part from the line; returns the edge that it leads to.
-    Edge take_piece(std::unordered_map<Edge, Edge>::iterator piece) {
-        const Edge behind = piece->second;
-        next_.erase(piece);
-        return behind;
+    Edge extract_edge(std::unordered_map<Edge, Edge>::iterator part) {
+        const Edge next_edge = part->second;
+        next_.erase(part);
+        return next_edge;
     }
 
-    const TipChain& chain_;
+    const TcpChain& chain_;
     const PlaneView& view_;
     TailSet tail_;
     double step_mm_;
@@ -154,8 +155,8 @@ class PlaneField {
 }  // namespace
 
 PlaneView plane_view(const Vector3d& normal) {
-    const Vector3d towards = std::abs(normal.z()) < 0.9 ? Vector3d::UnitZ() : Vector3d::UnitY();
-    const Vector3d up = (towards - towards.dot(normal) * normal).normalized();
+    const Vector3d reference_axis = std::abs(normal.z()) < 0.9 ? Vector3d::UnitZ() : Vector3d::UnitY();
+    const Vector3d up = (reference_axis - reference_axis.dot(normal) * normal).normalized();
     Vector3d right = up.cross(normal);
     Eigen::Index largest = 0;
     right.cwiseAbs().maxCoeff(&largest);
@@ -163,9 +164,9 @@ PlaneView plane_view(const Vector3d& normal) {
     return {right, up};
 }
 
-Region reached_region(const TipChain& chain, const Vector3d& normal) {
+Region reached_region(const TcpChain& chain, const Vector3d& normal) {
     const PlaneView view = plane_view(normal);
-    return PlaneField(chain, view).border();
+    return PlaneField(chain, view).extract_border();
 }
 
 }  // namespace gsim::envelope

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "analysis/envelope/tip_chain.h"
+#include "analysis/envelope/tcp_chain.h"
 
 namespace gsim::envelope {
 
@@ -23,6 +23,6 @@ PlaneView plane_view(const Vector3d& normal);
 
 /// Returns the region of two joints that keep the TCP in a plane, on a grid in it, as ReachField finds
 /// volumes.
-Region reached_region(const TipChain& chain, const Vector3d& normal);
+Region reached_region(const TcpChain& chain, const Vector3d& normal);
 
 }  // namespace gsim::envelope

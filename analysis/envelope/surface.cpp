@@ -43,13 +43,13 @@ class Builder {
   private:
     struct Node {
         std::size_t index;
-        Eigen::Array3i place;
+        Eigen::Array3i position;
     };
     using Nodes = std::array<Node, 4>;
 
     bool is_inside(std::size_t node) const { return grid_.distance_mm[node] <= level_mm_; }
 
-    bool is_cut(const Eigen::Array3i& cube) const {
+    bool is_crossed(const Eigen::Array3i& cube) const {
         const bool first = is_inside(grid_.index(cube.x(), cube.y(), cube.z()));
         for (int i = 1; i < 8; ++i) {
             if (is_inside(grid_.index(cube.x() + (i & 1), cube.y() + (i >> 1 & 1), cube.z() + (i >> 2))) !=
@@ -60,12 +60,12 @@ class Builder {
     }
 
     void add_cube(const Eigen::Array3i& cube) {
-        if (!is_cut(cube)) return;
+        if (!is_crossed(cube)) return;
         for (const Tetrahedron& corners : tetrahedra_) {
             Nodes nodes;
             for (std::size_t i = 0; i < 4; ++i) {
-                const Eigen::Array3i place = cube + corners[i];
-                nodes[i] = {grid_.index(place.x(), place.y(), place.z()), place};
+                const Eigen::Array3i position = cube + corners[i];
+                nodes[i] = {grid_.index(position.x(), position.y(), position.z()), position};
             }
             add_tetrahedron(nodes);
         }
@@ -73,14 +73,14 @@ class Builder {
 
     // Reorders the corners in the same sense, those inside first or the odd one out first.
     void add_tetrahedron(const Nodes& nodes) {
-        constexpr std::array<std::array<std::size_t, 4>, 4> kOne{
+        constexpr std::array<std::array<std::size_t, 4>, 4> kOneInside{
             {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}}};
-        constexpr std::array<std::array<std::size_t, 4>, 6> kTwo{
+        constexpr std::array<std::array<std::size_t, 4>, 6> kTwoInside{
             {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
         const auto inside = [&](std::size_t i) { return is_inside(nodes[i].index); };
         const int count = int{inside(0)} + int{inside(1)} + int{inside(2)} + int{inside(3)};
         if (count == 1 || count == 3) {
-            for (const auto& [a, b, c, d] : kOne) {
+            for (const auto& [a, b, c, d] : kOneInside) {
                 if (inside(a) != (count == 1)) continue;
                 const auto ab = cut(nodes[a], nodes[b]);
                 const auto ac = cut(nodes[a], nodes[c]);
@@ -92,7 +92,7 @@ class Builder {
                 }
             }
         } else if (count == 2) {
-            for (const auto& [a, b, c, d] : kTwo) {
+            for (const auto& [a, b, c, d] : kTwoInside) {
                 if (!inside(a) || !inside(b)) continue;
                 const auto ac = cut(nodes[a], nodes[c]);
                 const auto ad = cut(nodes[a], nodes[d]);
@@ -113,8 +113,8 @@ class Builder {
         if (is_new) {
             const double from = grid_.distance_mm[a.index];
             const double share = (level_mm_ - from) / (grid_.distance_mm[b.index] - from);
-            const Vector3d start = grid_.node(a.place);
-            surface_.points_mm.emplace_back(start + share * (grid_.node(b.place) - start));
+            const Vector3d start = grid_.node(a.position);
+            surface_.points_mm.emplace_back(start + share * (grid_.node(b.position) - start));
         }
         return found->second;
     }
@@ -128,15 +128,15 @@ class Builder {
 
 }  // namespace
 
-Surface surface_at(const DistanceGrid& grid, double level_mm) {
+Surface extract_isosurface(const DistanceGrid& grid, double level_mm) {
     return Builder(grid, level_mm).build();
 }
 
 double volume_mm3(const Surface& surface) {
-    double six = 0;
+    double volume_times_six = 0;
     for (const auto& [a, b, c] : surface.triangles)
-        six += surface.points_mm[a].dot(surface.points_mm[b].cross(surface.points_mm[c]));
-    return six / 6;
+        volume_times_six += surface.points_mm[a].dot(surface.points_mm[b].cross(surface.points_mm[c]));
+    return volume_times_six / 6;
 }
 
 }  // namespace gsim::envelope

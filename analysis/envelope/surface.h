@@ -18,7 +18,7 @@ struct Surface {
 /// grid's border. Each cube becomes six tetrahedra about one diagonal (H. W. Kuhn, 1960), and each of these
 /// at most two triangles. It is closed: each edge belongs to two triangles, which use it in opposite
 /// directions.
-Surface surface_at(const DistanceGrid& grid, double level_mm);
+Surface extract_isosurface(const DistanceGrid& grid, double level_mm);
 
 /// Returns the volume in a closed surface, mm3.
 double volume_mm3(const Surface& surface);

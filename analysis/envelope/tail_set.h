@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "analysis/envelope/tip_chain.h"
+#include "analysis/envelope/tcp_chain.h"
 
 namespace gsim::envelope {
 
@@ -12,7 +12,7 @@ namespace gsim::envelope {
 /// start itself, an arc about one revolute joint, or the box of up to three slides at right angles.
 class TailSet {
   public:
-    explicit TailSet(const TipChain& chain);
+    explicit TailSet(const TcpChain& chain);
 
     /// Returns how many of the chain's joints it covers.
     std::size_t joint_count() const { return tail_.joints.size(); }
@@ -25,7 +25,7 @@ class TailSet {
   private:
     double nearest_angle(const Vector3d& point) const;
 
-    TipChain tail_;
+    TcpChain tail_;
 };
 
 }  // namespace gsim::envelope

@@ -11,15 +11,15 @@ namespace gsim::envelope {
 
 namespace {
 
-constexpr double kSameWay = 1e-12;
+constexpr double kParallelTolerance = 1e-12;
 
 // Merges parallel slides into one. Returns an empty list if anything but three slides is left.
-std::vector<TipJoint> three_slides(const TipChain& chain) {
-    std::vector<TipJoint> slides;
-    for (const TipJoint& joint : chain.joints) {
+std::vector<TcpJoint> merge_to_three_slides(const TcpChain& chain) {
+    std::vector<TcpJoint> slides;
+    for (const TcpJoint& joint : chain.joints) {
         if (!joint.is_slide()) return {};
-        const auto same = std::find_if(slides.begin(), slides.end(), [&](const TipJoint& other) {
-            return joint.direction.cross(other.direction).norm() < kSameWay;
+        const auto same = std::find_if(slides.begin(), slides.end(), [&](const TcpJoint& other) {
+            return joint.direction.cross(other.direction).norm() < kParallelTolerance;
         });
         if (same == slides.end()) {
             slides.push_back(joint);
@@ -31,19 +31,19 @@ std::vector<TipJoint> three_slides(const TipChain& chain) {
     }
     if (slides.size() != 3) return {};
     const double sense = slides[0].direction.dot(slides[1].direction.cross(slides[2].direction));
-    if (std::abs(sense) < kSameWay) return {};
+    if (std::abs(sense) < kParallelTolerance) return {};
     if (sense < 0) std::swap(slides[0], slides[1]);
     return slides;
 }
 
-Surface block(const TipChain& chain, const std::vector<TipJoint>& slides) {
+Surface block(const TcpChain& chain, const std::vector<TcpJoint>& slides) {
     Surface surface;
     surface.points_mm.reserve(8);
     for (int i = 0; i < 8; ++i) {
         Vector3d corner = chain.start_mm;
         for (int k = 0; k < 3; ++k) {
-            const TipJoint& slide = slides[static_cast<std::size_t>(k)];
-            corner = slide.moved(corner, (i >> k & 1) != 0 ? slide.high : slide.low);
+            const TcpJoint& slide = slides[static_cast<std::size_t>(k)];
+            corner = slide.transformed(corner, (i >> k & 1) != 0 ? slide.high : slide.low);
         }
         surface.points_mm.push_back(corner);
     }
@@ -54,25 +54,27 @@ Surface block(const TipChain& chain, const std::vector<TipJoint>& slides) {
 
 }  // namespace
 
-Volume reached_volume(const TipChain& chain, int nodes) {
-    if (const auto slides = three_slides(chain); !slides.empty()) return {block(chain, slides), 0, 0};
+Volume reached_volume(const TcpChain& chain, int nodes) {
+    if (const auto slides = merge_to_three_slides(chain); !slides.empty())
+        return {block(chain, slides), 0, 0};
     const ReachField field(chain, nodes);
-    Volume volume{surface_at(field.grid(), field.level_mm()), field.grid().step_mm, 2 * field.level_mm()};
+    Volume volume{extract_isosurface(field.grid(), field.level_mm()), field.grid().step_mm,
+                  2 * field.level_mm()};
     // This surface encloses every reached position; its corners move to the nearest ones that are reached.
     for (Vector3d& point : volume.surface.points_mm) {
-        const Vector3d reached = nearest_reach(chain, field.nearest_values(point), point);
+        const Vector3d reached = nearest_reachable_point(chain, field.nearest_values(point), point);
         volume.error_mm = std::max(volume.error_mm, (reached - point).norm());
         point = reached;
     }
     return volume;
 }
 
-tl::expected<TipChain, std::string> envelope_chain(const machine::Machine& machine) {
+tl::expected<TcpChain, std::string> envelope_chain(const machine::Machine& machine) {
     const machine::JointBox box = machine::joint_box(machine);
-    TipChain chain = tip_chain(machine, box);
+    TcpChain chain = tcp_chain(machine, box);
     if (chain.joints.empty())
         return tl::unexpected<std::string>("there is no envelope: no axis moves the tool's tip");
-    for (const TipJoint& joint : chain.joints) {
+    for (const TcpJoint& joint : chain.joints) {
         if (std::find(box.cut.begin(), box.cut.end(), joint.joint) == box.cut.end()) continue;
         return tl::unexpected(fmt::format("there is no envelope: axis {} has a range without end",
                                           machine.axes[static_cast<std::size_t>(joint.joint)].letter));

@@ -19,10 +19,10 @@ struct Volume {
 
 /// Returns the volume of a chain on grids of `nodes` in their longest direction; with 80 it takes some
 /// seconds and 50 MB. A machine of three slides has its exact box.
-Volume reached_volume(const TipChain& chain, int nodes = 80);
+Volume reached_volume(const TcpChain& chain, int nodes = 80);
 
 /// Returns the chain of a machine for its envelope. The error is a message: no joint moves the TCP, or one of
 /// them has no end.
-tl::expected<TipChain, std::string> envelope_chain(const machine::Machine& machine);
+tl::expected<TcpChain, std::string> envelope_chain(const machine::Machine& machine);
 
 }  // namespace gsim::envelope

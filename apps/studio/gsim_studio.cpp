@@ -28,37 +28,36 @@ using engine::NameKind;
 
 constexpr const char* kStudio = "gsim-studio";
 constexpr const char* kServedPage = "studio/served.html";
-constexpr double kHighestPort = 65535;
+constexpr double kMaxPort = 65535;
 
 struct StudioArguments {
-    std::vector<std::string> named;
+    std::vector<std::string> paths;
     std::string machine, machine_data, cell, robots, dialect, module;
     std::uint64_t port = 0;
     bool no_browser = false;
 };
 
 void add_studio_options(CommandLine& line, StudioArguments& a) {
-    line.add("part.nc|part.lua|folder", &a.named, "a program to begin with, a folder to work in, or both")
-        .of_file(FileKind::input, {".nc", ".ngc", ".lua"});
+    line.add("part.nc|part.lua|folder", &a.paths, "a program to begin with, a folder to work in, or both")
+        .takes_file(FileKind::input, {".nc", ".ngc", ".lua"});
     line.begin_group("What it begins with");
     line.add("--machine", &a.machine, "machine file, or settings of a control")
-        .of_file(FileKind::input, {".toml", ".ini"})
-        .or_name();
-    line.add("--machine-data", &a.machine_data, "what the control stores").of_file(FileKind::input, {".txt"});
-    line.add("--cell", &a.cell, "what stands round the machine").of_file(FileKind::input, {".toml"});
-    line.add("--robots", &a.robots, "several robots on one clock").of_file(FileKind::input, {".toml"});
+        .takes_file(FileKind::input, {".toml", ".ini"})
+        .or_builtin_name();
+    line.add("--machine-data", &a.machine_data, "what the control stores")
+        .takes_file(FileKind::input, {".txt"});
+    line.add("--cell", &a.cell, "what stands round the machine").takes_file(FileKind::input, {".toml"});
+    line.add("--robots", &a.robots, "several robots on one clock").takes_file(FileKind::input, {".toml"});
     line.add("--dialect", &a.dialect,
              "language of part programs: ab9, rs274ngc, klipper, or the name of a control; without it that "
              "of the "
              "machine file, else ab9")
-        .suggests(engine::control_names());
+        .suggest_values(engine::controller_names());
     line.add("--rcs", &a.module, "controller module that plans the motion")
-        .of_file(FileKind::input)
-        .or_name();
+        .takes_file(FileKind::input)
+        .or_builtin_name();
     line.begin_group("Server");
-    line.add("--port", &a.port, "of this machine; 0: one that is free")
-        .within(0, kHighestPort)
-        .shows_default();
+    line.add("--port", &a.port, "of this machine; 0: one that is free").within(0, kMaxPort).show_default();
     line.add("--no-browser", &a.no_browser, "print the address, and open nothing");
     line.add_example("gsim studio part.nc", "run a program, see it, change it; in a browser");
     line.add_example("gsim studio --machine mine.toml ~/programs", "work in a folder");
@@ -69,26 +68,26 @@ void add_studio_options(CommandLine& line, StudioArguments& a) {
         "it.");
 }
 
-struct Named {
+struct NamedPaths {
     std::string program, folder;
 };
 
-tl::expected<Named, std::string> sorted(const std::vector<std::string>& all) {
-    Named named;
+tl::expected<NamedPaths, std::string> classify_paths(const std::vector<std::string>& all) {
+    NamedPaths paths;
     for (const std::string& name : all) {
         std::error_code ignored;
-        std::string& place = fs::is_directory(name, ignored) ? named.folder : named.program;
-        if (!place.empty())
+        std::string& target_path = fs::is_directory(name, ignored) ? paths.folder : paths.program;
+        if (!target_path.empty())
             return tl::unexpected(
-                fmt::format("'{}' and '{}': one program and one folder are enough", place, name));
-        place = name;
+                fmt::format("'{}' and '{}': one program and one folder are enough", target_path, name));
+        target_path = name;
     }
-    return named;
+    return paths;
 }
 
-tl::expected<nlohmann::ordered_json, std::string> setup_of(const StudioArguments& arguments,
-                                                           const std::string& program,
-                                                           const fs::path& folder) {
+tl::expected<nlohmann::ordered_json, std::string> make_setup(const StudioArguments& arguments,
+                                                             const std::string& program,
+                                                             const fs::path& folder) {
     nlohmann::ordered_json setup{{"dialect", arguments.dialect}};
     struct File {
         const char* key;
@@ -108,7 +107,7 @@ tl::expected<nlohmann::ordered_json, std::string> setup_of(const StudioArguments
     return setup;
 }
 
-tl::expected<fs::path, std::string> page_of_installation() {
+tl::expected<fs::path, std::string> installed_page() {
     for (const fs::path& folder : os::data_folders(os::program_folder())) {
         std::error_code ignored;
         if (fs::exists(folder / kServedPage, ignored)) return folder / kServedPage;
@@ -117,18 +116,19 @@ tl::expected<fs::path, std::string> page_of_installation() {
 }
 
 /// Returns the command line of gsim-serve with its path.
-tl::expected<std::vector<std::string>, std::string> command_of(const StudioArguments& arguments) {
+tl::expected<std::vector<std::string>, std::string> server_command(const StudioArguments& arguments) {
     if (!arguments.dialect.empty()) {
-        if (const auto why = engine::why_no_control(arguments.dialect)) return tl::unexpected(*why);
+        if (const auto reason = engine::find_controller_error(arguments.dialect))
+            return tl::unexpected(*reason);
     }
-    const auto named = sorted(arguments.named);
-    if (!named) return tl::unexpected(named.error());
+    const auto paths = classify_paths(arguments.paths);
+    if (!paths) return tl::unexpected(paths.error());
     std::error_code error;
-    const fs::path folder = fs::canonical(served_folder(named->folder, named->program), error);
-    if (error) return tl::unexpected(fmt::format("'{}' is no folder: {}", named->folder, error.message()));
-    const auto setup = setup_of(arguments, named->program, folder);
+    const fs::path folder = fs::canonical(served_folder(paths->folder, paths->program), error);
+    if (error) return tl::unexpected(fmt::format("'{}' is no folder: {}", paths->folder, error.message()));
+    const auto setup = make_setup(arguments, paths->program, folder);
     if (!setup) return tl::unexpected(setup.error());
-    const auto page = page_of_installation();
+    const auto page = installed_page();
     if (!page) return tl::unexpected(page.error());
     const fs::path programs = os::program_folder();
     const auto server = os::helper_program(programs, "gsim-serve");
@@ -140,10 +140,10 @@ tl::expected<std::vector<std::string>, std::string> command_of(const StudioArgum
         engine.push_back("--rcs");
         engine.push_back(*module);
     }
-    const nlohmann::ordered_json told{
+    const nlohmann::ordered_json page_setup{
         {"folder", folder.filename().string()}, {"setup", *setup}, {"version", version()}};
     const nlohmann::ordered_json all{{"folder", folder.string()}, {"port", arguments.port},
-                                     {"page", page->string()},    {"told", told},
+                                     {"page", page->string()},    {"told", page_setup},
                                      {"engine", engine},          {"browser", !arguments.no_browser}};
     using Json = nlohmann::ordered_json;
     return std::vector<std::string>{server->string(),
@@ -151,7 +151,7 @@ tl::expected<std::vector<std::string>, std::string> command_of(const StudioArgum
 }
 
 int serve(const StudioArguments& arguments) {
-    auto command = command_of(arguments);
+    auto command = server_command(arguments);
     if (!command) return usage_error(kStudio, command.error());
     std::vector<char*> words;
     for (std::string& word : *command) words.push_back(word.data());
@@ -164,7 +164,7 @@ int serve(const StudioArguments& arguments) {
 }  // namespace
 
 std::unique_ptr<Program> make_gsim_studio() {
-    return std::make_unique<ProgramOf<StudioArguments>>(
+    return std::make_unique<ProgramWithArguments<StudioArguments>>(
         kStudio, "Shows a machine run a program, and changes both, in a browser", add_studio_options, serve);
 }
 

@@ -15,10 +15,10 @@ struct Gzip::State {
 };
 
 Gzip::Gzip() : state_(std::make_unique<State>()) {
-    constexpr int kFormatOfGzip = 16;
-    constexpr int kMemory = 8;
-    if (deflateInit2(&state_->stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS + kFormatOfGzip, kMemory,
-                     Z_DEFAULT_STRATEGY) != Z_OK)
+    constexpr int kGzipFormat = 16;
+    constexpr int kMemoryLevel = 8;
+    if (deflateInit2(&state_->stream, Z_DEFAULT_COMPRESSION, Z_DEFLATED, MAX_WBITS + kGzipFormat,
+                     kMemoryLevel, Z_DEFAULT_STRATEGY) != Z_OK)
         throw std::bad_alloc();
 }
 
@@ -26,31 +26,31 @@ Gzip::~Gzip() {
     deflateEnd(&state_->stream);
 }
 
-void Gzip::add(std::string_view bytes, std::string& packed) {
-    constexpr std::size_t kMost = std::numeric_limits<uInt>::max();
+void Gzip::add(std::string_view bytes, std::string& compressed) {
+    constexpr std::size_t kMaxChunk = std::numeric_limits<uInt>::max();
     while (!bytes.empty()) {
-        const std::string_view part = bytes.substr(0, std::min(bytes.size(), kMost));
+        const std::string_view part = bytes.substr(0, std::min(bytes.size(), kMaxChunk));
         // zlib does not change what it reads, so the cast is safe.
         state_->stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(part.data()));
         state_->stream.avail_in = static_cast<uInt>(part.size());
-        run(Z_NO_FLUSH, packed);
+        run(Z_NO_FLUSH, compressed);
         bytes.remove_prefix(part.size());
     }
 }
 
-void Gzip::end(std::string& packed) {
+void Gzip::end(std::string& compressed) {
     state_->stream.avail_in = 0;
-    run(Z_FINISH, packed);
+    run(Z_FINISH, compressed);
 }
 
 // The loop runs until zlib has no more output: then it has consumed all input.
-void Gzip::run(int flush, std::string& packed) {
+void Gzip::run(int flush, std::string& compressed) {
     z_stream& stream = state_->stream;
     do {
         stream.next_out = reinterpret_cast<Bytef*>(state_->buffer.data());
         stream.avail_out = static_cast<uInt>(state_->buffer.size());
         deflate(&stream, flush);
-        packed.append(state_->buffer.data(), state_->buffer.size() - stream.avail_out);
+        compressed.append(state_->buffer.data(), state_->buffer.size() - stream.avail_out);
     } while (stream.avail_out == 0);
 }
 

@@ -16,13 +16,13 @@ class Gzip {
     Gzip& operator=(const Gzip&) = delete;
 
     /// Appends available output to `packed`.
-    void add(std::string_view bytes, std::string& packed);
+    void add(std::string_view bytes, std::string& compressed);
     /// Appends the remainder.
-    void end(std::string& packed);
+    void end(std::string& compressed);
 
   private:
     struct State;
-    void run(int flush, std::string& packed);
+    void run(int flush, std::string& compressed);
 
     std::unique_ptr<State> state_;
 };

@@ -1,7 +1,7 @@
 // Systems without processes have no server of the studio.
 
 #include "apps/programs.h"
-#include "apps/studio/studio_answer.h"
+#include "apps/studio/studio_request.h"
 #include "cli/usage_error.h"
 
 namespace gsim::apps {
@@ -10,20 +10,20 @@ namespace {
 
 struct NoArguments {};
 
-int refuse(const NoArguments& /*arguments*/) {
+int report_no_studio(const NoArguments& /*arguments*/) {
     return usage_error("gsim-studio", "this build serves no page");
 }
 
 }  // namespace
 
 std::unique_ptr<Program> make_gsim_studio() {
-    return std::make_unique<ProgramOf<NoArguments>>(
+    return std::make_unique<ProgramWithArguments<NoArguments>>(
         "gsim-studio", "Shows a machine run a program, and changes both, in a browser",
-        [](CommandLine&, NoArguments&) {}, refuse);
+        [](CommandLine&, NoArguments&) {}, report_no_studio);
 }
 
-int answer_studio(std::span<const std::string> /*arguments*/) {
-    return refuse({});
+int handle_studio_request(std::span<const std::string> /*arguments*/) {
+    return report_no_studio({});
 }
 
 }  // namespace gsim::apps

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "base/os/bound_name.h"
 #include "base/os/installation.h"
+#include "base/os/safe_name.h"
 #include "engine/system/installed_files.h"
 
 namespace gsim::apps {
@@ -27,16 +27,17 @@ tl::expected<std::string, std::string> served_name(const fs::path& folder, NameK
     const auto found = engine::find_file(kind, file);
     if (!found) return tl::unexpected(found.error());
     std::error_code error;
-    const fs::path there = fs::canonical(*found, error);
+    const fs::path canonical_path = fs::canonical(*found, error);
     if (error) return tl::unexpected(fmt::format("cannot read '{}': {}", *found, error.message()));
-    const auto below = [&there](const fs::path& above) {
+    const auto is_below = [&canonical_path](const fs::path& parent_folder) {
         std::error_code ignored;
-        const std::string name = there.lexically_relative(fs::canonical(above, ignored)).generic_string();
-        return os::parts_of_bound_name(name) ? name : std::string();
+        const std::string name =
+            canonical_path.lexically_relative(fs::canonical(parent_folder, ignored)).generic_string();
+        return os::safe_name_parts(name) ? name : std::string();
     };
-    if (const std::string name = below(folder); !name.empty()) return name;
+    if (const std::string name = is_below(folder); !name.empty()) return name;
     for (const fs::path& data : os::data_folders(os::program_folder())) {
-        if (const std::string name = below(data / "samples"); !name.empty()) return "samples/" + name;
+        if (const std::string name = is_below(data / "samples"); !name.empty()) return "samples/" + name;
     }
     return tl::unexpected(
         fmt::format("'{}' lies outside of '{}', the folder that is served; name a folder that "

@@ -20,15 +20,15 @@ namespace gsim::apps {
 
 namespace {
 
-constexpr const char* kPage = "studio/view.html";
-constexpr const char* kPipe = "stdin";  // as the run calls its program then
-constexpr std::size_t kLargestPage = std::size_t{64} << 20U;
-constexpr std::size_t kLargestSource = std::size_t{512} << 20U;
-constexpr std::string_view kPlace = "<!-- run -->";
-constexpr std::string_view kBefore = "<script type=\"application/octet-stream\" id=\"run\">";
-constexpr std::string_view kBehind = "</script>";
+constexpr const char* kPageFile = "studio/view.html";
+constexpr const char* kStandardInputName = "stdin";  // as the run calls its program then
+constexpr std::size_t kMaxPageBytes = std::size_t{64} << 20U;
+constexpr std::size_t kMaxSourceBytes = std::size_t{512} << 20U;
+constexpr std::string_view kRunPlaceholder = "<!-- run -->";
+constexpr std::string_view kRunPrefix = "<script type=\"application/octet-stream\" id=\"run\">";
+constexpr std::string_view kRunSuffix = "</script>";
 
-tl::expected<void, std::string> with_sentence(const tl::expected<void, engine::Failure>& done) {
+tl::expected<void, std::string> with_message(const tl::expected<void, engine::Error>& done) {
     if (done) return {};
     return tl::unexpected(done.error().message);
 }
@@ -45,30 +45,30 @@ class ViewPage::State {
     tl::expected<void, std::string> begin() {
         return os::OutputFile::open(name_).map([this](os::OutputFile file) {
             file_.emplace(std::move(file));
-            file_->write(std::string_view(page_).substr(0, page_.find(kPlace)));
-            file_->write(kBefore);
+            file_->write(std::string_view(page_).substr(0, page_.find(kRunPlaceholder)));
+            file_->write(kRunPrefix);
         });
     }
 
     tl::expected<void, std::string> end() {
         text_.clear();
-        packed_.clear();
-        gzip_.end(packed_);
-        base64_.add(packed_, text_);
+        compressed_.clear();
+        gzip_.end(compressed_);
+        base64_.add(compressed_, text_);
         base64_.end(text_);
         file_->write(text_);
-        file_->write(kBehind);
-        file_->write(std::string_view(page_).substr(page_.find(kPlace) + kPlace.size()));
-        return file_->settle();
+        file_->write(kRunSuffix);
+        file_->write(std::string_view(page_).substr(page_.find(kRunPlaceholder) + kRunPlaceholder.size()));
+        return file_->prepare_commit();
     }
     tl::expected<void, std::string> commit() { return file_->commit(); }
 
   private:
-    void put(const std::string& bytes) {
+    void write_compressed(const std::string& bytes) {
         text_.clear();
-        packed_.clear();
-        gzip_.add(bytes, packed_);
-        base64_.add(packed_, text_);
+        compressed_.clear();
+        gzip_.add(bytes, compressed_);
+        base64_.add(compressed_, text_);
         file_->write(text_);
     }
 
@@ -77,30 +77,30 @@ class ViewPage::State {
     std::optional<os::OutputFile> file_;
     Gzip gzip_;
     text::Base64 base64_;
-    std::string packed_, text_;
+    std::string compressed_, text_;
     studio::RunSeries series_;
-    studio::Post post_ = [this](const std::string& bytes) { put(bytes); };
+    studio::Post post_ = [this](const std::string& bytes) { write_compressed(bytes); };
 };
 
 ViewPage::ViewPage(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ViewPage::~ViewPage() = default;
 
 tl::expected<std::unique_ptr<ViewPage>, std::string> ViewPage::open(const std::string& file) {
-    std::string why = "it is not known where the program lies";
+    std::string reason = "it is not known where the program lies";
     for (const auto& folder : os::data_folders(os::program_folder())) {
-        const std::string page = folder / kPage;
-        auto text = os::read_input(page, os::NamedBy::a_file, kLargestPage);
-        if (text && text->find(kPlace) != std::string::npos)
+        const std::string page = folder / kPageFile;
+        auto text = os::read_input(page, os::NameSource::in_file, kMaxPageBytes);
+        if (text && text->find(kRunPlaceholder) != std::string::npos)
             return std::unique_ptr<ViewPage>(new ViewPage(std::make_unique<State>(file, *std::move(text))));
-        why = text ? fmt::format("'{}' has no place for a run", page) : text.error();
+        reason = text ? fmt::format("'{}' has no place for a run", page) : text.error();
     }
     return tl::unexpected(fmt::format(
-        "--view needs the page of the studio, which is not there ({}); `make studio` makes it", why));
+        "--view needs the page of the studio, which is not there ({}); `make studio` makes it", reason));
 }
 
 tl::expected<void, std::string> ViewPage::attach(engine::Run& run) {
     return state_->begin().and_then(
-        [&] { return with_sentence(studio::post_run(run, state_->series(), state_->post())); });
+        [&] { return with_message(studio::post_run(run, state_->series(), state_->post())); });
 }
 
 // Input from a pipe can be read only once, so such a run is shown without its source. The text is that of the
@@ -109,20 +109,20 @@ tl::expected<void, std::string> ViewPage::finish(const engine::Run& run, const e
     std::vector<std::string> sources;
     for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
         for (const std::string& name : run.files(robot)) {
-            const bool is_pipe = run.request().program == os::kStandardStream && name == kPipe;
+            const bool is_pipe = run.request().program == os::kStandardStream && name == kStandardInputName;
             if (!is_pipe && std::find(sources.begin(), sources.end(), name) == sources.end())
                 sources.push_back(name);
         }
     }
     for (const std::string& name : sources) {
-        const auto text = os::read_input(name, os::NamedBy::a_file, kLargestSource);
+        const auto text = os::read_input(name, os::NameSource::in_file, kMaxSourceBytes);
         if (!text) continue;
         studio::Message message("source");
         message.header()["name"] = name;
         message.add("text", *text);
         state_->post()(message.bytes());
     }
-    return with_sentence(studio::post_end(run, state_->series(), report, state_->post())).and_then([&] {
+    return with_message(studio::post_end(run, state_->series(), report, state_->post())).and_then([&] {
         return state_->end();
     });
 }

@@ -20,12 +20,12 @@ bool is_positive_definite(const Eigen::MatrixXd& matrix) {
     return (cholesky.vectorD().array() > 0).all();
 }
 
-Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
+Eigen::MatrixXd solve_positive_definite(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right) {
     return matrix.ldlt().solve(right);
 }
 
-Eigen::MatrixXd inverse_of_positive(const Eigen::MatrixXd& matrix) {
-    return solve_positive(matrix, Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
+Eigen::MatrixXd positive_definite_inverse(const Eigen::MatrixXd& matrix) {
+    return solve_positive_definite(matrix, Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols()));
 }
 
 }  // namespace gsim::base

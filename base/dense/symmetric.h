@@ -15,9 +15,9 @@ Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& matrix);
 bool is_positive_definite(const Eigen::MatrixXd& matrix);
 
 /// Returns the solution x of matrix * x = right for a positive definite matrix (Cholesky, LDL^T with pivots).
-Eigen::MatrixXd solve_positive(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
+Eigen::MatrixXd solve_positive_definite(const Eigen::MatrixXd& matrix, const Eigen::MatrixXd& right);
 
 /// Returns the inverse of a positive definite matrix.
-Eigen::MatrixXd inverse_of_positive(const Eigen::MatrixXd& matrix);
+Eigen::MatrixXd positive_definite_inverse(const Eigen::MatrixXd& matrix);
 
 }  // namespace gsim::base

@@ -33,7 +33,7 @@ std::string first_line(std::FILE* file) {
 
 tl::expected<void, std::string> run_child(const std::vector<std::string>& command, std::FILE* input,
                                           std::FILE* output) {
-    const FileHandle errors = file_in_memory("errors");
+    const FileHandle errors = open_memory_file("errors");
     if (!errors) return tl::unexpected("cannot make a file in memory: " + message(errno));
     SpawnActions actions;
     actions.redirect(::fileno(input), STDIN_FILENO);

@@ -25,14 +25,14 @@ constexpr std::uint64_t kReadFile = 1U << 2U;
 constexpr std::uint64_t kReadFolder = 1U << 3U;
 constexpr std::uint64_t kRemoveFile = 1U << 5U;
 constexpr std::uint64_t kMakeFile = 1U << 8U;
-constexpr std::uint64_t kAllOfFirst = (1U << 13U) - 1;
+constexpr std::uint64_t kVersion1Rights = (1U << 13U) - 1;
 constexpr std::uint64_t kRefer = 1U << 13U;     // since version 2
 constexpr std::uint64_t kTruncate = 1U << 14U;  // since version 3
 constexpr std::uint64_t kIoctl = 1U << 15U;     // since version 5
-constexpr std::uint64_t kAllOfNetwork = 3;      // since version 4
+constexpr std::uint64_t kNetworkRights = 3;     // since version 4
 constexpr std::uint64_t kAllScopes = 3;         // since version 6
-constexpr std::uint64_t kOfFiles = kExecute | kWriteFile | kReadFile | kTruncate | kIoctl;
-constexpr unsigned kAskVersion = 1;
+constexpr std::uint64_t kFileRights = kExecute | kWriteFile | kReadFile | kTruncate | kIoctl;
+constexpr unsigned kQueryVersion = 1;
 constexpr int kRulePathBeneath = 1;
 
 struct RulesetAttributes {
@@ -42,30 +42,30 @@ struct RulesetAttributes {
 };
 
 struct [[gnu::packed]] PathRule {
-    std::uint64_t allowed;
+    std::uint64_t feasible;
     std::int32_t parent;
 };
 
-long version_of_system() {
-    return ::syscall(SYS_landlock_create_ruleset, nullptr, std::size_t{0}, kAskVersion);
+long landlock_version() {
+    return ::syscall(SYS_landlock_create_ruleset, nullptr, std::size_t{0}, kQueryVersion);
 }
 
-RulesetAttributes all_of(long version) {
-    RulesetAttributes all{kAllOfFirst, 0, 0};
+RulesetAttributes all_rights(long version) {
+    RulesetAttributes all{kVersion1Rights, 0, 0};
     if (version >= 2) all.files |= kRefer;
     if (version >= 3) all.files |= kTruncate;
-    if (version >= 4) all.network = kAllOfNetwork;
+    if (version >= 4) all.network = kNetworkRights;
     if (version >= 5) all.files |= kIoctl;
     if (version >= 6) all.scopes = kAllScopes;
     return all;
 }
 
-std::size_t size_for(long version) {
+std::size_t attributes_size(long version) {
     if (version >= 6) return sizeof(RulesetAttributes);
     return version >= 4 ? 2 * sizeof(std::uint64_t) : sizeof(std::uint64_t);
 }
 
-tl::unexpected<std::string> cannot(const std::string& what) {
+tl::unexpected<std::string> confinement_error(const std::string& what) {
     return tl::unexpected(
         fmt::format("cannot {} to confine the run: {}", what, std::generic_category().message(errno)));
 }
@@ -80,7 +80,7 @@ class Ruleset {
     tl::expected<void, std::string> allow(const std::vector<std::filesystem::path>& paths,
                                           std::uint64_t rights) {
         for (const std::filesystem::path& path : paths) {
-            if (auto allowed = allow(path, rights); !allowed) return allowed;
+            if (auto feasible = allow(path, rights); !feasible) return feasible;
         }
         return {};
     }
@@ -90,12 +90,12 @@ class Ruleset {
         const Descriptor opened(::open(path.c_str(), O_PATH | O_CLOEXEC));
         struct stat found {};
         if (opened.number() < 0 || ::fstat(opened.number(), &found) != 0) return {};
-        std::uint64_t allowed = rights & handled_;
-        if (!S_ISDIR(found.st_mode)) allowed &= kOfFiles;
-        const PathRule rule{allowed, opened.number()};
+        std::uint64_t feasible = rights & handled_;
+        if (!S_ISDIR(found.st_mode)) feasible &= kFileRights;
+        const PathRule rule{feasible, opened.number()};
         // Objects outside any file system (pipes by their name in /proc) take no rule, and need none.
         if (::syscall(SYS_landlock_add_rule, number(), kRulePathBeneath, &rule, 0U) != 0 && errno != EBADFD)
-            return cannot(fmt::format("allow '{}'", path.string()));
+            return confinement_error(fmt::format("allow '{}'", path.string()));
         return {};
     }
 
@@ -105,23 +105,26 @@ class Ruleset {
 
 }  // namespace
 
-tl::expected<bool, std::string> confine(const Allowed& allowed) {
-    const long version = version_of_system();
+tl::expected<bool, std::string> confine(const SandboxPolicy& feasible) {
+    const long version = landlock_version();
     if (version < 1) return false;
-    const RulesetAttributes all = all_of(version);
-    Ruleset rules(static_cast<int>(::syscall(SYS_landlock_create_ruleset, &all, size_for(version), 0U)),
-                  all.files);
-    if (rules.number() < 0) return cannot("make rules");
-    constexpr std::uint64_t kReads = kReadFile | kReadFolder;
-    constexpr std::uint64_t kWrites = kWriteFile | kTruncate;
-    for (const auto& [paths, rights] : {std::pair{&allowed.read, kReads},
-                                        {&allowed.run, kReads | kExecute},
-                                        {&allowed.written, kWrites},
-                                        {&allowed.changed, kReads | kWrites | kMakeFile | kRemoveFile}}) {
-        if (auto added = rules.allow(*paths, rights); !added) return tl::unexpected(added.error());
+    const RulesetAttributes all = all_rights(version);
+    Ruleset rules(
+        static_cast<int>(::syscall(SYS_landlock_create_ruleset, &all, attributes_size(version), 0U)),
+        all.files);
+    if (rules.number() < 0) return confinement_error("make rules");
+    constexpr std::uint64_t kReadRights = kReadFile | kReadFolder;
+    constexpr std::uint64_t kWriteRights = kWriteFile | kTruncate;
+    for (const auto& [paths, rights] :
+         {std::pair{&feasible.read, kReadRights},
+          {&feasible.run, kReadRights | kExecute},
+          {&feasible.written, kWriteRights},
+          {&feasible.changed, kReadRights | kWriteRights | kMakeFile | kRemoveFile}}) {
+        if (auto result = rules.allow(*paths, rights); !result) return tl::unexpected(result.error());
     }
-    if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return cannot("give up privileges");
-    if (::syscall(SYS_landlock_restrict_self, rules.number(), 0U) != 0) return cannot("apply rules");
+    if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return confinement_error("give up privileges");
+    if (::syscall(SYS_landlock_restrict_self, rules.number(), 0U) != 0)
+        return confinement_error("apply rules");
     return true;
 }
 

@@ -10,7 +10,7 @@ namespace gsim::os {
 
 /// Sandbox policy: the parts of the file system that a process may still access. Names that do not exist are
 /// ignored.
-struct Allowed {
+struct SandboxPolicy {
     std::vector<std::filesystem::path> read;     ///< Files, and folders with all in them.
     std::vector<std::filesystem::path> run;      ///< Folders with programs and what these read.
     std::vector<std::filesystem::path> written;  ///< Files that may be written but not made or removed.
@@ -23,6 +23,6 @@ struct Allowed {
 /// gets a signal. Everything that is open stays open. This cannot be undone.
 /// Source: landlock(7) of Linux.
 /// Returns false if the system has no such facility. The error is a message: the system has it, and refuses.
-tl::expected<bool, std::string> confine(const Allowed& allowed);
+tl::expected<bool, std::string> confine(const SandboxPolicy& feasible);
 
 }  // namespace gsim::os

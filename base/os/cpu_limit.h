@@ -15,12 +15,14 @@ class CpuLimit {
     explicit CpuLimit(double seconds);
 
     /// Makes the limit count as reached as soon as `asked` is true, which any thread may set.
-    void end_when(std::shared_ptr<const std::atomic<bool>> asked) { asked_ = std::move(asked); }
+    void cancel_when(std::shared_ptr<const std::atomic<bool>> stop_flag) {
+        cancel_flag_ = std::move(stop_flag);
+    }
     /// True if that flag was the reason.
-    bool was_asked() const { return asked_ != nullptr && *asked_; }
+    bool was_cancelled() const { return cancel_flag_ != nullptr && *cancel_flag_; }
 
     /// Counts also the time that a process working for the thread has spent so far.
-    void count_beside(double seconds) { beside_s_ = seconds; }
+    void set_helper_time(double seconds) { helper_s_ = seconds; }
 
     /// True if the time is used up, or the end was requested. Cheap enough for each block of a program: a
     /// thread cannot have spent more than the elapsed time. So its clock, a system call, is read only if that
@@ -28,15 +30,15 @@ class CpuLimit {
     bool reached();
     double seconds() const { return seconds_; }
     /// Returns the remaining seconds, or less than 0.
-    double left_s() const;
+    double remaining_s() const;
 
   private:
     double seconds_;
     double end_s_;                ///< On the thread's clock.
-    std::timespec not_before_{};  ///< On the coarse clock: no check is needed until then.
-    double beside_s_ = 0;
+    std::timespec next_check_{};  ///< On the coarse clock: no check is needed until then.
+    double helper_s_ = 0;
     bool reached_ = false;
-    std::shared_ptr<const std::atomic<bool>> asked_ = nullptr;
+    std::shared_ptr<const std::atomic<bool>> cancel_flag_ = nullptr;
 };
 
 /// A limit of the processor time of the full process, for work that does not query it. After it is used up, a
@@ -45,7 +47,7 @@ class CpuLimit {
 class ProcessCpuLimit {
   public:
     /// `sentence` must outlive this object and end in a newline.
-    ProcessCpuLimit(double seconds, const char* sentence, int status);
+    ProcessCpuLimit(double seconds, const char* message, int status);
     ProcessCpuLimit(const ProcessCpuLimit&) = delete;
     ProcessCpuLimit& operator=(const ProcessCpuLimit&) = delete;
     ~ProcessCpuLimit();

@@ -13,49 +13,53 @@ namespace {
 
 // Flags of a descriptor that reads and writes nothing, for which a file needs no permission.
 #ifdef O_PATH
-constexpr int kHold = O_PATH | O_CLOEXEC;
+constexpr int kPathOnlyFlags = O_PATH | O_CLOEXEC;
 #else
-constexpr int kHold = O_RDONLY | O_NONBLOCK | O_CLOEXEC;
+constexpr int kPathOnlyFlags = O_RDONLY | O_NONBLOCK | O_CLOEXEC;
 #endif
 
-struct Held {
+struct OpenedFile {
     struct stat status {};
     std::shared_ptr<const Descriptor> descriptor;
 };
 
 // Returns nothing if no such file exists; errno gives the reason.
-std::optional<Held> hold(const std::filesystem::path& path) {
-    Held held;
-    held.descriptor = std::make_shared<const Descriptor>(::open(path.c_str(), kHold));
-    if (held.descriptor->number() < 0 || ::fstat(held.descriptor->number(), &held.status) != 0)
+std::optional<OpenedFile> find_held(const std::filesystem::path& path) {
+    OpenedFile opened;
+    opened.descriptor = std::make_shared<const Descriptor>(::open(path.c_str(), kPathOnlyFlags));
+    if (opened.descriptor->number() < 0 || ::fstat(opened.descriptor->number(), &opened.status) != 0)
         return std::nullopt;
-    return held;
+    return opened;
 }
 
 // Returns an empty path if it is unknown.
-std::filesystem::path place_of(const std::filesystem::path& path) {
+std::filesystem::path canonical_path(const std::filesystem::path& path) {
     std::error_code error;
-    std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
-    return error ? std::filesystem::path() : place;
+    std::filesystem::path resolved_path =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
+    return error ? std::filesystem::path() : resolved_path;
 }
 
 }  // namespace
 
-std::optional<FileIdentity> identity_of(const std::filesystem::path& path) {
+std::optional<FileIdentity> file_identity(const std::filesystem::path& path) {
     const bool may_be_new = path.has_filename();
-    if (auto held = hold(path)) {
-        if (!S_ISREG(held->status.st_mode)) return std::nullopt;
-        return FileIdentity{
-            held->status.st_dev, held->status.st_ino, {}, std::move(held->descriptor), place_of(path)};
+    if (auto opened = find_held(path)) {
+        if (!S_ISREG(opened->status.st_mode)) return std::nullopt;
+        return FileIdentity{opened->status.st_dev,
+                            opened->status.st_ino,
+                            {},
+                            std::move(opened->descriptor),
+                            canonical_path(path)};
     }
     if (errno != ENOENT || !may_be_new) return std::nullopt;
-    auto folder = hold(path.has_parent_path() ? path.parent_path() : ".");
+    auto folder = find_held(path.has_parent_path() ? path.parent_path() : ".");
     if (!folder) return std::nullopt;
     return FileIdentity{folder->status.st_dev, folder->status.st_ino, path.filename().string(),
-                        std::move(folder->descriptor), place_of(path)};
+                        std::move(folder->descriptor), canonical_path(path)};
 }
 
-std::optional<FileIdentity> identity_of_open(int descriptor) {
+std::optional<FileIdentity> open_file_identity(int descriptor) {
     struct stat status {};
     if (::fstat(descriptor, &status) != 0) return std::nullopt;
     if (!S_ISREG(status.st_mode)) return std::nullopt;

@@ -19,20 +19,20 @@ struct FileIdentity {
     dev_t device = 0;
     ino_t inode = 0;
     std::string name;  ///< For a file that does not exist yet; device and inode are those of its folder.
-    std::shared_ptr<const Descriptor> held = nullptr;  ///< Handle that keeps the number.
-    std::filesystem::path place = {};                  ///< Absolute path without links; empty if not known.
+    std::shared_ptr<const Descriptor> number_handle = nullptr;  ///< Handle that keeps the number.
+    std::filesystem::path resolved_path = {};  ///< Absolute path without links; empty if not known.
 
     bool operator==(const FileIdentity& other) const {
-        const bool one_file = device == other.device && inode == other.inode && name == other.name;
-        return one_file || (!place.empty() && place == other.place);
+        const bool same_file = device == other.device && inode == other.inode && name == other.name;
+        return same_file || (!resolved_path.empty() && resolved_path == other.resolved_path);
     }
 };
 
 /// Returns the identity of a regular file, or of a file that does not exist yet in a folder that does.
 /// Returns none for anything else, because a device or a pipe may have two names.
-std::optional<FileIdentity> identity_of(const std::filesystem::path& path);
+std::optional<FileIdentity> file_identity(const std::filesystem::path& path);
 
 /// Returns the identity of the regular file that is open as this descriptor.
-std::optional<FileIdentity> identity_of_open(int descriptor);
+std::optional<FileIdentity> open_file_identity(int descriptor);
 
 }  // namespace gsim::os

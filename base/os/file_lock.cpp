@@ -44,35 +44,34 @@ int open_lock(const fs::path& lock) {
 
 // Returns errno, or 0 if the file is still the lock. Its owner removes the file before others get the lock.
 // Their lock then has no name, and is not the lock (EWOULDBLOCK).
-int look_for_name(int descriptor, const fs::path& lock) {
+int verify_lock_name(int descriptor, const fs::path& lock) {
     struct stat open {};
-    struct stat named {};
+    struct stat file_status {};
     if (::fstat(descriptor, &open) != 0) return errno;
-    if (::lstat(lock.c_str(), &named) != 0) return errno == ENOENT ? EWOULDBLOCK : errno;
-    return open.st_dev == named.st_dev && open.st_ino == named.st_ino ? 0 : EWOULDBLOCK;
+    if (::lstat(lock.c_str(), &file_status) != 0) return errno == ENOENT ? EWOULDBLOCK : errno;
+    return open.st_dev == file_status.st_dev && open.st_ino == file_status.st_ino ? 0 : EWOULDBLOCK;
 }
 
 }  // namespace
 
 // Returns the error of errno; EWOULDBLOCK: another one has the lock.
-tl::expected<FileLock, int> FileLock::try_once(const fs::path& path) {
-    const SignalsHeld held;
-    auto kept = TemporaryName::kept(path);
+tl::expected<FileLock, int> FileLock::try_lock(const fs::path& path) {
+    const SignalBlocker blocked_signals;
+    auto temporary_path = TemporaryName::temporary_path(path);
     FileLock lock(open_lock(path));
     const int descriptor = lock.descriptor_.number();
     if (descriptor < 0 || ::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return tl::unexpected(errno);
-    if (const int error = look_for_name(descriptor, path); error != 0) return tl::unexpected(error);
-    lock.name_.take(TemporaryName(std::move(kept)));
+    if (const int error = verify_lock_name(descriptor, path); error != 0) return tl::unexpected(error);
+    lock.name_.adopt(TemporaryName(std::move(temporary_path)));
     return lock;
 }
 
-tl::expected<FileLock, std::string> FileLock::get(const fs::path& file,
-                                                  std::chrono::milliseconds longest_wait) {
+tl::expected<FileLock, std::string> FileLock::get(const fs::path& file, std::chrono::milliseconds max_wait) {
     if (!needs_lock(file)) return FileLock(-1);
     const fs::path path = lock_name(file);
-    const Clock::time_point end = Clock::now() + longest_wait;
+    const Clock::time_point end = Clock::now() + max_wait;
     while (true) {
-        auto lock = try_once(path);
+        auto lock = try_lock(path);
         if (lock) return *std::move(lock);
         if (lock.error() != EWOULDBLOCK && lock.error() != EINTR) {
             return tl::unexpected(fmt::format("cannot write '{}': {}", file.string(),
@@ -84,7 +83,7 @@ tl::expected<FileLock, std::string> FileLock::get(const fs::path& file,
     return tl::unexpected(
         fmt::format("cannot change '{}': another program is changing it, and has not ended within {:.6g} s "
                     "(its lock is '{}')",
-                    file.string(), std::chrono::duration<double>(longest_wait).count(), path.string()));
+                    file.string(), std::chrono::duration<double>(max_wait).count(), path.string()));
 }
 
 }  // namespace gsim::os

@@ -19,7 +19,7 @@ class FileLock {
     /// Waits that long for the lock. Anything but a regular file needs no lock and gets an empty one. The
     /// error is a message that names the file.
     static tl::expected<FileLock, std::string> get(const std::filesystem::path& file,
-                                                   std::chrono::milliseconds longest_wait);
+                                                   std::chrono::milliseconds max_wait);
 
     FileLock(FileLock&&) noexcept = default;
     FileLock& operator=(FileLock&&) = delete;
@@ -27,7 +27,7 @@ class FileLock {
 
   private:
     explicit FileLock(int descriptor) : descriptor_(descriptor) {}
-    static tl::expected<FileLock, int> try_once(const std::filesystem::path& lock);
+    static tl::expected<FileLock, int> try_lock(const std::filesystem::path& lock);
 
     Descriptor descriptor_;
     TemporaryName name_;  // destroyed first, while no one else can have the lock

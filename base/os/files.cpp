@@ -11,15 +11,15 @@ namespace {
 
 class DiskFiles final : public Files {
   public:
-    tl::expected<std::string, std::string> read(const std::filesystem::path& path, NamedBy named_by,
+    tl::expected<std::string, std::string> read(const std::filesystem::path& path, NameSource name_source,
                                                 std::size_t max_bytes) const override {
-        return read_input(path, named_by, max_bytes);
+        return read_input(path, name_source, max_bytes);
     }
 
-    std::optional<std::string> find_fault(const std::filesystem::path& path) const override {
-        std::error_code fault;
-        static_cast<void>(std::filesystem::file_size(path, fault));
-        return fault ? std::optional(fault.message()) : std::nullopt;
+    std::optional<std::string> find_error(const std::filesystem::path& path) const override {
+        std::error_code error;
+        static_cast<void>(std::filesystem::file_size(path, error));
+        return error ? std::optional(error.message()) : std::nullopt;
     }
 
     bool has(const fs::path& path) const override {
@@ -32,7 +32,7 @@ class DiskFiles final : public Files {
         return !fs::exists(path, error) && !error;
     }
 
-    bool are_one(const fs::path& a, const fs::path& b) const override {
+    bool is_same_file(const fs::path& a, const fs::path& b) const override {
         std::error_code ignored;
         return fs::equivalent(a, b, ignored);
     }
@@ -46,14 +46,14 @@ class DiskFiles final : public Files {
         return !no_folder && !no_file && end == inside.end();
     }
 
-    bool are_of_system() const override { return true; }
+    bool are_system_files() const override { return true; }
 };
 
 }  // namespace
 
 tl::expected<std::string, std::string> Files::read_text(const std::filesystem::path& path,
-                                                        NamedBy named_by) const {
-    return read(path, named_by, kMaxTextFileBytes);
+                                                        NameSource name_source) const {
+    return read(path, name_source, kMaxTextFileBytes);
 }
 
 const Files& disk() {
@@ -61,27 +61,29 @@ const Files& disk() {
     return files;
 }
 
-tl::expected<std::string, std::string> GivenFiles::read(const std::filesystem::path& path,
-                                                        NamedBy /*named_by*/, std::size_t max_bytes) const {
-    std::optional<std::string> bytes = give_(path.lexically_normal().string());
+tl::expected<std::string, std::string> CallbackFiles::read(const std::filesystem::path& path,
+                                                           NameSource /*name_source*/,
+                                                           std::size_t max_bytes) const {
+    std::optional<std::string> bytes = provider_(path.lexically_normal().string());
     if (!bytes) return tl::unexpected("cannot read '" + path.string() + "': there is no such file");
     if (bytes->size() > max_bytes) return tl::unexpected(too_large(path, max_bytes));
     return *std::move(bytes);
 }
 
-std::optional<std::string> GivenFiles::find_fault(const std::filesystem::path& /*path*/) const {
+std::optional<std::string> CallbackFiles::find_error(const std::filesystem::path& /*path*/) const {
     return std::nullopt;
 }
 
-bool GivenFiles::has(const std::filesystem::path& path) const {
-    return give_(path.lexically_normal().string()).has_value();
+bool CallbackFiles::has(const std::filesystem::path& path) const {
+    return provider_(path.lexically_normal().string()).has_value();
 }
 
-bool GivenFiles::are_one(const std::filesystem::path& a, const std::filesystem::path& b) const {
+bool CallbackFiles::is_same_file(const std::filesystem::path& a, const std::filesystem::path& b) const {
     return a.lexically_normal() == b.lexically_normal();
 }
 
-bool GivenFiles::is_within(const std::filesystem::path& /*folder*/, const std::filesystem::path& name) const {
+bool CallbackFiles::is_within(const std::filesystem::path& /*folder*/,
+                              const std::filesystem::path& name) const {
     const fs::path plain = name.lexically_normal();
     return plain.is_relative() && (plain.empty() || *plain.begin() != "..");
 }

@@ -5,7 +5,7 @@
 
 namespace gsim::os {
 
-FileHandle file_in_memory(const char* name) {
+FileHandle open_memory_file(const char* name) {
     const int descriptor = ::memfd_create(name, MFD_CLOEXEC);
     if (descriptor < 0) return nullptr;
     FileHandle file(::fdopen(descriptor, "w+"));

@@ -16,13 +16,13 @@ namespace gsim::os {
 inline constexpr const char* kStandardStream = "-";
 
 /// File state that commit() waits for.
-enum class Reach {
+enum class Durability {
     system,  ///< The file is complete for all programs; a crash of the machine may lose it.
     disk     ///< And on the disk: for data that are the only copy.
 };
 
 /// Treatment of a file that has the name already.
-enum class Existing {
+enum class ExistingFilePolicy {
     replace,
     keep  ///< It stays, and commit() fails.
 };
@@ -35,8 +35,8 @@ enum class Existing {
 class OutputFile {
   public:
     /// Opens the file. The error is a message that names it.
-    static tl::expected<OutputFile, std::string> open(const std::filesystem::path& path,
-                                                      Existing existing = Existing::replace);
+    static tl::expected<OutputFile, std::string> open(
+        const std::filesystem::path& path, ExistingFilePolicy existing = ExistingFilePolicy::replace);
 
     /// Checks if open() would succeed, as far as that is known before; for content that is written at the end
     /// of long work. Leaves no file, and does not touch anything but a regular file. The error is that of
@@ -55,31 +55,31 @@ class OutputFile {
     std::FILE* stream() const { return stream_.get(); }
     /// Closes the file, so that a full disk is detected, and commit() only gives it its name. If several
     /// files belong together, all of them are settled first.
-    tl::expected<void, std::string> settle(Reach reach = Reach::system);
+    tl::expected<void, std::string> prepare_commit(Durability reach = Durability::system);
     /// Settles the file and gives it its name. The error, such as a full disk, is a message that names the
     /// file; then the previous file is unchanged.
-    tl::expected<void, std::string> commit(Reach reach = Reach::system);
+    tl::expected<void, std::string> commit(Durability reach = Durability::system);
     /// Returns the error that it cannot be written, for this value of errno.
-    tl::unexpected<std::string> cannot_write(int error) const;
+    tl::unexpected<std::string> write_error(int error) const;
 
   private:
     OutputFile() = default;
-    tl::expected<void, std::string> open_beside();
+    tl::expected<void, std::string> open_temporary();
     tl::expected<void, std::string> open_directly();
     tl::expected<void, std::string> open_standard_output();
-    int close(Reach reach);
+    int close(Durability reach);
     int rename() const;
 
-    std::string shown_name_;      // as the caller gave it, in quotes
+    std::string display_name_;    // as the caller gave it, in quotes
     std::filesystem::path path_;  // symbolic links followed
     TemporaryName temporary_;     // empty when written directly, and after commit()
     FileHandle stream_;           // null after it is settled
-    Existing existing_ = Existing::replace;
+    ExistingFilePolicy existing_policy_ = ExistingFilePolicy::replace;
     int error_ = 0;  // errno of the first failure
 };
 
 /// Writes a complete file by OutputFile. The error is a message.
 tl::expected<void, std::string> write_file(const std::filesystem::path& path, std::string_view contents,
-                                           Reach reach = Reach::system);
+                                           Durability reach = Durability::system);
 
 }  // namespace gsim::os

@@ -21,13 +21,13 @@ class SpawnAttributes {
         sigset_t none;
         sigemptyset(&none);
         ::posix_spawnattr_setsigmask(&attributes_, &none);
-        sigset_t usual = none;
-        sigaddset(&usual, SIGPIPE);
-        ::posix_spawnattr_setsigdefault(&attributes_, &usual);
+        sigset_t default_signals = none;
+        sigaddset(&default_signals, SIGPIPE);
+        ::posix_spawnattr_setsigdefault(&attributes_, &default_signals);
         ::posix_spawnattr_setpgroup(&attributes_, 0);  // a group with its own number
-        const int own = group == ProcessGroup::own ? POSIX_SPAWN_SETPGROUP : 0;
-        ::posix_spawnattr_setflags(&attributes_,
-                                   static_cast<short>(POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | own));
+        const int separate = group == ProcessGroup::separate ? POSIX_SPAWN_SETPGROUP : 0;
+        ::posix_spawnattr_setflags(
+            &attributes_, static_cast<short>(POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | separate));
     }
     SpawnAttributes(const SpawnAttributes&) = delete;
     SpawnAttributes& operator=(const SpawnAttributes&) = delete;
@@ -41,7 +41,7 @@ class SpawnAttributes {
 
 }  // namespace
 
-void SpawnActions::read_nothing(int descriptor) {
+void SpawnActions::redirect_from_null(int descriptor) {
     ::posix_spawn_file_actions_addopen(&actions_, descriptor, "/dev/null", O_RDONLY, 0);
 }
 

@@ -19,11 +19,11 @@ class SpawnActions {
     ~SpawnActions() { ::posix_spawn_file_actions_destroy(&actions_); }
 
     /// Makes `descriptor` in the child what `ours` is here.
-    void redirect(int ours, int descriptor) {
-        ::posix_spawn_file_actions_adddup2(&actions_, ours, descriptor);
+    void redirect(int inherited, int descriptor) {
+        ::posix_spawn_file_actions_adddup2(&actions_, inherited, descriptor);
     }
     /// Gives the child no data to read from `descriptor`.
-    void read_nothing(int descriptor);
+    void redirect_from_null(int descriptor);
     const posix_spawn_file_actions_t* get() const { return &actions_; }
 
   private:
@@ -32,13 +32,13 @@ class SpawnActions {
 
 /// Process group of a started process. It decides if signals of a terminal to all processes started there
 /// (Ctrl+C) reach it.
-enum class ProcessGroup : std::uint8_t { ours, own };
+enum class ProcessGroup : std::uint8_t { inherited, separate };
 
 /// Starts a process: a program, searched in PATH unless its name has a slash, and its arguments. In the child
 /// no signal is blocked, and SIGPIPE ends it, whatever holds here. Other signals that are ignored here
 /// (nohup) are ignored there. The error is that of errno.
 tl::expected<pid_t, int> spawn(const std::vector<std::string>& command, const SpawnActions& actions,
-                               ProcessGroup group = ProcessGroup::ours);
+                               ProcessGroup group = ProcessGroup::inherited);
 
 /// Waits until a child ends and returns its status as of waitpid(), or errno.
 tl::expected<int, int> wait_for(pid_t child);

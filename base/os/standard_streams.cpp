@@ -8,7 +8,7 @@
 
 namespace gsim::os {
 
-void hold_standard_streams() {
+void reserve_standard_streams() {
     for (const int stream : std::array{STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         if (::fcntl(stream, F_GETFD) >= 0 || errno != EBADF) continue;
         // The lowest free number is this one. The file is opened in the opposite direction, so that reading

@@ -5,6 +5,6 @@ namespace gsim::os {
 /// Opens the standard streams that were closed before the program began. Otherwise the next opened file would
 /// take such a place and get the printed text. After this call such a stream exists, and fails. Only for
 /// main(), before anything else.
-void hold_standard_streams();
+void reserve_standard_streams();
 
 }  // namespace gsim::os

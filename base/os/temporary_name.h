@@ -20,36 +20,36 @@ void remove_temporaries();
 
 /// Sets the action of SIGXCPU from now on. Null: its usual action. Otherwise this text is written to standard
 /// error, and the program ends with `status`. The text must stay valid.
-void end_at_cpu_signal(const char* last_words, int status);
+void exit_at_cpu_signal(const char* exit_message, int status);
 
 /// Guard that holds those signals back in this thread as long as it lives.
-class SignalsHeld {
+class SignalBlocker {
   public:
-    SignalsHeld();
-    SignalsHeld(const SignalsHeld&) = delete;
-    SignalsHeld& operator=(const SignalsHeld&) = delete;
-    ~SignalsHeld();
+    SignalBlocker();
+    SignalBlocker(const SignalBlocker&) = delete;
+    SignalBlocker& operator=(const SignalBlocker&) = delete;
+    ~SignalBlocker();
 
   private:
-    sigset_t before_;
+    sigset_t old_signal_mask_;
 };
 
 /// A file that is removed when this object is destroyed, however the program ends, except by SIGKILL or a
-/// crash. Create the file and this object under one SignalsHeld. Its name is made before, so that no step can
-/// fail in between.
+/// crash. Create the file and this object under one SignalBlocker. Its name is made before, so that no step
+/// can fail in between.
 class TemporaryName {
   public:
-    using Kept = std::unique_ptr<const std::string>;
-    static Kept kept(const std::filesystem::path& file);
+    using TemporaryPath = std::unique_ptr<const std::string>;
+    static TemporaryPath temporary_path(const std::filesystem::path& file);
 
     TemporaryName() = default;
-    explicit TemporaryName(Kept name) noexcept;
+    explicit TemporaryName(TemporaryPath name) noexcept;
     TemporaryName(TemporaryName&&) noexcept = default;
     TemporaryName& operator=(TemporaryName&&) = delete;
     ~TemporaryName();
 
     /// Takes over the file of another object; this one must be empty.
-    void take(TemporaryName&& other) { name_ = std::move(other.name_); }
+    void adopt(TemporaryName&& other) { name_ = std::move(other.name_); }
 
     bool empty() const { return name_ == nullptr; }
     const std::string& name() const { return *name_; }
@@ -57,7 +57,7 @@ class TemporaryName {
     void release();
 
   private:
-    Kept name_;  // a signal handler reads it in place
+    TemporaryPath name_;  // a signal handler reads it in place
 };
 
 }  // namespace gsim::os

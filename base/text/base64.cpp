@@ -8,7 +8,7 @@ constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnop
 constexpr std::size_t kGroup = 3;
 
 /// Writes up to three bytes as four digits; digits without a byte are '='.
-void put_group(std::string_view bytes, std::string& text) {
+void append_group(std::string_view bytes, std::string& text) {
     unsigned value = 0;
     for (std::size_t i = 0; i < kGroup; ++i)
         value = value << 8U | (i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0U);
@@ -20,7 +20,7 @@ void put_group(std::string_view bytes, std::string& text) {
 
 /// Reads three bytes from four digits, fewer if padding is at their end. Returns false if they are not such
 /// digits.
-bool take_group(std::string_view digits, std::string& bytes) {
+bool decode_group(std::string_view digits, std::string& bytes) {
     const std::size_t padding = digits.ends_with("==") ? 2 : digits.ends_with('=') ? 1 : 0;
     unsigned value = 0;
     for (const char digit : digits.substr(0, digits.size() - padding)) {
@@ -37,32 +37,32 @@ bool take_group(std::string_view digits, std::string& bytes) {
 }  // namespace
 
 void Base64::add(std::string_view bytes, std::string& text) {
-    while (!rest_.empty() && rest_.size() < kGroup && !bytes.empty()) {
-        rest_.push_back(bytes.front());
+    while (!remaining_.empty() && remaining_.size() < kGroup && !bytes.empty()) {
+        remaining_.push_back(bytes.front());
         bytes.remove_prefix(1);
     }
-    if (rest_.size() == kGroup) {
-        put_group(rest_, text);
-        rest_.clear();
+    if (remaining_.size() == kGroup) {
+        append_group(remaining_, text);
+        remaining_.clear();
     }
-    for (; bytes.size() >= kGroup; bytes.remove_prefix(kGroup)) put_group(bytes.substr(0, kGroup), text);
-    rest_ += bytes;
+    for (; bytes.size() >= kGroup; bytes.remove_prefix(kGroup)) append_group(bytes.substr(0, kGroup), text);
+    remaining_ += bytes;
 }
 
 void Base64::end(std::string& text) {
-    if (!rest_.empty()) put_group(rest_, text);
-    rest_.clear();
+    if (!remaining_.empty()) append_group(remaining_, text);
+    remaining_.clear();
 }
 
-std::optional<std::string> bytes_of_base64(std::string_view text) {
-    constexpr std::size_t kDigitsOfGroup = 4;
-    if (text.size() % kDigitsOfGroup != 0) return std::nullopt;
+std::optional<std::string> decode_base64(std::string_view text) {
+    constexpr std::size_t kGroupDigits = 4;
+    if (text.size() % kGroupDigits != 0) return std::nullopt;
     std::string bytes;
-    bytes.reserve(text.size() / kDigitsOfGroup * kGroup);
-    for (; !text.empty(); text.remove_prefix(kDigitsOfGroup)) {
-        const std::string_view group = text.substr(0, kDigitsOfGroup);
-        if (group.find('=') != std::string_view::npos && text.size() > kDigitsOfGroup) return std::nullopt;
-        if (!take_group(group, bytes)) return std::nullopt;
+    bytes.reserve(text.size() / kGroupDigits * kGroup);
+    for (; !text.empty(); text.remove_prefix(kGroupDigits)) {
+        const std::string_view group = text.substr(0, kGroupDigits);
+        if (group.find('=') != std::string_view::npos && text.size() > kGroupDigits) return std::nullopt;
+        if (!decode_group(group, bytes)) return std::nullopt;
     }
     return bytes;
 }

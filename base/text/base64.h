@@ -15,10 +15,10 @@ class Base64 {
     void end(std::string& text);
 
   private:
-    std::string rest_;
+    std::string remaining_;
 };
 
 /// Returns the bytes of base64 with its padding, or nothing if the text is not base64.
-std::optional<std::string> bytes_of_base64(std::string_view text);
+std::optional<std::string> decode_base64(std::string_view text);
 
 }  // namespace gsim::text

@@ -11,7 +11,7 @@ namespace gsim::text {
 namespace {
 
 /// Returns an integer at the end of `text` after a colon, and removes both from `text`.
-std::optional<std::uint32_t> take_last_number(std::string_view& text) {
+std::optional<std::uint32_t> consume_last_number(std::string_view& text) {
     const std::size_t colon = text.rfind(':');
     if (colon == std::string_view::npos || colon + 1 == text.size()) return std::nullopt;
     std::uint32_t value = 0;
@@ -23,10 +23,10 @@ std::optional<std::uint32_t> take_last_number(std::string_view& text) {
 
 /// Reads "name:12:7" or "name:12" into the diagnostic. Returns false if the text is not such a source
 /// location.
-bool take_place(std::string_view head, Diagnostic& diagnostic) {
-    const std::optional<std::uint32_t> last = take_last_number(head);
+bool consume_location(std::string_view head, Diagnostic& diagnostic) {
+    const std::optional<std::uint32_t> last = consume_last_number(head);
     if (!last) return false;
-    const std::optional<std::uint32_t> line = take_last_number(head);
+    const std::optional<std::uint32_t> line = consume_last_number(head);
     if (head.empty()) return false;
     diagnostic.file = head;
     diagnostic.line = line.value_or(*last);
@@ -34,23 +34,23 @@ bool take_place(std::string_view head, Diagnostic& diagnostic) {
     return true;
 }
 
-bool take_severity(std::string_view& rest, Diagnostic& diagnostic) {
+bool consume_severity(std::string_view& remainder, Diagnostic& diagnostic) {
     for (const Severity severity : {Severity::error, Severity::warning, Severity::note}) {
         const std::string_view word = name(severity);
-        if (!rest.starts_with(word) || !rest.substr(word.size()).starts_with(": ")) continue;
+        if (!remainder.starts_with(word) || !remainder.substr(word.size()).starts_with(": ")) continue;
         diagnostic.severity = severity;
-        rest.remove_prefix(word.size() + 2);
+        remainder.remove_prefix(word.size() + 2);
         return true;
     }
     return false;
 }
 
 /// Returns the file of "cannot read 'name': why"; empty if the message is another one.
-std::string_view unreadable_file(std::string_view sentence) {
-    constexpr std::string_view kHead = "cannot read '";
-    const std::size_t end = sentence.find("': ");
-    if (!sentence.starts_with(kHead) || end == std::string_view::npos) return {};
-    return sentence.substr(kHead.size(), end - kHead.size());
+std::string_view unreadable_file(std::string_view message) {
+    constexpr std::string_view kReadErrorPrefix = "cannot read '";
+    const std::size_t end = message.find("': ");
+    if (!message.starts_with(kReadErrorPrefix) || end == std::string_view::npos) return {};
+    return message.substr(kReadErrorPrefix.size(), end - kReadErrorPrefix.size());
 }
 
 }  // namespace
@@ -65,35 +65,35 @@ std::string_view name(Severity severity) {
     return "";
 }
 
-std::string place_of(const Diagnostic& diagnostic) {
-    std::string place = diagnostic.file;
-    if (place.empty()) return place;
-    if (diagnostic.line > 0) place += fmt::format(":{}", diagnostic.line);
-    if (diagnostic.line > 0 && diagnostic.column > 0) place += fmt::format(":{}", diagnostic.column);
-    return place;
+std::string location_text(const Diagnostic& diagnostic) {
+    std::string location = diagnostic.file;
+    if (location.empty()) return location;
+    if (diagnostic.line > 0) location += fmt::format(":{}", diagnostic.line);
+    if (diagnostic.line > 0 && diagnostic.column > 0) location += fmt::format(":{}", diagnostic.column);
+    return location;
 }
 
 std::string to_text(const Diagnostic& diagnostic) {
-    const std::string place = place_of(diagnostic);
-    return fmt::format("{}{}{}: {}{}{}\n{}", place, place.empty() ? "" : ": ", name(diagnostic.severity),
-                       diagnostic.text, diagnostic.hint.empty() ? "" : "; ", diagnostic.hint,
-                       diagnostic.excerpt);
+    const std::string location = location_text(diagnostic);
+    return fmt::format("{}{}{}: {}{}{}\n{}", location, location.empty() ? "" : ": ",
+                       name(diagnostic.severity), diagnostic.text, diagnostic.hint.empty() ? "" : "; ",
+                       diagnostic.hint, diagnostic.excerpt);
 }
 
-Diagnostic diagnostic_of(DiagnosticKind kind, std::string_view sentence) {
+Diagnostic to_diagnostic(DiagnosticKind kind, std::string_view message) {
     Diagnostic diagnostic;
     diagnostic.kind = kind;
     // A name may contain ": ", so each occurrence is tried; the first one that ends a source location is
     // used.
-    for (std::size_t end = sentence.find(": "); end != std::string_view::npos;
-         end = sentence.find(": ", end + 1)) {
-        if (!take_place(sentence.substr(0, end), diagnostic)) continue;
-        sentence.remove_prefix(end + 2);
+    for (std::size_t end = message.find(": "); end != std::string_view::npos;
+         end = message.find(": ", end + 1)) {
+        if (!consume_location(message.substr(0, end), diagnostic)) continue;
+        message.remove_prefix(end + 2);
         break;
     }
-    take_severity(sentence, diagnostic);
-    diagnostic.text = sentence;
-    if (diagnostic.file.empty()) diagnostic.file = unreadable_file(sentence);
+    consume_severity(message, diagnostic);
+    diagnostic.text = message;
+    if (diagnostic.file.empty()) diagnostic.file = unreadable_file(message);
     return diagnostic;
 }
 

@@ -30,13 +30,13 @@ struct Diagnostic {
 };
 
 /// Returns "part.nc:12:7", with as much of it as is known; empty without a file.
-std::string place_of(const Diagnostic& diagnostic);
+std::string location_text(const Diagnostic& diagnostic);
 
 /// Returns "part.nc:12:7: error: text; hint" and the excerpt, in complete lines.
 std::string to_text(const Diagnostic& diagnostic);
 
 /// Reads an error of our file readers, "name.toml:12:7: error: text", into a diagnostic of this kind. Source
 /// location and severity may be missing.
-Diagnostic diagnostic_of(DiagnosticKind kind, std::string_view sentence);
+Diagnostic to_diagnostic(DiagnosticKind kind, std::string_view message);
 
 }  // namespace gsim::text

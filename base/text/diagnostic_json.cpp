@@ -24,7 +24,7 @@ Json to_json(std::span<const Diagnostic> diagnostics) {
                         {"column", number_or_null(each.column)},
                         {"end_column", number_or_null(each.end_column)},
                         {"severity", name(each.severity)},
-                        {"code", code_of(each.kind)},
+                        {"code", diagnostic_code(each.kind)},
                         {"text", each.text},
                         {"hint", text_or_null(each.hint)}});
     }

@@ -104,7 +104,7 @@ std::span<const DiagnosticKindEntry> diagnostic_kinds() {
     return kKinds;
 }
 
-std::string_view code_of(DiagnosticKind kind) {
+std::string_view diagnostic_code(DiagnosticKind kind) {
     return kKinds.at(static_cast<std::size_t>(kind)).code;
 }
 

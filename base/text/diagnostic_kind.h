@@ -90,7 +90,7 @@ struct DiagnosticKindEntry {
 std::span<const DiagnosticKindEntry> diagnostic_kinds();
 
 /// Returns the code, such as "axis-limit".
-std::string_view code_of(DiagnosticKind kind);
+std::string_view diagnostic_code(DiagnosticKind kind);
 
 /// Returns the kind with this code, or nothing if no kind has it.
 std::optional<DiagnosticKind> diagnostic_kind(std::string_view code);

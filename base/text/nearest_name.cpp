@@ -11,17 +11,17 @@ namespace gsim::text {
 
 namespace {
 
-constexpr std::size_t kLongestWord = 64;  // no known name is that long
+constexpr std::size_t kMaxWordLength = 64;  // no known name is that long
 
 }  // namespace
 
 std::optional<std::string_view> nearest_name(std::string_view word, std::span<const std::string_view> known) {
-    if (word.size() > kLongestWord) return std::nullopt;
+    if (word.size() > kMaxWordLength) return std::nullopt;
     std::optional<std::string_view> best;
     std::size_t best_distance = 0;
-    const std::string meant = lower(word);
+    const std::string lower_word = lower(word);
     for (const std::string_view name : known) {
-        const std::size_t distance = edit_distance(meant, lower(name));
+        const std::size_t distance = edit_distance(lower_word, lower(name));
         const bool near = 2 * distance <= std::max(word.size(), name.size());
         if (!near || (best && distance >= best_distance)) continue;
         best = name;

@@ -20,17 +20,17 @@ bool has_value(const char* begin, const char* end) {
 
 std::from_chars_result read_number(const char* begin, const char* end, double& value) {
     double read = 0;
-    const auto [behind, error] = fast_float::from_chars(begin, end, read);
-    if (error != std::errc()) return {behind, error};
+    const auto [parsed_end, error] = fast_float::from_chars(begin, end, read);
+    if (error != std::errc()) return {parsed_end, error};
     // fast_float before version 4 returns too large numbers as infinite and too small ones as 0, without an
     // error.
-    if ((read == 0 || !std::isfinite(read)) && has_value(begin, behind))
-        return {behind, std::errc::result_out_of_range};
+    if ((read == 0 || !std::isfinite(read)) && has_value(begin, parsed_end))
+        return {parsed_end, std::errc::result_out_of_range};
     value = read;
-    return {behind, std::errc()};
+    return {parsed_end, std::errc()};
 }
 
-std::optional<double> number_of(std::string_view text) {
+std::optional<double> parse_number(std::string_view text) {
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     double value = 0;
     const auto [end, error] = read_number(text.data(), text.data() + text.size(), value);

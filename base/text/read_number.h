@@ -13,6 +13,6 @@ std::from_chars_result read_number(const char* begin, const char* end, double& v
 
 /// Returns the finite number that the complete text is, with or without a sign in front, or nothing if it is
 /// not one.
-std::optional<double> number_of(std::string_view text);
+std::optional<double> parse_number(std::string_view text);
 
 }  // namespace gsim::text

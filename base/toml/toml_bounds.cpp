@@ -9,7 +9,7 @@ namespace gsim::base {
 
 namespace {
 
-constexpr std::size_t kMostBytesInMiB = kMaxTomlBytes >> 20U;
+constexpr std::size_t kMaxTomlMiB = kMaxTomlBytes >> 20U;
 
 /// Scanner of a TOML text up to the first position that is nested too deeply. If the text is not TOML, it may
 /// misread what follows; the parser stops there.
@@ -17,10 +17,10 @@ class TomlScan {
   public:
     explicit TomlScan(std::string_view text) : text_(text) {}
 
-    std::optional<TomlExcess> find() {
+    std::optional<TomlBoundsError> find() {
         while (at_ < text_.size()) {
             const std::size_t begin = at_;
-            if (const auto sentence = step(); !sentence.empty()) return excess(begin, sentence);
+            if (const auto message = step(); !message.empty()) return excess(begin, message);
         }
         return std::nullopt;
     }
@@ -59,27 +59,29 @@ class TomlScan {
     }
 
     void skip_string(char quote) {
-        const std::string fence(3, quote);
-        const bool many_lines = text_.substr(at_).starts_with(fence);
-        at_ += many_lines ? fence.size() : 1;
+        const std::string delimiter(3, quote);
+        const bool is_multiline = text_.substr(at_).starts_with(delimiter);
+        at_ += is_multiline ? delimiter.size() : 1;
         while (at_ < text_.size()) {
-            if (many_lines ? text_.substr(at_).starts_with(fence) : text_[at_] == quote) break;
-            if (!many_lines && text_[at_] == '\n') return;  // no string: the parser stops here
+            if (is_multiline ? text_.substr(at_).starts_with(delimiter) : text_[at_] == quote) break;
+            if (!is_multiline && text_[at_] == '\n') return;  // no string: the parser stops here
             at_ += quote == '"' && text_[at_] == '\\' ? 2 : 1;
         }
-        at_ += many_lines ? fence.size() : 1;
+        at_ += is_multiline ? delimiter.size() : 1;
         // Up to two quotes before the closing delimiter belong to the string.
-        for (int more = 0; many_lines && more < 2 && at_ < text_.size() && text_[at_] == quote; ++more) ++at_;
+        for (int more = 0; is_multiline && more < 2 && at_ < text_.size() && text_[at_] == quote; ++more)
+            ++at_;
     }
 
-    TomlExcess excess(std::size_t at, std::string sentence) const {
+    TomlBoundsError excess(std::size_t at, std::string message) const {
         const std::string_view before = text_.substr(0, at);
         const std::size_t line_begin = before.rfind('\n') + 1;  // 0 in the first line
-        const std::string_view head = before.substr(line_begin);
+        const std::string_view line_start = before.substr(line_begin);
         const auto starts_character = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; };
         return {1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')),
-                1 + static_cast<std::size_t>(std::count_if(head.begin(), head.end(), starts_character)),
-                std::move(sentence)};
+                1 + static_cast<std::size_t>(
+                        std::count_if(line_start.begin(), line_start.end(), starts_character)),
+                std::move(message)};
     }
 
     std::string_view text_;
@@ -90,9 +92,9 @@ class TomlScan {
 
 }  // namespace
 
-std::optional<TomlExcess> find_toml_excess(std::string_view toml_text) {
+std::optional<TomlBoundsError> find_toml_bounds_error(std::string_view toml_text) {
     if (toml_text.size() > kMaxTomlBytes)
-        return TomlExcess{.sentence = fmt::format("files of up to {} MiB are read", kMostBytesInMiB)};
+        return TomlBoundsError{.message = fmt::format("files of up to {} MiB are read", kMaxTomlMiB)};
     return TomlScan(toml_text).find();
 }
 

@@ -15,14 +15,14 @@ inline constexpr std::size_t kMaxTomlBrackets = 32;
 inline constexpr std::size_t kMaxTomlKeyParts = 32;
 
 /// Position at which a TOML text exceeds these bounds.
-struct TomlExcess {
+struct TomlBoundsError {
     std::size_t line = 1;
     std::size_t column = 1;  ///< In characters.
-    std::string sentence;
+    std::string message;
 };
 
 /// Returns the first such position, found in one pass without a stack. toml++ parses and destroys tables by
 /// recursion, so that a deep text would exhaust its stack.
-std::optional<TomlExcess> find_toml_excess(std::string_view toml_text);
+std::optional<TomlBoundsError> find_toml_bounds_error(std::string_view toml_text);
 
 }  // namespace gsim::base

@@ -13,7 +13,7 @@
 #include "base/toml/toml_bounds.h"
 #include "base/toml/toml_path.h"
 #include "base/toml/toml_section.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 
 namespace gsim::base {
 
@@ -34,16 +34,16 @@ json number_json(double value) {
     return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
 }
 
-json json_of(const toml::node& node) {
+json as_json(const toml::node& node) {
     switch (node.type()) {
         case toml::node_type::table: {
             json object = json::object();
-            for (const auto& [key, value] : *node.as_table()) object[std::string(key.str())] = json_of(value);
+            for (const auto& [key, value] : *node.as_table()) object[std::string(key.str())] = as_json(value);
             return object;
         }
         case toml::node_type::array: {
             json list = json::array();
-            for (const toml::node& element : *node.as_array()) list.push_back(json_of(element));
+            for (const toml::node& element : *node.as_array()) list.push_back(as_json(element));
             return list;
         }
         case toml::node_type::string: return node.as_string()->get();
@@ -57,13 +57,13 @@ json json_of(const toml::node& node) {
     }
 }
 
-std::optional<std::string> fault_within(const ordered_json& value, std::size_t depth) {
+std::optional<std::string> find_nested_error(const ordered_json& value, std::size_t depth) {
     if (value.is_structured()) {
         if (depth == kMaxTomlBrackets)
             return fmt::format("lists and objects are nested deeper than {}", kMaxTomlBrackets);
         for (const auto& [key, inner] : value.items()) {
             if (value.is_object() && !text::is_utf8(key)) return "a key is no UTF-8";
-            if (auto fault = fault_within(inner, depth + 1)) return fault;
+            if (auto error = find_nested_error(inner, depth + 1)) return error;
         }
         return std::nullopt;
     }
@@ -75,8 +75,8 @@ std::optional<std::string> fault_within(const ordered_json& value, std::size_t d
 }
 
 std::string number_text(const ordered_json& value, TomlNumbers numbers) {
-    constexpr auto kGreatest = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
-    const bool too_large = value.is_number_unsigned() && value.get<std::uint64_t>() > kGreatest;
+    constexpr auto kMaxInteger = static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
+    const bool too_large = value.is_number_unsigned() && value.get<std::uint64_t>() > kMaxInteger;
     if (numbers == TomlNumbers::floats || value.is_number_float() || too_large)
         return toml_number(value.get<double>());
     return value.dump();
@@ -101,7 +101,7 @@ tl::expected<json, std::string> toml_json(std::string_view toml_text, std::strin
     FirstError error(file_name);
     const toml::table root = parse_toml(error, toml_text);
     if (error.text()) return tl::unexpected(*error.text());
-    return json_of(root);
+    return as_json(root);
 }
 
 std::string toml_value(const ordered_json& value, TomlNumbers numbers) {
@@ -121,21 +121,23 @@ std::string toml_value(const ordered_json& value, TomlNumbers numbers) {
     return value.dump();  // true, false, {}
 }
 
-std::optional<std::string> find_value_fault(const ordered_json& value) {
-    return fault_within(value, 0);
+std::optional<std::string> find_value_error(const ordered_json& value) {
+    return find_nested_error(value, 0);
 }
 
-TomlSpelling spelling_of(std::string_view plain) {
+TomlNumberFormat number_format(std::string_view plain) {
     const std::string_view digits = plain.substr(plain.starts_with('+') || plain.starts_with('-') ? 1 : 0);
-    if (digits == "inf" || digits == "nan") return TomlSpelling::with_point;
+    if (digits == "inf" || digits == "nan") return TomlNumberFormat::decimal;
     const bool date = digits.find(':') != std::string_view::npos || digits.find('-', 4) == 4;
-    if (digits.empty() || digits.front() < '0' || digits.front() > '9' || date) return TomlSpelling::other;
-    const bool prefixed = digits.starts_with("0x") || digits.starts_with("0o") || digits.starts_with("0b");
-    const bool whole = prefixed || digits.find_first_of(".eE") == std::string_view::npos;
-    return whole ? TomlSpelling::whole : TomlSpelling::with_point;
+    if (digits.empty() || digits.front() < '0' || digits.front() > '9' || date)
+        return TomlNumberFormat::other;
+    const bool has_radix_prefix =
+        digits.starts_with("0x") || digits.starts_with("0o") || digits.starts_with("0b");
+    const bool integer_spelling = has_radix_prefix || digits.find_first_of(".eE") == std::string_view::npos;
+    return integer_spelling ? TomlNumberFormat::integer_spelling : TomlNumberFormat::decimal;
 }
 
-bool names_number(std::string_view text) {
+bool is_nonfinite_name(std::string_view text) {
     return text == "inf" || text == "+inf" || text == "-inf" || text == "nan";
 }
 

@@ -15,19 +15,19 @@ namespace gsim::base {
 tl::expected<nlohmann::json, std::string> toml_json(std::string_view toml_text, std::string_view file_name);
 
 /// Format in which numbers are written.
-enum class TomlNumbers { floats, as_they_are };  ///< 254 as "254.0"; or as "254".
+enum class TomlNumbers { floats, as_given };  ///< 254 as "254.0"; or as "254".
 
 /// Returns a value in TOML syntax, on one line.
 std::string toml_value(const nlohmann::ordered_json& value, TomlNumbers numbers);
 
 /// Returns a message that says why TOML has no such value, or nothing if it has.
-std::optional<std::string> find_value_fault(const nlohmann::ordered_json& value);
+std::optional<std::string> find_value_error(const nlohmann::ordered_json& value);
 
 /// Format of a plain value in a file.
-enum class TomlSpelling { whole, with_point, other };
-TomlSpelling spelling_of(std::string_view plain);
+enum class TomlNumberFormat { integer_spelling, decimal, other };
+TomlNumberFormat number_format(std::string_view plain);
 
 /// True if a text is the name of a number that is not finite: "inf".
-bool names_number(std::string_view text);
+bool is_nonfinite_name(std::string_view text);
 
 }  // namespace gsim::base

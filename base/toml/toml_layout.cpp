@@ -20,7 +20,7 @@ class LayoutReader {
     std::optional<TomlLayout> read() {
         constexpr std::string_view kMark = "\xEF\xBB\xBF";
         if (text_.starts_with(kMark)) layout_.begin = kMark.size();
-        scanner_.go_to(layout_.begin);
+        scanner_.seek(layout_.begin);
         while (!scanner_.at_end()) {
             const std::size_t line = scanner_.at();
             scanner_.skip_blanks();
@@ -42,40 +42,40 @@ class LayoutReader {
     // Ends a block of comments at a blank line, or at the end: these comments do not belong to the next
     // statement.
     void end_comments(std::size_t at) {
-        if (comments_ && touches_) layout_.statements.back().below = at;
+        if (comments_ && adjacent_) layout_.statements.back().below = at;
         comments_.reset();
-        touches_ = false;
+        adjacent_ = false;
     }
 
     bool read_statement(std::size_t line) {
         TomlStatement statement;
         statement.begin = line;
         statement.above = comments_.value_or(line);
-        if (scanner_.peek() == '[' ? !read_head(statement) : !read_pair(statement)) return false;
+        if (scanner_.peek() == '[' ? !read_header(statement) : !read_pair(statement)) return false;
         scanner_.skip_blanks();
         if (!scanner_.at_end() && !scanner_.at_line_end() && scanner_.peek() != '#') return false;
         scanner_.skip_line();
         statement.end = statement.below = scanner_.at();
         layout_.statements.push_back(std::move(statement));
-        if (!layout_.statements.back().is_pair()) head_ = layout_.statements.size() - 1;
+        if (!layout_.statements.back().is_pair()) header_ = layout_.statements.size() - 1;
         comments_.reset();
-        touches_ = true;
+        adjacent_ = true;
         return true;
     }
 
-    bool read_head(TomlStatement& statement) {
+    bool read_header(TomlStatement& statement) {
         scanner_.skip(1);
-        statement.kind = scanner_.take('[') ? Kind::entry : Kind::table;
+        statement.kind = scanner_.consume('[') ? Kind::entry : Kind::table;
         const auto key = scanner_.read_key();
-        if (!key || !scanner_.take(']') || (statement.kind == Kind::entry && !scanner_.take(']')))
+        if (!key || !scanner_.consume(']') || (statement.kind == Kind::entry && !scanner_.consume(']')))
             return false;
-        statement.head = layout_.statements.size();
-        statement.address = address_of(*key, statement.kind);
+        statement.header = layout_.statements.size();
+        statement.address = entry_address(*key, statement.kind);
         return true;
     }
 
     // Names of tables refer to the newest entry of an array of tables.
-    TomlPath address_of(const TomlPath& key, Kind kind) {
+    TomlPath entry_address(const TomlPath& key, Kind kind) {
         TomlPath address;
         for (std::size_t i = 0; i < key.size(); ++i) {
             address.push_back(key[i]);
@@ -90,8 +90,8 @@ class LayoutReader {
     bool read_pair(TomlStatement& statement) {
         auto item = scanner_.read_pair();
         if (!item) return false;
-        statement.head = head_;
-        if (head_ != TomlLayout::kNoHead) statement.address = layout_.statements[head_].address;
+        statement.header = header_;
+        if (header_ != TomlLayout::kNoHeader) statement.address = layout_.statements[header_].address;
         statement.address.insert(statement.address.end(), item->key.begin(), item->key.end());
         statement.item = *std::move(item);
         return true;
@@ -101,16 +101,16 @@ class LayoutReader {
     TomlScanner scanner_;
     TomlLayout layout_;
     std::map<TomlPath, std::size_t> entries_;  ///< Number of entries of each array of tables so far.
-    std::size_t head_ = TomlLayout::kNoHead;
+    std::size_t header_ = TomlLayout::kNoHeader;
     std::optional<std::size_t>
-        comments_;          ///< Start of the comments that reach down to here without a blank line.
-    bool touches_ = false;  ///< No blank line is between them and the statement above.
+        comments_;           ///< Start of the comments that reach down to here without a blank line.
+    bool adjacent_ = false;  ///< No blank line is between them and the statement above.
 };
 
 }  // namespace
 
-std::optional<TomlLayout> lay_out(std::string_view toml_text) {
-    if (find_toml_excess(toml_text)) return std::nullopt;
+std::optional<TomlLayout> parse_layout(std::string_view toml_text) {
+    if (find_toml_bounds_error(toml_text)) return std::nullopt;
     return LayoutReader(toml_text).read();
 }
 
@@ -118,17 +118,17 @@ bool is_blank(std::string_view text) {
     return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
-const TomlSpot* find_within(const TomlSpot& spot, const TomlPath& steps) {
-    if (steps.empty()) return &spot;
-    if (spot.kind == TomlSpot::Kind::array) {
+const TomlValueSpan* find_nested_value(const TomlValueSpan& value_span, const TomlPath& steps) {
+    if (steps.empty()) return &value_span;
+    if (value_span.kind == TomlValueSpan::Kind::array) {
         const auto* index = std::get_if<std::size_t>(&steps.front());
-        if (index == nullptr || *index >= spot.items.size()) return nullptr;
-        return find_within(spot.items[*index].value, TomlPath(steps.begin() + 1, steps.end()));
+        if (index == nullptr || *index >= value_span.items.size()) return nullptr;
+        return find_nested_value(value_span.items[*index].value, TomlPath(steps.begin() + 1, steps.end()));
     }
-    for (const TomlItem& item : spot.items) {
-        if (!leads_through(steps, item.key)) continue;
+    for (const TomlItem& item : value_span.items) {
+        if (!has_prefix(steps, item.key)) continue;
         const auto on = steps.begin() + static_cast<std::ptrdiff_t>(item.key.size());
-        return find_within(item.value, TomlPath(on, steps.end()));
+        return find_nested_value(item.value, TomlPath(on, steps.end()));
     }
     return nullptr;
 }

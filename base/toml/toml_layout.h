@@ -12,7 +12,7 @@
 namespace gsim::base {
 
 /// Bytes of a text, from `begin` up to `end`.
-struct TomlBytes {
+struct TomlRange {
     std::size_t begin = 0;
     std::size_t end = 0;
 };
@@ -20,11 +20,11 @@ struct TomlBytes {
 struct TomlItem;
 
 /// A value as it is written.
-struct TomlSpot {
+struct TomlValueSpan {
     enum class Kind : std::uint8_t { plain, array, table };
 
     Kind kind = Kind::plain;
-    TomlBytes bytes;
+    TomlRange bytes;
     std::vector<TomlItem> items;  ///< Items of an array or inline table.
 };
 
@@ -33,7 +33,7 @@ struct TomlItem {
     TomlPath key;  ///< Parts of the key; empty for an element.
     std::size_t begin = 0;
     std::size_t key_end = 0;
-    TomlSpot value;
+    TomlValueSpan value;
     std::size_t end = 0;  ///< End after its comma, if it has one.
 };
 
@@ -43,7 +43,7 @@ struct TomlStatement {
 
     Kind kind = Kind::pair;
     TomlPath address;                ///< Path of the table or the value.
-    std::size_t head = 0;            ///< Statement of a pair's table header, or kNoHead.
+    std::size_t header = 0;          ///< Statement of a pair's table header, or kNoHeader.
     TomlItem item = {};              ///< Item of a pair.
     std::size_t above = 0;           ///< Start of the comments directly above it.
     std::size_t begin = 0, end = 0;  ///< Its complete lines.
@@ -54,19 +54,19 @@ struct TomlStatement {
 
 /// Positions of everything in a document.
 struct TomlLayout {
-    static constexpr std::size_t kNoHead = static_cast<std::size_t>(-1);
+    static constexpr std::size_t kNoHeader = static_cast<std::size_t>(-1);
 
     std::size_t begin = 0;  ///< After the UTF-8 byte order mark, if present.
     std::vector<TomlStatement> statements;
 };
 
 /// Returns the layout of a text that toml++ has read, or nothing if it seems not to be TOML.
-std::optional<TomlLayout> lay_out(std::string_view toml_text);
+std::optional<TomlLayout> parse_layout(std::string_view toml_text);
 
 /// True if a text consists only of blanks and ends of lines.
 bool is_blank(std::string_view text);
 
 /// Returns the value to which `steps` leads from `spot`; null if it does not exist.
-const TomlSpot* find_within(const TomlSpot& spot, const TomlPath& steps);
+const TomlValueSpan* find_nested_value(const TomlValueSpan& value_span, const TomlPath& steps);
 
 }  // namespace gsim::base

@@ -12,6 +12,6 @@ namespace gsim::base {
 /// match first, as many as possible in their order. Elements between them match if as many were removed as
 /// were added. Otherwise a plain value is a new one.
 std::vector<std::optional<std::size_t>> match_elements(const nlohmann::json& old,
-                                                       const nlohmann::json& wanted);
+                                                       const nlohmann::json& requested);
 
 }  // namespace gsim::base

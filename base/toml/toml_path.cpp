@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 
 namespace gsim::base {
 
@@ -17,7 +17,7 @@ bool is_bare(char c) {
 
 }  // namespace
 
-std::string shown(const TomlPath& path) {
+std::string display_text(const TomlPath& path) {
     std::string text;
     for (const TomlStep& step : path) {
         if (const auto* index = std::get_if<std::size_t>(&step)) {
@@ -30,7 +30,7 @@ std::string shown(const TomlPath& path) {
     return text;
 }
 
-bool leads_through(const TomlPath& path, const TomlPath& to) {
+bool has_prefix(const TomlPath& path, const TomlPath& to) {
     return path.size() >= to.size() && std::equal(to.begin(), to.end(), path.begin());
 }
 

@@ -14,10 +14,10 @@ using TomlStep = std::variant<std::string, std::size_t>;
 using TomlPath = std::vector<TomlStep>;
 
 /// Returns the path for messages: "axis[0].max_mm".
-std::string shown(const TomlPath& path);
+std::string display_text(const TomlPath& path);
 
 /// True if `path` leads to `to` or further.
-bool leads_through(const TomlPath& path, const TomlPath& to);
+bool has_prefix(const TomlPath& path, const TomlPath& to);
 
 /// Returns the path with one more step.
 TomlPath below(TomlPath path, TomlStep step);

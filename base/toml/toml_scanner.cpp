@@ -12,9 +12,9 @@ namespace gsim::base {
 
 namespace {
 
-constexpr std::string_view kBlanks = " \t";
-constexpr std::string_view kEndOfPlain = ",]}#\r\n";
-constexpr std::string_view kEndOfBareKey = " \t.=]\r\n#\"'";
+constexpr std::string_view kWhitespace = " \t";
+constexpr std::string_view kPlainEnd = ",]}#\r\n";
+constexpr std::string_view kBareKeyEnd = " \t.=]\r\n#\"'";
 
 /// Meaning of a letter after a backslash, except for the codes.
 struct Escape {
@@ -52,14 +52,14 @@ std::optional<std::string> unescaped(std::string_view quoted) {
 
 }  // namespace
 
-bool TomlScanner::take(char c) {
+bool TomlScanner::consume(char c) {
     if (peek() != c) return false;
     ++at_;
     return true;
 }
 
 void TomlScanner::skip_blanks() {
-    at_ = std::min(text_.find_first_not_of(kBlanks, at_), text_.size());
+    at_ = std::min(text_.find_first_not_of(kWhitespace, at_), text_.size());
 }
 
 void TomlScanner::skip_line() {
@@ -87,7 +87,7 @@ std::optional<std::string> TomlScanner::read_key_part() {
         return literal ? std::string(quoted) : unescaped(quoted);
     }
     const std::size_t begin = at_;
-    at_ = std::min(text_.find_first_of(kEndOfBareKey, at_), text_.size());
+    at_ = std::min(text_.find_first_of(kBareKeyEnd, at_), text_.size());
     if (at_ == begin) return std::nullopt;
     return std::string(text_.substr(begin, at_ - begin));
 }
@@ -100,7 +100,7 @@ std::optional<TomlPath> TomlScanner::read_key() {
         if (!part) return std::nullopt;
         key.emplace_back(*std::move(part));
         skip_blanks();
-    } while (take('.'));
+    } while (consume('.'));
     return key;
 }
 
@@ -110,8 +110,8 @@ std::optional<TomlItem> TomlScanner::read_pair() {
     auto key = read_key();
     if (!key) return std::nullopt;
     item.key = *std::move(key);
-    item.key_end = text_.find_last_not_of(kBlanks, at_ - 1) + 1;
-    if (!take('=')) return std::nullopt;
+    item.key_end = text_.find_last_not_of(kWhitespace, at_ - 1) + 1;
+    if (!consume('=')) return std::nullopt;
     skip_blanks();
     auto value = read_value();
     if (!value) return std::nullopt;
@@ -122,66 +122,66 @@ std::optional<TomlItem> TomlScanner::read_pair() {
 
 bool TomlScanner::skip_string() {
     const char quote = peek();
-    const std::string fence(3, quote);
-    const bool many_lines = text_.substr(at_).starts_with(fence);
-    skip(many_lines ? fence.size() : 1);
+    const std::string delimiter(3, quote);
+    const bool is_multiline = text_.substr(at_).starts_with(delimiter);
+    skip(is_multiline ? delimiter.size() : 1);
     while (!at_end()) {
-        if (many_lines ? text_.substr(at_).starts_with(fence) : peek() == quote) break;
-        if (!many_lines && peek() == '\n') return false;
+        if (is_multiline ? text_.substr(at_).starts_with(delimiter) : peek() == quote) break;
+        if (!is_multiline && peek() == '\n') return false;
         skip(quote == '"' && peek() == '\\' ? 2 : 1);
     }
     if (at_end()) return false;
-    skip(many_lines ? fence.size() : 1);
+    skip(is_multiline ? delimiter.size() : 1);
     // Up to two quotation marks before the closing delimiter belong to the string.
-    for (int more = 0; many_lines && more < 2 && peek() == quote; ++more) skip(1);
+    for (int more = 0; is_multiline && more < 2 && peek() == quote; ++more) skip(1);
     return true;
 }
 
-std::optional<TomlSpot> TomlScanner::read_value() {
-    TomlSpot spot;
-    spot.bytes.begin = at_;
-    bool whole = true;
+std::optional<TomlValueSpan> TomlScanner::read_value() {
+    TomlValueSpan value_span;
+    value_span.bytes.begin = at_;
+    bool is_complete = true;
     switch (peek()) {
         case '"':
-        case '\'': whole = skip_string(); break;
+        case '\'': is_complete = skip_string(); break;
         case '[':
-            spot.kind = TomlSpot::Kind::array;
-            whole = read_items(spot, ']');
+            value_span.kind = TomlValueSpan::Kind::array;
+            is_complete = read_items(value_span, ']');
             break;
         case '{':
-            spot.kind = TomlSpot::Kind::table;
-            whole = read_items(spot, '}');
+            value_span.kind = TomlValueSpan::Kind::table;
+            is_complete = read_items(value_span, '}');
             break;
         default:
-            at_ = std::min(text_.find_first_of(kEndOfPlain, at_), text_.size());
-            at_ = std::max(spot.bytes.begin, text_.find_last_not_of(kBlanks, at_ - 1) + 1);
-            whole = at_ > spot.bytes.begin;
+            at_ = std::min(text_.find_first_of(kPlainEnd, at_), text_.size());
+            at_ = std::max(value_span.bytes.begin, text_.find_last_not_of(kWhitespace, at_ - 1) + 1);
+            is_complete = at_ > value_span.bytes.begin;
     }
-    if (!whole) return std::nullopt;
-    spot.bytes.end = at_;
-    return spot;
+    if (!is_complete) return std::nullopt;
+    value_span.bytes.end = at_;
+    return value_span;
 }
 
-bool TomlScanner::read_items(TomlSpot& spot, char close) {
+bool TomlScanner::read_items(TomlValueSpan& value_span, char close) {
     skip(1);
     while (true) {
         skip_blanks_and_lines();
-        if (take(close)) return true;
+        if (consume(close)) return true;
         std::optional<TomlItem> item;
         if (close == '}') {
             item = read_pair();
         } else if (auto value = read_value()) {
-            const TomlBytes bytes = value->bytes;
+            const TomlRange bytes = value->bytes;
             item = TomlItem{{}, bytes.begin, bytes.begin, *std::move(value), bytes.end};
         }
         if (!item) return false;
         skip_blanks_and_lines();
-        if (take(',')) {
+        if (consume(',')) {
             item->end = at_;
         } else if (peek() != close) {
             return false;
         }
-        spot.items.push_back(*std::move(item));
+        value_span.items.push_back(*std::move(item));
     }
 }
 

@@ -16,7 +16,7 @@ class TomlScanner {
     explicit TomlScanner(std::string_view text) : text_(text) {}
 
     std::size_t at() const { return at_; }
-    void go_to(std::size_t at) { at_ = at; }
+    void seek(std::size_t at) { at_ = at; }
     bool at_end() const { return at_ >= text_.size(); }
     bool at_line_end() const {
         return text_.substr(at_).starts_with('\n') || text_.substr(at_).starts_with("\r\n");
@@ -25,7 +25,7 @@ class TomlScanner {
     char peek() const { return at_end() ? '\0' : text_[at_]; }
     void skip(std::size_t bytes) { at_ += bytes; }
     /// Consumes the character, if it is the next one.
-    bool take(char c);
+    bool consume(char c);
     void skip_blanks();
     /// Moves to the beginning of the next line.
     void skip_line();
@@ -34,13 +34,13 @@ class TomlScanner {
     std::optional<TomlPath> read_key();
     /// Reads `a.b = 1`.
     std::optional<TomlItem> read_pair();
-    std::optional<TomlSpot> read_value();
+    std::optional<TomlValueSpan> read_value();
 
   private:
     void skip_blanks_and_lines();
     std::optional<std::string> read_key_part();
     bool skip_string();
-    bool read_items(TomlSpot& spot, char close);
+    bool read_items(TomlValueSpan& value_span, char close);
 
     std::string_view text_;
     std::size_t at_ = 0;

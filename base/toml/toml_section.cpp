@@ -8,9 +8,9 @@ namespace gsim::base {
 
 namespace {
 
-constexpr double kGreatestTomlNumber = 1e9;  // mm or deg; far beyond any machine, far from overflow
-constexpr double kLeastStep = 1e-6;          // a nanometre, a microsecond
-constexpr double kGreatestCount = 1e5;       // blocks; a few hundred bytes each
+constexpr double kMaxTomlNumber = 1e9;  // mm or deg; far beyond any machine, far from overflow
+constexpr double kMinStep = 1e-6;       // a nanometre, a microsecond
+constexpr double kMaxCount = 1e5;       // blocks; a few hundred bytes each
 
 /// Checks and removes the format of a file, which is the same key in all of them.
 void check_format(FirstError& error, toml::table& table) {
@@ -26,10 +26,10 @@ void check_format(FirstError& error, toml::table& table) {
 }  // namespace
 
 toml::table parse_toml(FirstError& error, std::string_view toml_text) {
-    if (const auto excess = find_toml_excess(toml_text)) {
+    if (const auto excess = find_toml_bounds_error(toml_text)) {
         error.report(
             {static_cast<toml::source_index>(excess->line), static_cast<toml::source_index>(excess->column)},
-            excess->sentence);
+            excess->message);
         return {};
     }
     toml::parse_result parsed = toml::parse(toml_text);
@@ -42,11 +42,11 @@ toml::table parse_toml(FirstError& error, std::string_view toml_text) {
     return {};
 }
 
-std::optional<std::string_view> TomlSection::find_fault(double value, NumberRule rule) {
+std::optional<std::string_view> TomlSection::find_error(double value, NumberRule rule) {
     if (std::isnan(value)) return "a number";
     const bool may_be_infinite = rule == NumberRule::any || rule == NumberRule::positive;
     if (std::isinf(value) && !may_be_infinite) return "finite";
-    if (std::isfinite(value) && std::abs(value) > kGreatestTomlNumber) return "between -1e9 and 1e9";
+    if (std::isfinite(value) && std::abs(value) > kMaxTomlNumber) return "between -1e9 and 1e9";
     switch (rule) {
         case NumberRule::finite:
         case NumberRule::any: return std::nullopt;
@@ -57,7 +57,7 @@ std::optional<std::string_view> TomlSection::find_fault(double value, NumberRule
             if (value < 0) return "0 or greater";
             return std::nullopt;
         case NumberRule::step:
-            if (value != 0 && value < kLeastStep) return "0, or 1e-6 or greater";
+            if (value != 0 && value < kMinStep) return "0, or 1e-6 or greater";
             return std::nullopt;
         case NumberRule::share:
             if (value <= 0 || value > 1) return "greater than 0 and at most 1";
@@ -69,7 +69,7 @@ std::optional<std::string_view> TomlSection::find_fault(double value, NumberRule
             if (value <= 0 || value > 100) return "greater than 0 and at most 100";
             return std::nullopt;
         case NumberRule::count:
-            if (value < 1 || value > kGreatestCount || value != std::floor(value))
+            if (value < 1 || value > kMaxCount || value != std::floor(value))
                 return "a whole number between 1 and 100000";
             return std::nullopt;
     }

@@ -26,12 +26,12 @@ class FirstError {
   public:
     explicit FirstError(std::string_view file_name) : file_name_(file_name) {}
 
-    void report(const toml::source_position& where, std::string_view sentence) {
-        std::string place = fmt::format("{}:{}:{}: ", file_name_, std::max<unsigned>(1, where.line),
-                                        std::max<unsigned>(1, where.column));
+    void report(const toml::source_position& where, std::string_view message) {
+        std::string location = fmt::format("{}:{}:{}: ", file_name_, std::max<unsigned>(1, where.line),
+                                           std::max<unsigned>(1, where.column));
         // A second error at a position is a consequence of the first.
-        const auto is_there = [&](const std::string& text) { return text.starts_with(place); };
-        if (!std::any_of(all_.begin(), all_.end(), is_there)) keep(place + in_one_line(sentence));
+        const auto is_known = [&](const std::string& text) { return text.starts_with(location); };
+        if (!std::any_of(all_.begin(), all_.end(), is_known)) keep(location + in_one_line(message));
     }
 
     /// Adds the error of another file, which contains its own source location.
@@ -42,16 +42,16 @@ class FirstError {
     const std::vector<std::string>& all() const { return all_; }
 
   private:
-    static constexpr std::size_t kMostErrors = 100;
+    static constexpr std::size_t kMaxErrors = 100;
 
     void keep(std::string text) {
         if (!first_) first_ = text;
-        if (all_.size() < kMostErrors) all_.push_back(std::move(text));
+        if (all_.size() < kMaxErrors) all_.push_back(std::move(text));
     }
 
     // Text quoted from a file may contain line breaks.
-    static std::string in_one_line(std::string_view sentence) {
-        std::string line(sentence);
+    static std::string in_one_line(std::string_view message) {
+        std::string line(message);
         std::replace_if(
             line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
         return line;
@@ -94,7 +94,7 @@ class TomlSection {
         const toml::node* node = table_.get(key);
         return node ? node->source().begin : table_.source().begin;
     }
-    void fail(std::string_view key, std::string_view sentence) { error_.report(where(key), sentence); }
+    void fail(std::string_view key, std::string_view message) { error_.report(where(key), message); }
     /// Adds the error of a file that this section names.
     void adopt_error(std::string text) { error_.adopt(std::move(text)); }
 
@@ -121,8 +121,8 @@ class TomlSection {
             return fallback;
         }
         const double value = *node->value<double>();
-        if (const auto fault = find_fault(value, rule)) {
-            fail(key, fmt::format("'{}' must be {}; it is {}", key, *fault, value));
+        if (const auto error = find_error(value, rule)) {
+            fail(key, fmt::format("'{}' must be {}; it is {}", key, *error, value));
             return fallback;
         }
         return value;
@@ -186,7 +186,7 @@ class TomlSection {
     }
 
   private:
-    static std::optional<std::string_view> find_fault(double value, NumberRule rule);
+    static std::optional<std::string_view> find_error(double value, NumberRule rule);
 
     void check_known(const toml::key& key, std::span<const std::string_view> known_keys) {
         const std::string_view name = key.str();
@@ -197,8 +197,8 @@ class TomlSection {
         error_.report(key.source().begin, fmt::format("unknown key '{}' in {}; {}", name, title_, hint));
     }
 
-    void fail_type(std::string_view key, std::string_view wanted, const toml::node& node) {
-        fail(key, fmt::format("'{}' must be {}, not {}", key, wanted, type_name(node.type())));
+    void fail_type(std::string_view key, std::string_view expected_type, const toml::node& node) {
+        fail(key, fmt::format("'{}' must be {}, not {}", key, expected_type, type_name(node.type())));
     }
 
     static std::string_view type_name(toml::node_type type) {

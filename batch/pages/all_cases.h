@@ -5,16 +5,16 @@
 #include <utility>
 #include <vector>
 
-#include "batch/pages/night.h"
+#include "batch/pages/nightly_report.h"
 
 namespace gsim::batch {
 
 inline constexpr const char* kFrontPage = "index.html";
 
 /// Returns the part of the table of all cases on a page, counted from 0, and links to the other parts.
-std::string cases_text(const Night& night, std::size_t part);
+std::string cases_text(const NightlyReport& report, std::size_t part);
 
 /// Returns the pages of the further parts, by their names: the front page has the first one.
-std::vector<std::pair<std::string, std::string>> further_pages(const Night& night);
+std::vector<std::pair<std::string, std::string>> additional_pages(const NightlyReport& report);
 
 }  // namespace gsim::batch

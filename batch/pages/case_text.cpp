@@ -16,14 +16,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::size_t kMostFiles = 100;  // of those that a run has read
+constexpr std::size_t kMaxFiles = 100;  // of those that a run has read
 
-std::string time_with_interval(const Case& of, const WholeRun& run) {
+std::string time_with_interval(const Case& of, const RunDetails& run) {
     if (!of.now->has_time())
         return fmt::format("{} s, where it ended before its end", seconds(of.now->time_s));
     std::string text = seconds(of.now->time_s) + " s";
-    if (run.least_s && run.most_s)
-        text += fmt::format(" (95 %: {} to {} s)", seconds(*run.least_s), seconds(*run.most_s));
+    if (run.min_s && run.max_s)
+        text += fmt::format(" (95 %: {} to {} s)", seconds(*run.min_s), seconds(*run.max_s));
     return text;
 }
 
@@ -33,24 +33,24 @@ std::string extents_text(const std::string& extents) {
     for (const auto& [axis, range] : read.items()) {
         if (!range.is_array() || range.size() != 2 || !range[0].is_number() || !range[1].is_number())
             continue;
-        text += fmt::format("{}{} {:.3f} to {:.3f}", text.empty() ? "" : ", ", shown(axis),
+        text += fmt::format("{}{} {:.3f} to {:.3f}", text.empty() ? "" : ", ", escape_html(axis),
                             range[0].get<double>(), range[1].get<double>());
     }
     return text.empty() ? text : text + " (mm, degrees)";
 }
 
-std::string figures(const CaseDetails& details) {
+std::string metrics_list(const CaseDetails& details) {
     const RunFacts& facts = *details.of->now;
-    const WholeRun& run = details.now;
+    const RunDetails& run = details.now;
     std::vector<std::pair<std::string_view, std::string>> all{{"Outcome", outcome(facts)}};
-    if (!facts.is_clean()) all.emplace_back("First fault", first_fault(facts));
+    if (!facts.is_clean()) all.emplace_back("First fault", first_error(facts));
     all.emplace_back("Cycle time", time_with_interval(*details.of, run));
     all.emplace_back("of which",
                      fmt::format("{} s in rapid, {} s at feed, {} s dwelling", seconds(run.rapid_s),
                                  seconds(run.feed_s), seconds(run.dwell_s)));
     all.emplace_back("Way",
                      fmt::format("{:.1f} mm in rapid, {:.1f} mm at feed, {:.1f} mm with the process on",
-                                 run.rapid_mm, run.feed_mm, run.jet_on_mm));
+                                 run.rapid_mm, run.feed_mm, run.process_on_mm));
     all.emplace_back("Blocks, moves", fmt::format("{}, {}", run.blocks, run.moves));
     if (std::string extents = extents_text(run.extents); !extents.empty())
         all.emplace_back("Extents", std::move(extents));
@@ -59,37 +59,38 @@ std::string figures(const CaseDetails& details) {
     all.emplace_back("Findings",
                      fmt::format("{} of limits, {} collisions, {} of the process; {} warnings",
                                  facts.violations, facts.collisions, facts.process_findings, facts.warnings));
-    if (!run.machine_name.empty()) all.emplace_back("Machine", shown(run.machine_name));
-    if (!run.controller.empty()) all.emplace_back("Control", shown(run.controller));
-    if (run.options != "{}") all.emplace_back("Options", settings_in(run.options));
-    all.emplace_back("Run", fmt::format("{} by gsim {}{}", moment(run.ran_at), shown(run.version),
+    if (!run.machine_name.empty()) all.emplace_back("Machine", escape_html(run.machine_name));
+    if (!run.controller.empty()) all.emplace_back("Control", escape_html(run.controller));
+    if (run.options != "{}") all.emplace_back("Options", settings_text(run.options));
+    all.emplace_back("Run", fmt::format("{} by gsim {}{}", time_markup(run.run_at), escape_html(run.version),
                                         details.of->is_reused ? "; found again since" : ""));
-    return list_of(all);
+    return definition_list(all);
 }
 
-std::string text_at(const ordered_json& told, const char* key) {
-    const auto found = told.find(key);
-    return found != told.end() && found->is_string() ? shown(found->get<std::string>()) : std::string();
+std::string text_at(const ordered_json& finding, const char* key) {
+    const auto found = finding.find(key);
+    return found != finding.end() && found->is_string() ? escape_html(found->get<std::string>())
+                                                        : std::string();
 }
 
-std::string finding_text(const ordered_json& told) {
-    const std::string severity = text_at(told, "severity"), file = text_at(told, "file");
-    const auto line = told.find("line");
-    const bool has_line = line != told.end() && line->is_number_integer();
-    const std::string place = has_line ? fmt::format("{}:{}", file, line->get<std::int64_t>()) : file;
-    const std::string hint = text_at(told, "hint");
+std::string finding_text(const ordered_json& finding) {
+    const std::string severity = text_at(finding, "severity"), file = text_at(finding, "file");
+    const auto line = finding.find("line");
+    const bool has_line = line != finding.end() && line->is_number_integer();
+    const std::string position = has_line ? fmt::format("{}:{}", file, line->get<std::int64_t>()) : file;
+    const std::string hint = text_at(finding, "hint");
     return fmt::format(
         "<li><code>{}</code> <span class=\"{}\">{}</span>: {} <span class=\"soft\">[{}]</span>{}</li>\n",
-        place, severity == "error" ? "bad" : "soft", severity, text_at(told, "text"), text_at(told, "code"),
-        hint.empty() ? hint : " " + hint);
+        position, severity == "error" ? "bad" : "soft", severity, text_at(finding, "text"),
+        text_at(finding, "code"), hint.empty() ? hint : " " + hint);
 }
 
-std::string kept_findings(const RunFacts& facts, const WholeRun& run) {
+std::string findings_section(const RunFacts& facts, const RunDetails& run) {
     std::string items;
     std::int64_t count = 0;
-    for (const ordered_json& told : text::try_parse_json<ordered_json>(run.findings)) {
-        if (told.is_object()) items += finding_text(told);
-        count += told.is_object() ? 1 : 0;
+    for (const ordered_json& finding : text::try_parse_json<ordered_json>(run.findings)) {
+        if (finding.is_object()) items += finding_text(finding);
+        count += finding.is_object() ? 1 : 0;
     }
     if (count == 0) return {};
     std::string text = fmt::format("<h3>Findings</h3>\n<ol>\n{}</ol>\n", items);
@@ -98,44 +99,46 @@ std::string kept_findings(const RunFacts& facts, const WholeRun& run) {
     return text;
 }
 
-std::string change_text(const Night& night, const CaseDetails& details) {
+std::string change_text(const NightlyReport& report, const CaseDetails& details) {
     const Case& of = *details.of;
-    if (!night.before) return {};
-    if (of.before == nullptr) return fmt::format("<p>New since {}.</p>\n", named(*night.before));
-    if (of.before == of.now) return fmt::format("<p>The same run as in {}.</p>\n", named(*night.before));
-    std::string text = fmt::format("<p>In {}: {}", named(*night.before), outcome(*of.before));
+    if (!report.before) return {};
+    if (of.before == nullptr) return fmt::format("<p>New since {}.</p>\n", batch_label(*report.before));
+    if (of.before == of.now)
+        return fmt::format("<p>The same run as in {}.</p>\n", batch_label(*report.before));
+    std::string text = fmt::format("<p>In {}: {}", batch_label(*report.before), outcome(*of.before));
     if (of.before->has_time()) text += fmt::format(", {} s", seconds(of.before->time_s));
     if (of.before->has_time() && of.now->has_time())
         text += fmt::format("; now {}", difference(of.before->time_s, of.now->time_s));
-    return text + fmt::format(".<br/>Run anew for: {}.</p>\n", reasons_text(details.why_anew));
+    return text + fmt::format(".<br/>Run anew for: {}.</p>\n", reasons_text(details.rerun_reasons));
 }
 
-std::string files_text(const WholeRun& run) {
+std::string files_text(const RunDetails& run) {
     if (run.files.empty()) return "<p>What it has read is not known.</p>\n";
-    TableText table("Files that it has read", {"File", "SHA-256"});
-    for (std::size_t i = 0; i < std::min(run.files.size(), kMostFiles); ++i)
-        table.add({shown(run.files[i].name),
-                   run.files[i].sha256.empty() ? std::string("looked for, and not there")
-                                               : fmt::format("<code>{}</code>", shown(run.files[i].sha256))});
+    HtmlTable table("Files that it has read", {"File", "SHA-256"});
+    for (std::size_t i = 0; i < std::min(run.files.size(), kMaxFiles); ++i)
+        table.add({escape_html(run.files[i].name),
+                   run.files[i].sha256.empty()
+                       ? std::string("looked for, and not there")
+                       : fmt::format("<code>{}</code>", escape_html(run.files[i].sha256))});
     std::string text = table.text();
-    if (run.files.size() > kMostFiles)
-        text += fmt::format("<p>{} more are left out here.</p>\n", run.files.size() - kMostFiles);
+    if (run.files.size() > kMaxFiles)
+        text += fmt::format("<p>{} more are left out here.</p>\n", run.files.size() - kMaxFiles);
     return text;
 }
 
 std::string command_text(std::string_view what, const OpenCommand& command) {
     if (command.words.empty()) return {};
     std::string text = fmt::format("<p>{}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n", what,
-                                   shown(shell_line(command.words)));
+                                   escape_html(shell_line(command.words)));
     if (command.left_out.empty()) return text;
     std::string names;
-    for (const std::string& name : command.left_out) names += (names.empty() ? "" : ", ") + shown(name);
+    for (const std::string& name : command.left_out) names += (names.empty() ? "" : ", ") + escape_html(name);
     return text +
            fmt::format("<p class=\"soft\">It has no word for {}: the run there is another one.</p>\n", names);
 }
 
 /// Embeds the picture as a separate document, because its names and styles must stay separate, too.
-std::string picture_text(const WholeRun& run) {
+std::string picture_text(const RunDetails& run) {
     if (run.picture_svg.empty()) return {};
     std::string bytes;
     text::Base64 base64;
@@ -145,16 +148,16 @@ std::string picture_text(const WholeRun& run) {
         "<p><img alt=\"Path, speed and acceleration\" src=\"data:image/svg+xml;base64,{}\"/></p>\n", bytes);
 }
 
-std::string ways_to_see(const CaseDetails& details) {
+std::string view_commands(const CaseDetails& details) {
     std::string text = "<h3>See it run</h3>\n";
     if (!details.view.empty()) text += fmt::format("<p>{}</p>\n", link(details.view, "The finished run"));
-    if (!details.why_no_view.empty())
+    if (!details.view_error.empty())
         text += fmt::format("<p class=\"soft\">There is no page of the finished run: {}.</p>\n",
-                            shown(details.why_no_view));
+                            escape_html(details.view_error));
     return text +
            command_text("In the studio, from where the batch was run:",
-                        studio_command(told_of(details.now))) +
-           command_text("As a page that can be sent:", view_command(told_of(details.now)));
+                        studio_command(run_inputs(details.now))) +
+           command_text("As a page that can be sent:", view_command(run_inputs(details.now)));
 }
 
 }  // namespace
@@ -162,18 +165,19 @@ std::string ways_to_see(const CaseDetails& details) {
 std::string reasons_text(const std::vector<std::string>& reasons) {
     if (reasons.empty()) return "nothing that is known of";
     std::string text;
-    for (const std::string& reason : reasons) text += (text.empty() ? "" : ", ") + shown(reason);
+    for (const std::string& reason : reasons) text += (text.empty() ? "" : ", ") + escape_html(reason);
     return text;
 }
 
-std::string case_text(const Night& night, const CaseDetails& details) {
+std::string case_text(const NightlyReport& report, const CaseDetails& details) {
     const Case& of = *details.of;
-    std::string title = machine_named(of.machine);
-    if (const std::string settings = settings_in(of.settings); !settings.empty()) title += ", " + settings;
-    return fmt::format("<section id=\"case-{}\"><h2>{}</h2>\n", of.place + 1, title) + figures(details) +
-           picture_text(details.now) + change_text(night, details) + kept_findings(*of.now, details.now) +
-           "<h3>History</h3>\n" + history_text(night, of) + ways_to_see(details) +
-           "<h3>Files that it has read</h3>\n" + files_text(details.now) + "</section>\n";
+    std::string title = machine_label(of.machine);
+    if (const std::string settings = settings_text(of.settings); !settings.empty()) title += ", " + settings;
+    return fmt::format("<section id=\"case-{}\"><h2>{}</h2>\n", of.position + 1, title) +
+           metrics_list(details) + picture_text(details.now) + change_text(report, details) +
+           findings_section(*of.now, details.now) + "<h3>History</h3>\n" + history_text(report, of) +
+           view_commands(details) + "<h3>Files that it has read</h3>\n" + files_text(details.now) +
+           "</section>\n";
 }
 
 }  // namespace gsim::batch

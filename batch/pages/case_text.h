@@ -12,6 +12,6 @@ std::string reasons_text(const std::vector<std::string>& reasons);
 
 /// Returns the part of a program's page for one machine and one variant of the settings: metrics, findings,
 /// changes, files, history, and the command to view the run.
-std::string case_text(const Night& night, const CaseDetails& details);
+std::string case_text(const NightlyReport& report, const CaseDetails& details);
 
 }  // namespace gsim::batch

@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 constexpr std::string_view kDash = "\u2013";
 
 /// Formats "2026-11-27T03:00:12Z" for people.
-std::string plain_moment(std::string_view utc) {
+std::string format_utc(std::string_view utc) {
     if (utc.size() != 20) return std::string(utc);
     return fmt::format("{} {} UTC", utc.substr(0, 10), utc.substr(11, 5));
 }
@@ -49,90 +49,91 @@ svg polyline { fill: none; stroke: var(--link); stroke-width: 1.5; } svg circle 
 
 }  // namespace
 
-std::string shown(std::string_view text) {
+std::string escape_html(std::string_view text) {
     return text::xml_text(text::printable(text));
 }
 
 std::string link(std::string_view address, std::string_view text) {
-    return fmt::format("<a href=\"{}\">{}</a>", shown(address), shown(text));
+    return fmt::format("<a href=\"{}\">{}</a>", escape_html(address), escape_html(text));
 }
 
-std::string moment(std::string_view utc) {
-    return fmt::format("<time datetime=\"{}\">{}</time>", shown(utc), shown(plain_moment(utc)));
+std::string time_markup(std::string_view utc) {
+    return fmt::format("<time datetime=\"{}\">{}</time>", escape_html(utc), escape_html(format_utc(utc)));
 }
 
 std::string seconds(double time_s) {
     return fmt::format("{:.3f}", time_s);
 }
 
-std::string time_of(const RunFacts& run) {
+std::string time_text(const RunFacts& run) {
     return run.has_time() ? seconds(run.time_s) : std::string(kDash);
 }
 
 std::string difference(double before_s, double now_s) {
-    const std::string of_time = fmt::format("{:+.6g} s", now_s - before_s);
-    return before_s > 0 ? fmt::format("{} ({:+.3g} %)", of_time, 100 * (now_s - before_s) / before_s)
-                        : of_time;
+    const std::string difference_text = fmt::format("{:+.6g} s", now_s - before_s);
+    return before_s > 0 ? fmt::format("{} ({:+.3g} %)", difference_text, 100 * (now_s - before_s) / before_s)
+                        : difference_text;
 }
 
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+std::string count_text(std::size_t count, std::string_view one, std::string_view many) {
     return fmt::format("{} {}", count, count == 1 ? one : many);
 }
 
-std::string named(const BatchFacts& batch) {
-    return fmt::format("batch {} ({})", batch.id, moment(batch.began_at));
+std::string batch_label(const BatchFacts& batch) {
+    return fmt::format("batch {} ({})", batch.id, time_markup(batch.started_at));
 }
 
-std::string plainly_named(const BatchFacts& batch) {
-    return fmt::format("batch {} ({})", batch.id, plain_moment(batch.began_at));
+std::string plain_batch_label(const BatchFacts& batch) {
+    return fmt::format("batch {} ({})", batch.id, format_utc(batch.started_at));
 }
 
 std::string outcome(const RunFacts& run) {
     if (run.is_clean()) return "<span class=\"good\">without a fault</span>";
-    const std::string status = fmt::format("<span class=\"bad\">{}</span>", shown(run.status));
-    return run.cause.empty() || run.cause == run.status ? status
-                                                        : fmt::format("{}: {}", status, shown(run.cause));
+    const std::string status = fmt::format("<span class=\"bad\">{}</span>", escape_html(run.status));
+    return run.cause.empty() || run.cause == run.status
+               ? status
+               : fmt::format("{}: {}", status, escape_html(run.cause));
 }
 
-std::string first_fault(const RunFacts& run) {
+std::string first_error(const RunFacts& run) {
     if (run.is_clean()) return {};
-    std::string place = shown(run.file);
-    if (!place.empty() && run.line > 0) place += fmt::format(":{}", run.line);
-    if (place.empty()) return shown(run.message);
-    return fmt::format("{} <span class=\"soft\">{}</span>", shown(run.message), place);
+    std::string position = escape_html(run.file);
+    if (!position.empty() && run.line > 0) position += fmt::format(":{}", run.line);
+    if (position.empty()) return escape_html(run.message);
+    return fmt::format("{} <span class=\"soft\">{}</span>", escape_html(run.message), position);
 }
 
-std::string machine_named(std::string_view machine) {
-    return machine.empty() ? std::string("built-in machine") : shown(machine);
+std::string machine_label(std::string_view machine) {
+    return machine.empty() ? std::string("built-in machine") : escape_html(machine);
 }
 
-std::string settings_in(const std::string& settings) {
+std::string settings_text(const std::string& settings) {
     const auto read = text::try_parse_json<ordered_json>(settings);
-    if (!read.is_object()) return shown(settings);
+    if (!read.is_object()) return escape_html(settings);
     std::string text;
     for (const auto& [key, value] : read.items()) {
         const auto* word = value.get_ptr<const std::string*>();
-        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", shown(key),
-                            shown(word == nullptr ? value.dump() : *word));
+        text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", escape_html(key),
+                            escape_html(word == nullptr ? value.dump() : *word));
     }
     return text;
 }
 
-std::string address_of(const Case& of, std::string_view page) {
-    return of.has_details ? fmt::format("{}#case-{}", page, of.place + 1) : std::string(page);
+std::string case_address(const Case& of, std::string_view page) {
+    return of.has_details ? fmt::format("{}#case-{}", page, of.position + 1) : std::string(page);
 }
 
-TableText::TableText(std::string_view label, const std::vector<std::string_view>& columns) {
+HtmlTable::HtmlTable(std::string_view label, const std::vector<std::string_view>& columns) {
     text_ = fmt::format(
         "<div class=\"wide\" role=\"region\" tabindex=\"0\" aria-label=\"{0}\"><table aria-label=\"{0}\">"
         "<thead><tr>",
-        shown(label));
+        escape_html(label));
     for (const std::string_view column : columns)
-        text_ += fmt::format("<th scope=\"col\">{}</th>", shown(column));
+        text_ += fmt::format("<th scope=\"col\">{}</th>", escape_html(column));
     text_ += "</tr></thead><tbody>\n";
 }
 
-void TableText::add(const std::vector<std::string>& cells) {
+void HtmlTable::add(const std::vector<std::string>& cells) {
     text_ += "<tr>";
     for (std::size_t i = 0; i < cells.size(); ++i)
         text_ += i == 0 ? fmt::format("<th scope=\"row\">{}</th>", cells[i])
@@ -140,19 +141,19 @@ void TableText::add(const std::vector<std::string>& cells) {
     text_ += "</tr>\n";
 }
 
-std::string list_of(const std::vector<std::pair<std::string_view, std::string>>& entries) {
+std::string definition_list(const std::vector<std::pair<std::string_view, std::string>>& entries) {
     std::string text = "<dl>\n";
     for (const auto& [name, value] : entries)
-        text += fmt::format("<dt>{}</dt><dd>{}</dd>\n", shown(name), value);
+        text += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escape_html(name), value);
     return text + "</dl>\n";
 }
 
-std::string mark_of_page(std::string_view name) {
-    return fmt::format("<meta name=\"generator\" content=\"gsim-batch --pages, {}\"/>", shown(name));
+std::string page_marker(std::string_view name) {
+    return fmt::format("<meta name=\"generator\" content=\"gsim-batch --pages, {}\"/>", escape_html(name));
 }
 
-std::string whole_page(std::string_view name, std::string_view title, std::string_view trail,
-                       std::string_view body) {
+std::string full_page(std::string_view name, std::string_view title, std::string_view breadcrumbs,
+                      std::string_view body) {
     // The policy blocks all fetches and scripts, whatever the names of files are.
     std::string page = fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"/>{}\n<meta "
@@ -160,9 +161,9 @@ std::string whole_page(std::string_view name, std::string_view title, std::strin
         "img-src data:\"/>"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>"
         "<style>{}</style></head>\n<body>",
-        mark_of_page(name), shown(title), kStyle);
-    if (!trail.empty()) page += fmt::format("<nav aria-label=\"Above\">{}</nav>\n", trail);
-    return page + fmt::format("<main><h1>{}</h1>\n{}</main></body></html>\n", shown(title), body);
+        page_marker(name), escape_html(title), kStyle);
+    if (!breadcrumbs.empty()) page += fmt::format("<nav aria-label=\"Above\">{}</nav>\n", breadcrumbs);
+    return page + fmt::format("<main><h1>{}</h1>\n{}</main></body></html>\n", escape_html(title), body);
 }
 
 }  // namespace gsim::batch

@@ -11,20 +11,20 @@ namespace gsim::batch {
 
 namespace {
 
-constexpr std::size_t kMostCases = 1000;  // of the table
+constexpr std::size_t kMaxCases = 1000;  // of the table
 
-std::string table_of_cases(const Night& night, const ProgramCases& program) {
-    TableText table("Machines and settings", {"Machine", "Settings", "Outcome", "Time, s", "Batch before, s",
+std::string cases_table(const NightlyReport& report, const ProgramCases& program) {
+    HtmlTable table("Machines and settings", {"Machine", "Settings", "Outcome", "Time, s", "Batch before, s",
                                               "Findings", "First fault"});
-    const std::size_t count = std::min(program.cases.size(), kMostCases);
+    const std::size_t count = std::min(program.cases.size(), kMaxCases);
     for (std::size_t i = 0; i < count; ++i) {
-        const Case& of = night.cases[program.cases[i]];
-        const std::string machine = machine_named(of.machine);
+        const Case& of = report.cases[program.cases[i]];
+        const std::string machine = machine_label(of.machine);
         table.add(
-            {of.has_details ? fmt::format("<a href=\"#case-{}\">{}</a>", of.place + 1, machine) : machine,
-             settings_in(of.settings), outcome(*of.now), time_of(*of.now),
-             of.before == nullptr ? std::string() : time_of(*of.before),
-             fmt::format("{}", of.now->findings()), first_fault(*of.now)});
+            {of.has_details ? fmt::format("<a href=\"#case-{}\">{}</a>", of.position + 1, machine) : machine,
+             settings_text(of.settings), outcome(*of.now), time_text(*of.now),
+             of.before == nullptr ? std::string() : time_text(*of.before),
+             fmt::format("{}", of.now->findings()), first_error(*of.now)});
     }
     std::string text = table.text();
     if (count < program.cases.size())
@@ -34,15 +34,15 @@ std::string table_of_cases(const Night& night, const ProgramCases& program) {
 
 }  // namespace
 
-std::string program_page(const Night& night, const ProgramCases& program,
+std::string program_page(const NightlyReport& report, const ProgramCases& program,
                          const std::vector<CaseDetails>& details) {
-    std::string body = fmt::format("<p>As of {}.</p>\n", named(night.latest));
-    if (program.cases.size() > 1) body += table_of_cases(night, program);
-    for (const CaseDetails& each : details) body += case_text(night, each);
+    std::string body = fmt::format("<p>As of {}.</p>\n", batch_label(report.latest));
+    if (program.cases.size() > 1) body += cases_table(report, program);
+    for (const CaseDetails& each : details) body += case_text(report, each);
     if (details.size() < program.cases.size())
         body += fmt::format("<p>{} more have no more room here than their row above.</p>\n",
                             program.cases.size() - details.size());
-    return whole_page(program.page, program.program, "<a href=\"index.html\">All programs</a>", body);
+    return full_page(program.page, program.program, "<a href=\"index.html\">All programs</a>", body);
 }
 
 }  // namespace gsim::batch

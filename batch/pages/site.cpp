@@ -16,21 +16,21 @@ namespace gsim::batch {
 namespace {
 
 namespace fs = std::filesystem;
-using Written = tl::expected<void, std::string>;
+using WriteResult = tl::expected<void, std::string>;
 
-constexpr std::size_t kHead = 1024;  // bytes, in which a page of ours says so
+constexpr std::size_t kHeadBytes = 1024;  // bytes, in which a page of ours says so
 
-tl::unexpected<std::string> cannot(std::string_view what, const fs::path& file,
-                                   const std::error_code& error) {
+tl::unexpected<std::string> folder_error(std::string_view what, const fs::path& file,
+                                         const std::error_code& error) {
     return tl::unexpected(fmt::format("cannot {} '{}': {}", what, file.string(), error.message()));
 }
 
-bool is_ours(const std::string& name, std::string_view content) {
-    return content.substr(0, kHead).find(mark_of_page(name)) != std::string_view::npos;
+bool is_own_page(const std::string& name, std::string_view content) {
+    return content.substr(0, kHeadBytes).find(page_marker(name)) != std::string_view::npos;
 }
 
-std::string head_of(const fs::path& file) {
-    std::string head(kHead, '\0');
+std::string page_head(const fs::path& file) {
+    std::string head(kHeadBytes, '\0');
     std::ifstream stream(file, std::ios::binary);
     stream.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(stream.gcount()));
@@ -42,11 +42,11 @@ std::string head_of(const fs::path& file) {
 tl::expected<Site, std::string> Site::open(const std::string& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) return cannot("make the folder", folder, error);
+    if (error) return folder_error("make the folder", folder, error);
     return Site(folder);
 }
 
-Written Site::put(const std::string& name, std::string_view page) {
+WriteResult Site::save(const std::string& name, std::string_view page) {
     names_.insert(name);
     const fs::path file = folder_ / name;
     std::error_code error;
@@ -55,24 +55,25 @@ Written Site::put(const std::string& name, std::string_view page) {
         std::ifstream stream(file, std::ios::binary);
         const std::string content{std::istreambuf_iterator<char>(stream), {}};
         if (content == page) return {};
-        if (!is_ours(name, content)) {
+        if (!is_own_page(name, content)) {
             return tl::unexpected(fmt::format(
                 "'{}' is no page that was written here before; name another folder", file.string()));
         }
     } else if (fs::exists(status)) {
-        return cannot("write", file, std::make_error_code(std::errc::file_exists));
+        return folder_error("write", file, std::make_error_code(std::errc::file_exists));
     }
     return os::write_file(file, page);
 }
 
-Written Site::remove_others() {
+WriteResult Site::remove_stale_pages() {
     return remove_files(folder_, [&](const std::string& name, std::string_view head) {
-        return !names_.contains(name) && is_ours(name, head);
+        return !names_.contains(name) && is_own_page(name, head);
     });
 }
 
-Written remove_files(const fs::path& folder,
-                     const std::function<bool(const std::string& name, std::string_view head)>& is_one) {
+WriteResult remove_files(
+    const fs::path& folder,
+    const std::function<bool(const std::string& name, std::string_view head)>& should_remove) {
     std::vector<fs::path> files;
     std::error_code error;
     if (!fs::exists(folder, error)) return {};
@@ -80,14 +81,14 @@ Written remove_files(const fs::path& folder,
     for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
         const fs::path file = entry->path();
         std::error_code ignored;
-        const bool may_be =
+        const bool is_page =
             file.extension() == ".html" && fs::is_regular_file(entry->symlink_status(ignored));
-        if (may_be && is_one(file.filename().string(), head_of(file))) files.push_back(file);
+        if (is_page && should_remove(file.filename().string(), page_head(file))) files.push_back(file);
     }
-    if (error) return cannot("read the folder", folder, error);
+    if (error) return folder_error("read the folder", folder, error);
     for (const fs::path& file : files) {
         fs::remove(file, error);
-        if (error) return cannot("remove", file, error);
+        if (error) return folder_error("remove", file, error);
     }
     return {};
 }

@@ -19,9 +19,9 @@ class Site {
     /// Writes a page, which appears only when complete. An identical existing page, byte for byte, stays
     /// untouched. The error is a message with the name of the file: it cannot be written, or it is not one of
     /// ours.
-    tl::expected<void, std::string> put(const std::string& name, std::string_view page);
+    tl::expected<void, std::string> save(const std::string& name, std::string_view page);
     /// Removes our pages that were not written in this run.
-    tl::expected<void, std::string> remove_others();
+    tl::expected<void, std::string> remove_stale_pages();
 
   private:
     explicit Site(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -30,10 +30,10 @@ class Site {
     std::unordered_set<std::string> names_;
 };
 
-/// Removes the pages of a folder (.html) for which `is_one` returns true; it receives the name and the first
-/// bytes. Links are skipped, and a missing folder has no pages. The error is a message.
+/// Removes the pages of a folder (.html) for which `should_remove` returns true; it receives the name and the
+/// first bytes. Links are skipped, and a missing folder has no pages. The error is a message.
 tl::expected<void, std::string> remove_files(
     const std::filesystem::path& folder,
-    const std::function<bool(const std::string& name, std::string_view head)>& is_one);
+    const std::function<bool(const std::string& name, std::string_view head)>& should_remove);
 
 }  // namespace gsim::batch

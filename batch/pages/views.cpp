@@ -18,26 +18,26 @@ namespace gsim::batch {
 namespace {
 
 namespace fs = std::filesystem;
-using Fault = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
 constexpr const char* kFolder = "views";
 constexpr std::string_view kTitle = "<title>gsim studio</title>";
-constexpr std::string_view kBegin = "run-", kEnd = ".html";
+constexpr std::string_view kPrefix = "run-", kExtension = ".html";
 constexpr std::size_t kDigits = 16;
-constexpr std::int64_t kMostMoves = 200'000;  // a page of so many has some 10 MB
+constexpr std::int64_t kMaxMoves = 200'000;  // a page of so many has some 10 MB
 
 /// Builds the name from all inputs that determine the run, so another run never has the same name.
-std::string name_of_view(const WholeRun& run) {
+std::string view_name(const RunDetails& run) {
     std::string all = run.key;
     for (const ReadFile& file : run.files) all += '\0' + file.name + '\0' + file.sha256;
-    return fmt::format("{}{}{}", kBegin, sha256(all).substr(0, kDigits), kEnd);
+    return fmt::format("{}{}{}", kPrefix, sha256(all).substr(0, kDigits), kExtension);
 }
 
-bool is_name_of_view(std::string_view name) {
-    if (name.size() != kBegin.size() + kDigits + kEnd.size() || !name.starts_with(kBegin) ||
-        !name.ends_with(kEnd))
+bool is_view_name(std::string_view name) {
+    if (name.size() != kPrefix.size() + kDigits + kExtension.size() || !name.starts_with(kPrefix) ||
+        !name.ends_with(kExtension))
         return false;
-    const std::string_view digits = name.substr(kBegin.size(), kDigits);
+    const std::string_view digits = name.substr(kPrefix.size(), kDigits);
     return digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
 
@@ -51,48 +51,48 @@ bool has_run(const RunFacts& facts) {
 Views::Views(const std::string& folder, ViewMaker maker)
     : folder_(fs::path(folder) / kFolder), maker_(std::move(maker)) {}
 
-tl::expected<std::vector<std::string>, std::string> Views::command_for(const RunFacts& facts,
-                                                                       const WholeRun& run) {
-    if (!has_run(facts)) return Fault("the program was not run");
-    if (run.moves > kMostMoves) return Fault(fmt::format("it has more than {} moves", kMostMoves));
-    if (run.version != maker_.version) return Fault("it was run by another version of gsim");
-    OpenCommand command = view_command(told_of(run));
-    if (command.words.empty()) return Fault("a path is its program, which gsim run does not take");
+tl::expected<std::vector<std::string>, std::string> Views::make_command(const RunFacts& facts,
+                                                                        const RunDetails& run) {
+    if (!has_run(facts)) return Unexpected("the program was not run");
+    if (run.moves > kMaxMoves) return Unexpected(fmt::format("it has more than {} moves", kMaxMoves));
+    if (run.version != maker_.version) return Unexpected("it was run by another version of gsim");
+    OpenCommand command = view_command(run_inputs(run));
+    if (command.words.empty()) return Unexpected("a path is its program, which gsim run does not take");
     if (!command.left_out.empty())
-        return Fault(fmt::format("gsim run has no word for {}", command.left_out.front()));
+        return Unexpected(fmt::format("gsim run has no word for {}", command.left_out.front()));
     const auto other = std::find_if(run.files.begin(), run.files.end(), [&](const ReadFile& file) {
-        return files_.hash_of(file.name) != file.sha256;
+        return files_.file_hash(file.name) != file.sha256;
     });
-    if (other != run.files.end()) return Fault(fmt::format("'{}' is another one by now", other->name));
+    if (other != run.files.end()) return Unexpected(fmt::format("'{}' is another one by now", other->name));
     command.words.front() = maker_.program;
     return std::move(command.words);
 }
 
-tl::expected<std::string, std::string> Views::make(const RunFacts& facts, const WholeRun& run) {
-    const std::string name = name_of_view(run);
+tl::expected<std::string, std::string> Views::make(const RunFacts& facts, const RunDetails& run) {
+    const std::string name = view_name(run);
     const fs::path file = folder_ / name;
-    const auto made = [&] {
+    const auto view_address = [&] {
         names_.insert(name);
         return fmt::format("{}/{}", kFolder, name);
     };
     std::error_code error;
-    if (fs::exists(file, error)) return made();
-    auto words = command_for(facts, run);
-    if (!words) return Fault(words.error());
+    if (fs::exists(file, error)) return view_address();
+    auto words = make_command(facts, run);
+    if (!words) return Unexpected(words.error());
     fs::create_directories(folder_, error);
     *std::find(words->begin(), words->end(), kViewFile) = file.string();
-    const os::FileHandle nothing(std::fopen("/dev/null", "r+e"));
-    if (!nothing) return Fault("/dev/null cannot be opened");
-    const auto ended = os::run_child(*words, nothing.get(), nothing.get());
+    const os::FileHandle null_device(std::fopen("/dev/null", "r+e"));
+    if (!null_device) return Unexpected("/dev/null cannot be opened");
+    const auto ended = os::run_child(*words, null_device.get(), null_device.get());
     // If the program has an error, its page is written as well.
-    if (fs::exists(file, error)) return made();
-    return Fault(ended ? "gsim run has written none" : ended.error());
+    if (fs::exists(file, error)) return view_address();
+    return Unexpected(ended ? "gsim run has written none" : ended.error());
 }
 
-tl::expected<void, std::string> remove_views(const std::string& folder, const Views* kept) {
+tl::expected<void, std::string> remove_views(const std::string& folder, const Views* current) {
     return remove_files(fs::path(folder) / kFolder, [&](const std::string& name, std::string_view head) {
-        return is_name_of_view(name) && head.find(kTitle) != std::string_view::npos &&
-               (kept == nullptr || !kept->names_.contains(name));
+        return is_view_name(name) && head.find(kTitle) != std::string_view::npos &&
+               (current == nullptr || !current->names_.contains(name));
     });
 }
 

@@ -7,8 +7,8 @@
 
 #include <tl/expected.hpp>
 
-#include "batch/pages/night.h"
-#include "batch/pages/run_book.h"
+#include "batch/pages/nightly_report.h"
+#include "batch/pages/run_history.h"
 #include "batch/work/input_files.h"
 
 namespace gsim::batch {
@@ -27,21 +27,21 @@ class Views {
 
     /// Returns the address of a run's page, relative to the folder of the other pages. The error says why it
     /// does not exist.
-    tl::expected<std::string, std::string> make(const RunFacts& facts, const WholeRun& run);
+    tl::expected<std::string, std::string> make(const RunFacts& facts, const RunDetails& run);
 
   private:
-    tl::expected<std::vector<std::string>, std::string> command_for(const RunFacts& facts,
-                                                                    const WholeRun& run);
+    tl::expected<std::vector<std::string>, std::string> make_command(const RunFacts& facts,
+                                                                     const RunDetails& run);
 
     std::filesystem::path folder_;
     ViewMaker maker_;
     InputFiles files_;
     std::unordered_set<std::string> names_;
 
-    friend tl::expected<void, std::string> remove_views(const std::string& folder, const Views* kept);
+    friend tl::expected<void, std::string> remove_views(const std::string& folder, const Views* current);
 };
 
 /// Removes pages of runs that were not requested from `kept`, if it is given. The error is a message.
-tl::expected<void, std::string> remove_views(const std::string& folder, const Views* kept);
+tl::expected<void, std::string> remove_views(const std::string& folder, const Views* current);
 
 }  // namespace gsim::batch

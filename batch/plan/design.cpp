@@ -7,36 +7,36 @@
 
 #include <boost/random/sobol.hpp>
 
-#include "batch/plan/lots.h"
+#include "batch/plan/random.h"
 
 namespace gsim::batch {
 
 namespace {
 
 /// Returns a uniformly distributed number below `count`.
-std::size_t lot_of(Random& random, std::size_t count) {
-    return static_cast<std::size_t>(lot(random) * static_cast<double>(count));
+std::size_t random_index(Random& random, std::size_t count) {
+    return static_cast<std::size_t>(uniform_random(random) * static_cast<double>(count));
 }
 
 std::vector<double> random_shares(std::size_t settings, std::uint64_t runs, std::uint64_t seed) {
     Random random(seed);
     std::vector<double> shares(settings * runs);
-    std::generate(shares.begin(), shares.end(), [&] { return lot(random); });
+    std::generate(shares.begin(), shares.end(), [&] { return uniform_random(random); });
     return shares;
 }
 
 /// McKay, Beckman, Conover 1979: shuffles the intervals of each setting, and draws a random position in each.
-std::vector<double> hypercube_shares(std::size_t settings, std::uint64_t runs, std::uint64_t seed) {
+std::vector<double> latin_hypercube_shares(std::size_t settings, std::uint64_t runs, std::uint64_t seed) {
     Random random(seed);
     std::vector<double> shares(settings * runs);
     std::vector<std::uint64_t> parts(runs);
     for (std::size_t setting = 0; setting < settings; ++setting) {
         std::iota(parts.begin(), parts.end(), std::uint64_t{0});
-        for (std::size_t left = parts.size(); left > 1; --left)
-            std::swap(parts[left - 1], parts[lot_of(random, left)]);
+        for (std::size_t remaining = parts.size(); remaining > 1; --remaining)
+            std::swap(parts[remaining - 1], parts[random_index(random, remaining)]);
         for (std::uint64_t run = 0; run < runs; ++run)
             shares[run * settings + setting] =
-                (static_cast<double>(parts[run]) + lot(random)) / static_cast<double>(runs);
+                (static_cast<double>(parts[run]) + uniform_random(random)) / static_cast<double>(runs);
     }
     return shares;
 }
@@ -48,7 +48,7 @@ std::vector<double> sobol_shares(std::size_t settings, std::uint64_t runs, std::
     boost::random::sobol sequence(settings);
     Random random(seed);
     std::vector<double> shift(settings);
-    std::generate(shift.begin(), shift.end(), [&] { return lot(random); });
+    std::generate(shift.begin(), shift.end(), [&] { return uniform_random(random); });
     constexpr double kSteps = 18446744073709551616.0;  // 2^64
     std::vector<double> shares(settings * runs);
     for (std::size_t i = 0; i < shares.size(); ++i) {
@@ -58,7 +58,7 @@ std::vector<double> sobol_shares(std::size_t settings, std::uint64_t runs, std::
     return shares;
 }
 
-std::size_t values_of(const Setting& setting) {
+std::size_t value_count(const Setting& setting) {
     return std::get<Choices>(setting.domain).values.size();
 }
 
@@ -67,7 +67,7 @@ std::size_t values_of(const Setting& setting) {
 Design::Design(std::vector<Setting> settings, const DesignOptions& options)
     : settings_(std::move(settings)), sampling_(options.sampling) {
     if (sampling_ == Sampling::grid) {
-        for (const Setting& setting : settings_) size_ *= values_of(setting);
+        for (const Setting& setting : settings_) size_ *= value_count(setting);
         return;
     }
     if (sampling_ == Sampling::listed) {
@@ -79,7 +79,7 @@ Design::Design(std::vector<Setting> settings, const DesignOptions& options)
     switch (sampling_) {
         case Sampling::random: shares_ = random_shares(settings_.size(), size_, options.seed); break;
         case Sampling::latin_hypercube:
-            shares_ = hypercube_shares(settings_.size(), size_, options.seed);
+            shares_ = latin_hypercube_shares(settings_.size(), size_, options.seed);
             break;
         case Sampling::sobol: shares_ = sobol_shares(settings_.size(), size_, options.seed); break;
         case Sampling::listed:
@@ -88,7 +88,7 @@ Design::Design(std::vector<Setting> settings, const DesignOptions& options)
 }
 
 std::vector<SettingValue> Design::variant(std::uint64_t number) const {
-    if (sampling_ == Sampling::grid) return of_grid(number);
+    if (sampling_ == Sampling::grid) return grid_variant(number);
     if (sampling_ == Sampling::listed) return listed_[number];
     std::vector<SettingValue> values;
     for (std::size_t i = 0; i < settings_.size(); ++i)
@@ -98,16 +98,16 @@ std::vector<SettingValue> Design::variant(std::uint64_t number) const {
 }
 
 // The last setting changes fastest.
-std::vector<SettingValue> Design::of_grid(std::uint64_t number) const {
-    std::vector<std::size_t> places(settings_.size());
+std::vector<SettingValue> Design::grid_variant(std::uint64_t number) const {
+    std::vector<std::size_t> value_indices(settings_.size());
     for (std::size_t i = settings_.size(); i-- > 0;) {
-        const std::size_t count = values_of(settings_[i]);
-        places[i] = number % count;
+        const std::size_t count = value_count(settings_[i]);
+        value_indices[i] = number % count;
         number /= count;
     }
     std::vector<SettingValue> values;
     for (std::size_t i = 0; i < settings_.size(); ++i)
-        add_values(settings_[i], std::get<Choices>(settings_[i].domain).values[places[i]], values);
+        add_values(settings_[i], std::get<Choices>(settings_[i].domain).values[value_indices[i]], values);
     return values;
 }
 

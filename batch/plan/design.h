@@ -37,7 +37,7 @@ class Design {
     std::vector<SettingValue> variant(std::uint64_t number) const;
 
   private:
-    std::vector<SettingValue> of_grid(std::uint64_t number) const;
+    std::vector<SettingValue> grid_variant(std::uint64_t number) const;
 
     std::vector<Setting> settings_;
     Sampling sampling_;

@@ -23,7 +23,7 @@ struct Plan {
     nlohmann::json options = nlohmann::json::object();  ///< For all runs (run_options()).
     std::vector<Setting> settings;
     DesignOptions design;
-    Kept keeps;
+    StoredDocuments stored_documents;
 };
 
 /// Returns the same plan with these variants instead of its settings.

@@ -24,10 +24,10 @@ constexpr std::array<std::string_view, 11> kPlanKeys{"programs",  "machines", "c
                                                      "pictures",  "options",  "sampling",    "setting",
                                                      "objective", "limit",    "search"};
 constexpr std::array<std::string_view, 3> kSamplingKeys{"kind", "runs", "seed"};
-constexpr std::array<std::string_view, 4> kSamplings{"grid", "random", "latin-hypercube", "sobol"};
-constexpr std::array kSamplingOf{Sampling::grid, Sampling::random, Sampling::latin_hypercube,
-                                 Sampling::sobol};
-constexpr std::uint64_t kMostRuns = 100'000'000;
+constexpr std::array<std::string_view, 4> kSamplingNames{"grid", "random", "latin-hypercube", "sobol"};
+constexpr std::array kSamplingKinds{Sampling::grid, Sampling::random, Sampling::latin_hypercube,
+                                    Sampling::sobol};
+constexpr std::uint64_t kMaxRuns = 100'000'000;
 
 class PlanReader {
   public:
@@ -50,13 +50,15 @@ class PlanReader {
         TomlSection section(error_, table_, "the plan", kPlanKeys);
         read_programs(section);
         read_machines(section);
-        plan_.keeps.report = section.flag("reports", false);
-        plan_.keeps.picture = section.flag("pictures", false);
+        plan_.stored_documents.report = section.flag("reports", false);
+        plan_.stored_documents.picture = section.flag("pictures", false);
         if (const toml::table* options = section.table("options")) read_options(*options);
         if (section.has("setting")) {
-            const FileOf file_of = [this](const std::string& name) { return this->file_of(name); };
+            const ResolveFile resolve_file = [this](const std::string& name) {
+                return this->resolve_file(name);
+            };
             for (const toml::table* table : section.tables("setting")) {
-                if (auto setting = read_setting(error_, *table, file_of))
+                if (auto setting = read_setting(error_, *table, resolve_file))
                     plan_.settings.push_back(*std::move(setting));
             }
         }
@@ -68,7 +70,8 @@ class PlanReader {
     }
 
     /// Reads the texts of a list, or a single text.
-    std::vector<std::string> texts(TomlSection& section, const toml::table& table, std::string_view key) {
+    std::vector<std::string> read_texts(TomlSection& section, const toml::table& table,
+                                        std::string_view key) {
         std::vector<std::string> found;
         const toml::node* node = table.get(key);
         if (node == nullptr) return found;
@@ -84,7 +87,7 @@ class PlanReader {
     }
 
     /// Resolves a name in the folder of the plan; a name without such a file stays a name.
-    std::string file_of(const std::string& name) const {
+    std::string resolve_file(const std::string& name) const {
         const fs::path path = folder_ / name;
         std::error_code ignored;
         return fs::exists(path, ignored) ? path.lexically_normal().string() : name;
@@ -92,7 +95,7 @@ class PlanReader {
 
     void read_programs(TomlSection& section) {
         if (section.require("programs") == nullptr) return;
-        for (const std::string& name : texts(section, table_, "programs")) {
+        for (const std::string& name : read_texts(section, table_, "programs")) {
             auto found = find_programs(name, folder_);
             if (!found) return section.fail("programs", found.error());
             add_programs(plan_, *found);
@@ -101,34 +104,34 @@ class PlanReader {
 
     void read_machines(TomlSection& section) {
         if (!section.has("machines")) return;
-        plan_.machines = texts(section, table_, "machines");
-        for (std::string& name : plan_.machines) name = file_of(name);
+        plan_.machines = read_texts(section, table_, "machines");
+        for (std::string& name : plan_.machines) name = resolve_file(name);
     }
 
     void read_options(const toml::table& options) {
         for (const auto& [key, node] : options) {
             const std::string name(key.str());
-            auto value = plain_value(node);
+            auto value = scalar_value(node);
             if (const auto checked = check_option(name, value.value_or(json())); !checked) {
                 error_.report(key.source().begin, checked.error());
                 continue;
             }
             const bool is_file = find_option(name)->kind == RunOption::Kind::file;
-            plan_.options[name] = is_file ? json(file_of(value->get<std::string>())) : *value;
+            plan_.options[name] = is_file ? json(resolve_file(value->get<std::string>())) : *value;
         }
     }
 
     void read_controllers(TomlSection& section) {
         if (!section.has("controllers")) return;
         Choices models;
-        for (const std::string& name : texts(section, table_, "controllers"))
+        for (const std::string& name : read_texts(section, table_, "controllers"))
             models.values.emplace_back(name);
         plan_.settings.push_back({.keys = {"machine.controller.model"}, .domain = std::move(models)});
     }
 
     void read_sampling(TomlSection& section) {
-        plan_.design.sampling = kSamplingOf[section.choice("kind", 0, kSamplings)];
-        plan_.design.seed = whole_number(section, "seed", 1, kMostRuns, 1);
+        plan_.design.sampling = kSamplingKinds[section.choice("kind", 0, kSamplingNames)];
+        plan_.design.seed = read_integer(section, "seed", 1, kMaxRuns, 1);
         if (plan_.design.sampling == Sampling::grid) {
             if (section.has("runs"))
                 section.fail("runs",
@@ -136,7 +139,7 @@ class PlanReader {
             return;
         }
         if (section.require("runs") != nullptr)
-            plan_.design.runs = whole_number(section, "runs", 1, kMostRuns, 1);
+            plan_.design.runs = read_integer(section, "runs", 1, kMaxRuns, 1);
     }
 
     /// A search defines itself what is tried.
@@ -152,7 +155,7 @@ class PlanReader {
 
     /// Options without effect are errors.
     void check_path_options(TomlSection& section) {
-        if (std::any_of(plan_.programs.begin(), plan_.programs.end(), is_path)) return;
+        if (std::any_of(plan_.programs.begin(), plan_.programs.end(), is_path_file)) return;
         for (const char* option : {"post", "path_frame", "rotary_as_given"}) {
             if (plan_.options.contains(option))
                 section.fail(
@@ -187,11 +190,11 @@ class PlanReader {
         const double values = plan_.design.sampling == Sampling::grid
                                   ? 0
                                   : static_cast<double>(plan_.design.runs * plan_.settings.size());
-        if (values > static_cast<double>(kMostRuns))
+        if (values > static_cast<double>(kMaxRuns))
             section.fail("setting",
-                         fmt::format("these are {:.3g} values of settings; {} may be", values, kMostRuns));
-        if (size > static_cast<double>(kMostRuns))
-            section.fail("setting", fmt::format("these are {:.3g} runs; {} may be", size, kMostRuns));
+                         fmt::format("these are {:.3g} values of settings; {} may be", values, kMaxRuns));
+        if (size > static_cast<double>(kMaxRuns))
+            section.fail("setting", fmt::format("these are {:.3g} runs; {} may be", size, kMaxRuns));
     }
 
     PlanUse use_;

@@ -10,36 +10,36 @@ namespace {
 
 using nlohmann::json;
 
-json json_of(const Choices& choices) {
+json as_json(const Choices& choices) {
     return {{"values", choices.values}};
 }
-json json_of(const Uniform& uniform) {
+json as_json(const Uniform& uniform) {
     return {{"uniform", {uniform.from, uniform.to}}};
 }
-json json_of(const Normal& normal) {
+json as_json(const Normal& normal) {
     return {{"normal", {normal.mean, normal.deviation}}};
 }
-json json_of(const Triangular& triangle) {
+json as_json(const Triangular& triangle) {
     return {{"triangular", {triangle.from, triangle.to, triangle.mode}}};
 }
 
-json json_of(const Order& order) {
+json as_json(const Order& order) {
     return {{"order", order.count}};
 }
 
-json json_of(const std::vector<SettingValue>& values) {
+json as_json(const std::vector<SettingValue>& values) {
     json list = json::array();
     for (const SettingValue& value : values) list.push_back({value.key, value.value, value.use});
     return list;
 }
 
-std::vector<SettingValue> variant_in(const json& list) {
+std::vector<SettingValue> parse_variant(const json& list) {
     std::vector<SettingValue> values;
     for (const json& value : list) values.push_back({value.at(0), value.at(1), value.at(2)});
     return values;
 }
 
-Domain domain_in(const json& one) {
+Domain parse_domain(const json& one) {
     if (one.contains("values")) return Choices{one.at("values").get<std::vector<json>>()};
     if (one.contains("uniform")) return Uniform{one.at("uniform").at(0), one.at("uniform").at(1)};
     if (one.contains("normal")) return Normal{one.at("normal").at(0), one.at("normal").at(1)};
@@ -56,9 +56,9 @@ std::string print_plan_json(const Plan& plan) {
         settings.push_back(
             {{"keys", setting.keys},
              {"use", setting.use},
-             {"domain", std::visit([](const auto& one) { return json_of(one); }, setting.domain)}});
+             {"domain", std::visit([](const auto& one) { return as_json(one); }, setting.domain)}});
     json listed = json::array();
-    for (const auto& variant : plan.design.listed) listed.push_back(json_of(variant));
+    for (const auto& variant : plan.design.listed) listed.push_back(as_json(variant));
     return json{{"name", plan.name},
                 {"listed", listed},
                 {"programs", plan.programs},
@@ -68,8 +68,8 @@ std::string print_plan_json(const Plan& plan) {
                 {"sampling", plan.design.sampling},
                 {"runs", plan.design.runs},
                 {"seed", plan.design.seed},
-                {"reports", plan.keeps.report},
-                {"pictures", plan.keeps.picture}}
+                {"reports", plan.stored_documents.report},
+                {"pictures", plan.stored_documents.picture}}
         .dump(1, ' ', false, json::error_handler_t::replace);
 }
 
@@ -82,13 +82,14 @@ tl::expected<Plan, std::string> read_plan_json(std::string_view text) {
         read.at("machines").get_to(plan.machines);
         plan.options = read.at("options");
         for (const json& setting : read.at("settings"))
-            plan.settings.push_back({setting.at("keys"), domain_in(setting.at("domain")), setting.at("use")});
-        for (const json& variant : read.at("listed")) plan.design.listed.push_back(variant_in(variant));
+            plan.settings.push_back(
+                {setting.at("keys"), parse_domain(setting.at("domain")), setting.at("use")});
+        for (const json& variant : read.at("listed")) plan.design.listed.push_back(parse_variant(variant));
         read.at("sampling").get_to(plan.design.sampling);
         read.at("runs").get_to(plan.design.runs);
         read.at("seed").get_to(plan.design.seed);
-        read.at("reports").get_to(plan.keeps.report);
-        read.at("pictures").get_to(plan.keeps.picture);
+        read.at("reports").get_to(plan.stored_documents.report);
+        read.at("pictures").get_to(plan.stored_documents.picture);
         return plan;
     } catch (const json::exception& error) {
         return tl::unexpected(fmt::format("no plan: {}", error.what()));

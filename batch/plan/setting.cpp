@@ -15,26 +15,26 @@ namespace {
 using nlohmann::json;
 
 // Smallest distance from 0 and 1, because a normal distribution has no value there.
-constexpr double kLeastShare = 1e-12;
+constexpr double kMinShare = 1e-12;
 
-json value_of(const Choices& choices, double share) {
+json value_at_share(const Choices& choices, double share) {
     const auto count = static_cast<double>(choices.values.size());
-    const auto place = static_cast<std::size_t>(std::clamp(std::floor(share * count), 0.0, count - 1));
-    return choices.values[place];
+    const auto value_index = static_cast<std::size_t>(std::clamp(std::floor(share * count), 0.0, count - 1));
+    return choices.values[value_index];
 }
 
-json value_of(const Uniform& uniform, double share) {
+json value_at_share(const Uniform& uniform, double share) {
     return uniform.from + share * (uniform.to - uniform.from);
 }
 
-json value_of(const Normal& normal, double share) {
+json value_at_share(const Normal& normal, double share) {
     if (normal.deviation <= 0) return normal.mean;
     return boost::math::quantile(boost::math::normal(normal.mean, normal.deviation),
-                                 std::clamp(share, kLeastShare, 1 - kLeastShare));
+                                 std::clamp(share, kMinShare, 1 - kMinShare));
 }
 
 // The distribution function is a parabola on either side of the mode.
-json value_of(const Triangular& triangle, double share) {
+json value_at_share(const Triangular& triangle, double share) {
     const double width = triangle.to - triangle.from;
     if (width <= 0) return triangle.from;
     const double rise = triangle.mode - triangle.from;
@@ -43,17 +43,17 @@ json value_of(const Triangular& triangle, double share) {
 }
 
 /// Orders are numbered by Lehmer's code, with the first item most significant.
-json value_of(const Order& order, double share) {
-    std::vector<std::size_t> left(order.count);
-    std::iota(left.begin(), left.end(), std::size_t{0});
+json value_at_share(const Order& order, double share) {
+    std::vector<std::size_t> remaining(order.count);
+    std::iota(remaining.begin(), remaining.end(), std::size_t{0});
     json list = json::array();
-    double rest = share;
-    while (!left.empty()) {
-        const double places = rest * static_cast<double>(left.size());
-        const auto place = std::min(static_cast<std::size_t>(places), left.size() - 1);
-        rest = places - static_cast<double>(place);
-        list.push_back(left[place]);
-        left.erase(left.begin() + static_cast<std::ptrdiff_t>(place));
+    double remaining_share = share;
+    while (!remaining.empty()) {
+        const double scaled_share = remaining_share * static_cast<double>(remaining.size());
+        const auto value_index = std::min(static_cast<std::size_t>(scaled_share), remaining.size() - 1);
+        remaining_share = scaled_share - static_cast<double>(value_index);
+        list.push_back(remaining[value_index]);
+        remaining.erase(remaining.begin() + static_cast<std::ptrdiff_t>(value_index));
     }
     return list;
 }
@@ -65,7 +65,7 @@ void add_values(const Setting& setting, const json& value, std::vector<SettingVa
 }
 
 json value_at(const Domain& domain, double share) {
-    return std::visit([share](const auto& one) { return value_of(one, share); }, domain);
+    return std::visit([share](const auto& one) { return value_at_share(one, share); }, domain);
 }
 
 }  // namespace gsim::batch

@@ -27,9 +27,9 @@ struct Triangular {
 
 /// Order of a number of items: a list of 0 to count - 1, each once.
 struct Order {
-    std::size_t count = 0;  ///< At most kMostOrdered.
+    std::size_t count = 0;  ///< At most kMaxOrdered.
 };
-inline constexpr std::size_t kMostOrdered = 18;  ///< Orders of so many fit into a double.
+inline constexpr std::size_t kMaxOrdered = 18;  ///< Orders of so many fit into a double.
 
 /// Domain of a setting.
 using Domain = std::variant<Choices, Uniform, Normal, Triangular, Order>;

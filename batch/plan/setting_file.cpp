@@ -22,16 +22,16 @@ constexpr std::array<std::string_view, 13> kSettingKeys{
     "key",  "keys", "values",    "from",  "to",    "steps", "distribution",
     "mean", "mode", "deviation", "scale", "shift", "orders"};
 constexpr std::array<std::string_view, 3> kDistributions{"uniform", "normal", "triangular"};
-constexpr std::uint64_t kMostSteps = 100'000;
+constexpr std::uint64_t kMaxSteps = 100'000;
 constexpr const char* kOrderKey = "path.order";
 
 class SettingReader {
   public:
-    SettingReader(FirstError& error, const toml::table& table, const FileOf& file_of)
+    SettingReader(FirstError& error, const toml::table& table, const ResolveFile& resolve_file)
         : error_(error),
           table_(table),
           section_(error, table, "[[setting]]", kSettingKeys),
-          file_of_(file_of) {}
+          resolve_file_(resolve_file) {}
 
     std::optional<Setting> read() {
         read_keys();
@@ -68,17 +68,18 @@ class SettingReader {
     }
 
     void check_key(const std::string& key) {
-        if (const std::string fault = fault_of_key(key); !fault.empty()) return section_.fail("key", fault);
-        const bool of_file =
-            key.starts_with(kOfMachine) || key.starts_with(kOfCell) || key.starts_with(kOfRobots);
-        const bool of_feed = key.starts_with(kOfPath) && key.ends_with("feed_mm_min");
-        if (setting_.use == SettingUse::factor && !of_file && !of_feed)
+        if (const std::string key_error = check_key_name(key); !key_error.empty())
+            return section_.fail("key", key_error);
+        const bool is_file_setting =
+            key.starts_with(kMachinePrefix) || key.starts_with(kCellPrefix) || key.starts_with(kRobotsPrefix);
+        const bool is_feed = key.starts_with(kPathPrefix) && key.ends_with("feed_mm_min");
+        if (setting_.use == SettingUse::factor && !is_file_setting && !is_feed)
             section_.fail("scale",
                           "factors are of feeds, and of values that a machine, cell or robots file has");
-        if (setting_.use == SettingUse::shift && !of_file)
+        if (setting_.use == SettingUse::shift && !is_file_setting)
             section_.fail("shift", "what is added is so to values that a machine, cell or robots file has");
-        const bool may_be_order = section_.has("orders") || section_.has("values");
-        if (key == kOrderKey ? !may_be_order : section_.has("orders"))
+        const bool has_order_values = section_.has("orders") || section_.has("values");
+        if (key == kOrderKey ? !has_order_values : section_.has("orders"))
             section_.fail("key",
                           "'path.order' has 'orders', the count of what is ordered, or lists as 'values'");
     }
@@ -88,41 +89,43 @@ class SettingReader {
         const bool has_values = section_.has("values");
         if (has_values == section_.has("from") && !(section_.has("distribution") && !has_values))
             return section_.fail("key", "[[setting]] has 'values', or 'from' and 'to', or a 'distribution'");
-        refuse_unused(section_, has_values);
+        reject_unused(section_, has_values);
         for (const std::string& key : setting_.keys) {
-            if (has_values || !key.starts_with(kOfRun)) continue;
-            if (const auto checked = check_option(key.substr(kOfRun.size()), 1.5); !checked)
+            if (has_values || !key.starts_with(kOptionPrefix)) continue;
+            if (const auto checked = check_option(key.substr(kOptionPrefix.size()), 1.5); !checked)
                 return section_.fail("key", checked.error());
         }
-        setting_.domain = has_values ? Domain(values()) : numbers(section_);
+        setting_.domain = has_values ? Domain(values()) : read_numbers(section_);
     }
 
     void read_orders() {
-        refuse(section_, {"values", "from", "to", "steps", "distribution", "mean", "mode", "deviation"},
+        reject(section_, {"values", "from", "to", "steps", "distribution", "mean", "mode", "deviation"},
                "'orders'");
         const double count = section_.number("orders", 2, NumberRule::count);
-        if (count < 2 || count > static_cast<double>(kMostOrdered))
-            section_.fail("orders", fmt::format("'orders' must be from 2 to {}", kMostOrdered));
+        if (count < 2 || count > static_cast<double>(kMaxOrdered))
+            section_.fail("orders", fmt::format("'orders' must be from 2 to {}", kMaxOrdered));
         setting_.domain = Order{static_cast<std::size_t>(count)};
     }
 
-    static void refuse(TomlSection& section, std::initializer_list<const char*> keys, const char* beside) {
+    static void reject(TomlSection& section, std::initializer_list<const char*> keys,
+                       const char* other_keys) {
         for (const char* key : keys) {
-            if (section.has(key)) section.fail(key, fmt::format("'{}' says nothing beside {}", key, beside));
+            if (section.has(key))
+                section.fail(key, fmt::format("'{}' says nothing beside {}", key, other_keys));
         }
     }
 
     /// Rejects keys that have no effect next to the others.
-    static void refuse_unused(TomlSection& section, bool has_values) {
+    static void reject_unused(TomlSection& section, bool has_values) {
         if (has_values)
-            return refuse(section, {"from", "to", "steps", "distribution", "mean", "mode", "deviation"},
+            return reject(section, {"from", "to", "steps", "distribution", "mean", "mode", "deviation"},
                           "'values'");
         if (section.has("steps"))
-            return refuse(section, {"distribution", "mean", "mode", "deviation"}, "'steps'");
+            return reject(section, {"distribution", "mean", "mode", "deviation"}, "'steps'");
         const std::size_t distribution = section.choice("distribution", 0, kDistributions);
-        if (distribution == 1) return refuse(section, {"from", "to", "mode"}, "'normal'");
-        refuse(section, {"mean", "deviation"}, "'from' and 'to'");
-        if (distribution == 0) refuse(section, {"mode"}, "'uniform'");
+        if (distribution == 1) return reject(section, {"from", "to", "mode"}, "'normal'");
+        reject(section, {"mean", "deviation"}, "'from' and 'to'");
+        if (distribution == 0) reject(section, {"mode"}, "'uniform'");
         section.require("from");
         section.require("to");
     }
@@ -135,14 +138,14 @@ class SettingReader {
             return choices;
         }
         for (const toml::node& node : *list) {
-            if (auto value = value_in(node)) choices.values.push_back(*std::move(value));
+            if (auto value = parse_value(node)) choices.values.push_back(*std::move(value));
         }
         return choices;
     }
 
     /// Returns a value that is valid for all keys.
-    std::optional<json> value_in(const toml::node& node) {
-        auto value = setting_.keys.front() == kOrderKey ? list_of_numbers(node) : plain_value(node);
+    std::optional<json> parse_value(const toml::node& node) {
+        auto value = setting_.keys.front() == kOrderKey ? parse_number_list(node) : scalar_value(node);
         if (!value || (setting_.use != SettingUse::set && !value->is_number())) {
             error_.report(node.source().begin, setting_.use != SettingUse::set
                                                    ? "what is a factor, or is added, must be a number"
@@ -150,35 +153,36 @@ class SettingReader {
             return std::nullopt;
         }
         for (const std::string& key : setting_.keys) {
-            if (!key.starts_with(kOfRun)) continue;
-            const std::string name = key.substr(kOfRun.size());
+            if (!key.starts_with(kOptionPrefix)) continue;
+            const std::string name = key.substr(kOptionPrefix.size());
             if (const auto checked = check_option(name, *value); !checked) {
                 error_.report(node.source().begin, checked.error());
             } else if (find_option(name)->kind == RunOption::Kind::file) {
-                value = file_of_(value->get<std::string>());
+                value = resolve_file_(value->get<std::string>());
             }
         }
         return value;
     }
 
-    static std::optional<json> list_of_numbers(const toml::node& node) {
+    static std::optional<json> parse_number_list(const toml::node& node) {
         const toml::array* list = node.as_array();
         if (list == nullptr) return std::nullopt;
-        json numbers = json::array();
+        json read_numbers = json::array();
         for (const toml::node& each : *list) {
-            const auto* whole = each.as_integer();
-            if (whole == nullptr || whole->get() < 0) return std::nullopt;
-            numbers.push_back(static_cast<std::uint64_t>(whole->get()));
+            const auto* integer = each.as_integer();
+            if (integer == nullptr || integer->get() < 0) return std::nullopt;
+            read_numbers.push_back(static_cast<std::uint64_t>(integer->get()));
         }
-        return numbers;
+        return read_numbers;
     }
 
-    Domain numbers(TomlSection& section) {
+    Domain read_numbers(TomlSection& section) {
         const double from = section.number("from", 0, NumberRule::finite);
         const double to = section.number("to", from, NumberRule::finite);
         if (section.has("from") && section.require("to") == nullptr) return Choices{};
         if (to < from) section.fail("to", "'to' must not be less than 'from'");
-        if (section.has("steps")) return even(from, to, whole_number(section, "steps", 2, kMostSteps, 2));
+        if (section.has("steps"))
+            return evenly_spaced(from, to, read_integer(section, "steps", 2, kMaxSteps, 2));
         switch (section.choice("distribution", 0, kDistributions)) {
             case 1: return normal(section);
             case 2: {
@@ -196,7 +200,7 @@ class SettingReader {
                       section.number("deviation", 0, NumberRule::not_negative)};
     }
 
-    static Domain even(double from, double to, std::uint64_t steps) {
+    static Domain evenly_spaced(double from, double to, std::uint64_t steps) {
         Choices choices;
         for (std::uint64_t step = 0; step < steps; ++step)
             choices.values.emplace_back(from + (to - from) * static_cast<double>(step) /
@@ -207,33 +211,33 @@ class SettingReader {
     FirstError& error_;
     const toml::table& table_;
     TomlSection section_;
-    const FileOf& file_of_;
+    const ResolveFile& resolve_file_;
     Setting setting_{.keys = {}, .domain = Choices{}};
 };
 
 }  // namespace
 
-std::optional<json> plain_value(const toml::node& node) {
+std::optional<json> scalar_value(const toml::node& node) {
     if (const auto* text = node.as_string()) return json(text->get());
-    if (const auto* whole = node.as_integer()) return json(whole->get());
+    if (const auto* integer = node.as_integer()) return json(integer->get());
     if (const auto* number = node.as_floating_point(); number != nullptr && std::isfinite(number->get()))
         return json(number->get());
     if (const auto* flag = node.as_boolean()) return json(flag->get());
     return std::nullopt;
 }
 
-std::uint64_t whole_number(TomlSection& section, std::string_view key, std::uint64_t least,
-                           std::uint64_t most, std::uint64_t fallback) {
+std::uint64_t read_integer(TomlSection& section, std::string_view key, std::uint64_t min, std::uint64_t max,
+                           std::uint64_t fallback) {
     const double value = section.number(key, static_cast<double>(fallback), NumberRule::not_negative);
-    if (value == std::floor(value) && value >= static_cast<double>(least) &&
-        value <= static_cast<double>(most))
+    if (value == std::floor(value) && value >= static_cast<double>(min) && value <= static_cast<double>(max))
         return static_cast<std::uint64_t>(value);
-    section.fail(key, fmt::format("'{}' must be a whole number from {} to {}", key, least, most));
+    section.fail(key, fmt::format("'{}' must be a whole number from {} to {}", key, min, max));
     return fallback;
 }
 
-std::optional<Setting> read_setting(FirstError& error, const toml::table& table, const FileOf& file_of) {
-    return SettingReader(error, table, file_of).read();
+std::optional<Setting> read_setting(FirstError& error, const toml::table& table,
+                                    const ResolveFile& resolve_file) {
+    return SettingReader(error, table, resolve_file).read();
 }
 
 }  // namespace gsim::batch

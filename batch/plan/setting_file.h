@@ -15,16 +15,17 @@
 namespace gsim::batch {
 
 /// Returns a plain value as JSON; empty if it is not plain.
-std::optional<nlohmann::json> plain_value(const toml::node& node);
+std::optional<nlohmann::json> scalar_value(const toml::node& node);
 
 /// Returns an integer. A value that is not an integer between `least` and `most` is an error.
-std::uint64_t whole_number(base::TomlSection& section, std::string_view key, std::uint64_t least,
-                           std::uint64_t most, std::uint64_t fallback);
+std::uint64_t read_integer(base::TomlSection& section, std::string_view key, std::uint64_t min,
+                           std::uint64_t max, std::uint64_t fallback);
 
 /// Function that returns the file for a name in a plan.
-using FileOf = std::function<std::string(const std::string& name)>;
+using ResolveFile = std::function<std::string(const std::string& name)>;
 
 /// Reads one [[setting]] of a plan. Returns no setting, or sets `error`, if it is wrong.
-std::optional<Setting> read_setting(base::FirstError& error, const toml::table& table, const FileOf& file_of);
+std::optional<Setting> read_setting(base::FirstError& error, const toml::table& table,
+                                    const ResolveFile& resolve_file);
 
 }  // namespace gsim::batch

@@ -23,8 +23,8 @@ struct BatchOptions {
     double timeout_s = 600;          ///< For each run, by the clock.
     Journal journal = Journal::write_ahead;
     std::optional<std::vector<std::uint64_t>> only = {};  ///< Numbers of jobs; empty: all of them.
-    bool anew = false;                                    ///< Repeats runs that already exist.
-    std::chrono::milliseconds lock_wait{0};               ///< For other programs that change the file.
+    bool rerun = false;                                   ///< Repeats runs that already exist.
+    std::chrono::milliseconds lock_timeout{0};            ///< For other programs that change the file.
     bool retry = false;  ///< Repeats runs that crashed, took too long or too much memory.
 };
 
@@ -33,12 +33,12 @@ struct BatchTally {
     std::int64_t batch = 0;  ///< Its number in the results.
     std::uint64_t jobs = 0;
     std::uint64_t ran = 0;
-    std::uint64_t reused = 0;      ///< They were there already.
-    std::uint64_t failed = 0;      ///< Among both.
-    std::uint64_t undrawn = 0;     ///< Requested pictures that could not be drawn.
-    std::string why_undrawn = {};  ///< Message of the first of these.
+    std::uint64_t reused = 0;              ///< They were there already.
+    std::uint64_t failed = 0;              ///< Among both.
+    std::uint64_t missing_pictures = 0;    ///< Requested pictures that could not be drawn.
+    std::string first_picture_error = {};  ///< Message of the first of these.
     double wall_s = 0;
-    bool whole = false;  ///< Else it was cut off.
+    bool complete = false;  ///< Else it was cut off.
 
     std::uint64_t done() const { return ran + reused; }
 };

@@ -20,6 +20,6 @@ tl::expected<std::vector<Job>, std::string> write_variant(const Plan& plan,
 
 /// Returns a message why the files of a variant cannot be written into a folder, which is created. Either one
 /// exists already, or, if overwriting is allowed, the search itself reads it. Empty if no error is found.
-std::string fault_of_folder(const Plan& plan, const std::string& folder, bool overwrite);
+std::string check_output_folder(const Plan& plan, const std::string& folder, bool overwrite);
 
 }  // namespace gsim::batch

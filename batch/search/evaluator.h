@@ -11,13 +11,13 @@
 namespace gsim::batch {
 
 /// Batch that has been run.
-struct Evaluated {
+struct EvaluatedBatch {
     std::int64_t batch = 0;
-    bool whole = false;  ///< Else it was cut off.
+    bool complete = false;  ///< Else it was cut off.
 };
 
 /// Function that runs all jobs of a plan into the results, on any computer; `anew`: existing runs are
 /// repeated. The error is a message.
-using Evaluate = std::function<tl::expected<Evaluated, std::string>(const Plan& plan, bool anew)>;
+using Evaluate = std::function<tl::expected<EvaluatedBatch, std::string>(const Plan& plan, bool rerun)>;
 
 }  // namespace gsim::batch

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "batch/plan/lots.h"
+#include "batch/plan/random.h"
 
 namespace gsim::batch {
 
@@ -21,11 +21,11 @@ class Evolution {
 
     std::size_t population() const { return population_; }
     /// Returns the next trials, each in the box.
-    std::vector<Eigen::VectorXd> ask();
+    std::vector<Eigen::VectorXd> sample_population();
     /// Receives the ranking: the indices of all trials that ask() returned, the best one first.
-    void tell(std::span<const std::size_t> best_first);
+    void update(std::span<const std::size_t> ranking);
     /// Returns true if the distribution has contracted so far that it yields no new results.
-    bool is_done() const;
+    bool has_converged() const;
 
   private:
     void adapt(const Eigen::MatrixXd& steps, const Eigen::VectorXd& weights);
@@ -36,9 +36,9 @@ class Evolution {
     Eigen::VectorXd mean_;
     double step_;
     Eigen::MatrixXd covariance_, axes_;
-    Eigen::VectorXd lengths_;  ///< Lengths of the axes.
+    Eigen::VectorXd axis_lengths_;  ///< Lengths of the axes.
     Eigen::VectorXd path_, step_path_;
-    std::vector<Eigen::VectorXd> drawn_;  ///< Unmirrored, in units of the step.
+    std::vector<Eigen::VectorXd> samples_;  ///< Unmirrored, in units of the step.
     std::uint64_t generation_ = 0;
 };
 

@@ -4,114 +4,116 @@
 #include <cmath>
 
 #include "base/text/format.h"
-#include "batch/search/figures.h"
+#include "batch/search/metrics.h"
 
 namespace gsim::batch {
 
 namespace {
 
-using Fault = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
 // Classes of violations, each worse than the previous ones: past limits, ended before the end, not begun.
-constexpr double kMostExcess = 1e5, kEnded = 1e6, kNotBegun = 1e9;
+constexpr double kMaxExcess = 1e5, kAbortedViolation = 1e6, kNotStartedViolation = 1e9;
 
-bool has_figures(const RunFigures& run) {
+bool has_metrics(const RunMetrics& run) {
     return run.status == "completed" || run.status == "violations";
 }
 
 /// Returns the violation of a single run.
-double violation_of(const RunFigures& run) {
+double violation_of(const RunMetrics& run) {
     if (run.is_clean()) return 0;
-    if (has_figures(run)) return std::max(1.0, run.figure("violations") + run.figure("collisions"));
+    if (has_metrics(run)) return std::max(1.0, run.metric("violations") + run.metric("collisions"));
     // A run that gets farther is closer to a valid one.
-    if (run.status == "alarm" || run.status == "stopped") return kEnded + kEnded / (1 + run.figure("blocks"));
-    return kNotBegun;
+    if (run.status == "alarm" || run.status == "stopped")
+        return kAbortedViolation + kAbortedViolation / (1 + run.metric("blocks"));
+    return kNotStartedViolation;
 }
 
 /// Returns the excess of a metric beyond its limit, as a share of the limit.
-double excess(const FigureLimit& limit, const RunFigures& run) {
-    const auto found = run.figures.find(limit.figure);
-    if (found == run.figures.end() || !found->second) return kMostExcess;
-    const auto beyond = [](double by, double bound) {
-        return by > 0 ? std::min(by / std::max(std::abs(bound), 1e-3), kMostExcess) : 0.0;
+double excess(const MetricLimit& limit, const RunMetrics& run) {
+    const auto found = run.metrics.find(limit.metric);
+    if (found == run.metrics.end() || !found->second) return kMaxExcess;
+    const auto excess_share = [](double by, double bound) {
+        return by > 0 ? std::min(by / std::max(std::abs(bound), 1e-3), kMaxExcess) : 0.0;
     };
     double excess = 0;
-    if (limit.least) excess += beyond(*limit.least - *found->second, *limit.least);
-    if (limit.most) excess += beyond(*found->second - *limit.most, *limit.most);
+    if (limit.min) excess += excess_share(*limit.min - *found->second, *limit.min);
+    if (limit.max) excess += excess_share(*found->second - *limit.max, *limit.max);
     return excess;
 }
 
 }  // namespace
 
-double RunFigures::figure(std::string_view name, double fallback) const {
-    const auto found = figures.find(name);
-    return found == figures.end() ? fallback : found->second.value_or(fallback);
+double RunMetrics::metric(std::string_view name, double fallback) const {
+    const auto found = metrics.find(name);
+    return found == metrics.end() ? fallback : found->second.value_or(fallback);
 }
 
-tl::expected<std::vector<RunFigures>, std::string> read_figures(Database& results, std::int64_t batch,
+tl::expected<std::vector<RunMetrics>, std::string> read_metrics(Database& results, std::int64_t batch,
                                                                 std::uint64_t jobs) {
     auto rows = results.prepare(
         fmt::format("SELECT run.id, status, cause, message, program, {} FROM batch_run JOIN run ON run.id = "
                     "batch_run.run WHERE batch = ? ORDER BY job",
-                    text::joined(kFigures, ", ")));
-    if (!rows) return Fault(rows.error());
+                    text::joined(kMetrics, ", ")));
+    if (!rows) return Unexpected(rows.error());
     rows->bind(1, batch);
-    std::vector<RunFigures> found;
+    std::vector<RunMetrics> found;
     while (true) {
         const auto row = rows->step();
-        if (!row) return Fault(row.error());
+        if (!row) return Unexpected(row.error());
         if (!*row) break;
-        RunFigures& run = found.emplace_back(RunFigures{.run = rows->whole(0),
+        RunMetrics& run = found.emplace_back(RunMetrics{.run = rows->integer(0),
                                                         .status = std::string(rows->text(1)),
                                                         .cause = std::string(rows->text(2)),
                                                         .message = std::string(rows->text(3)),
                                                         .program = std::string(rows->text(4)),
-                                                        .figures = {}});
-        for (std::size_t i = 0; i < kFigures.size(); ++i) {
+                                                        .metrics = {}});
+        for (std::size_t i = 0; i < kMetrics.size(); ++i) {
             const int column = static_cast<int>(i) + 5;
-            run.figures[std::string(kFigures[i])] =
+            run.metrics[std::string(kMetrics[i])] =
                 rows->is_null(column) ? std::nullopt : std::optional(rows->number(column));
         }
     }
-    if (found.size() != jobs) return Fault(fmt::format("{} of {} runs have been made", found.size(), jobs));
+    if (found.size() != jobs)
+        return Unexpected(fmt::format("{} of {} runs have been made", found.size(), jobs));
     return found;
 }
 
-bool was_not_begun(const RunFigures& run) {
-    return violation_of(run) >= kNotBegun;
+bool was_not_started(const RunMetrics& run) {
+    return violation_of(run) >= kNotStartedViolation;
 }
 
-Score score_of(const SearchPlan& search, std::span<const RunFigures> runs,
-               std::span<const RunFigures> start) {
+Score compute_score(const SearchPlan& search, std::span<const RunMetrics> runs,
+                    std::span<const RunMetrics> start) {
     Score score{.value = 0};
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const RunFigures& run = runs[i];
+        const RunMetrics& run = runs[i];
         score.violation += violation_of(run);
-        if (!has_figures(run)) {
+        if (!has_metrics(run)) {
             score.value.reset();
             continue;
         }
         for (const Weight& weight : search.objective) {
-            if (score.value) *score.value += weight.weight * run.figure(weight.figure);
+            if (score.value) *score.value += weight.weight * run.metric(weight.metric);
         }
-        for (const FigureLimit& limit : search.limits) score.violation += excess(limit, run);
-        const double more = run.figure("process_findings") - start[i].figure("process_findings");
-        if (has_figures(start[i]) && more > 0) score.violation += more;
+        for (const MetricLimit& limit : search.limits) score.violation += excess(limit, run);
+        const double more = run.metric("process_findings") - start[i].metric("process_findings");
+        if (has_metrics(start[i]) && more > 0) score.violation += more;
     }
     return score;
 }
 
-std::string find_missing_figure(const SearchPlan& search, std::span<const RunFigures> runs) {
-    std::vector<std::string> wanted;
-    for (const Weight& weight : search.objective) wanted.push_back(weight.figure);
-    for (const FigureLimit& limit : search.limits) wanted.push_back(limit.figure);
-    for (const RunFigures& run : runs) {
-        if (!has_figures(run)) continue;
-        for (const std::string& figure : wanted) {
-            if (!run.figures.at(figure))
+std::string find_missing_metric(const SearchPlan& search, std::span<const RunMetrics> runs) {
+    std::vector<std::string> required;
+    for (const Weight& weight : search.objective) required.push_back(weight.metric);
+    for (const MetricLimit& limit : search.limits) required.push_back(limit.metric);
+    for (const RunMetrics& run : runs) {
+        if (!has_metrics(run)) continue;
+        for (const std::string& metric : required) {
+            if (!run.metrics.at(metric))
                 return fmt::format(
                     "runs of '{}' have no '{}' (docs/optimise.md tells what each figure needs)", run.program,
-                    figure);
+                    metric);
         }
     }
     return {};

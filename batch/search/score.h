@@ -15,21 +15,21 @@
 namespace gsim::batch {
 
 /// Results of a run, as in the file of results.
-struct RunFigures {
+struct RunMetrics {
     std::int64_t run = 0;
     std::string status = {}, cause = {}, message = {}, program = {};
-    std::map<std::string, std::optional<double>, std::less<>> figures = {};  ///< Values of kFigures.
+    std::map<std::string, std::optional<double>, std::less<>> metrics = {};  ///< Values of kMetrics.
 
     bool is_clean() const { return status == "completed" && cause.empty(); }
-    double figure(std::string_view name, double fallback = 0) const;
+    double metric(std::string_view name, double fallback = 0) const;
 };
 
 /// Returns the runs of a batch in the order of its jobs. The error: some jobs have none.
-tl::expected<std::vector<RunFigures>, std::string> read_figures(Database& results, std::int64_t batch,
+tl::expected<std::vector<RunMetrics>, std::string> read_metrics(Database& results, std::int64_t batch,
                                                                 std::uint64_t jobs);
 
 /// Returns true if a run was not even begun: its program or an input was refused, or its process was lost.
-bool was_not_begun(const RunFigures& run);
+bool was_not_started(const RunMetrics& run);
 
 /// Quality of a variant, over all programs and machines of its plan.
 struct Score {
@@ -37,7 +37,7 @@ struct Score {
     std::optional<double> value = {};
     double violation = 0;  ///< Size of the violation: 0 if all runs are within all limits.
 
-    bool is_allowed() const { return violation == 0; }
+    bool is_feasible() const { return violation == 0; }
     /// An allowed variant is better, otherwise the one closer to that (Deb 2000).
     bool operator<(const Score& other) const {
         if (violation != other.violation) return violation < other.violation;
@@ -47,10 +47,11 @@ struct Score {
 
 /// Returns the score. `start`: the same runs of the unchanged files; a variant must not have more process
 /// findings.
-Score score_of(const SearchPlan& search, std::span<const RunFigures> runs, std::span<const RunFigures> start);
+Score compute_score(const SearchPlan& search, std::span<const RunMetrics> runs,
+                    std::span<const RunMetrics> start);
 
 /// Returns a message about a metric of the objective or a limit that a completed run does not have; empty if
 /// all exist.
-std::string find_missing_figure(const SearchPlan& search, std::span<const RunFigures> runs);
+std::string find_missing_metric(const SearchPlan& search, std::span<const RunMetrics> runs);
 
 }  // namespace gsim::batch

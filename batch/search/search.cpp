@@ -16,18 +16,18 @@ namespace gsim::batch {
 
 namespace {
 
-using Done = tl::expected<void, std::string>;
+using VoidResult = tl::expected<void, std::string>;
 using Eigen::VectorXd;
-using Fault = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 using Variants = std::vector<std::vector<SettingValue>>;
 
-constexpr double kFirstStep = 0.2, kLaterStep = 0.3;  // of the box
-constexpr std::uint64_t kFirstOfDimension = 10;
-constexpr std::uint64_t kMostFirst = 200;
+constexpr double kInitialStep = 0.2, kRestartStep = 0.3;  // of the box
+constexpr std::uint64_t kInitialPerDimension = 10;
+constexpr std::uint64_t kMaxInitial = 200;
 
 std::string objective_text(const SearchPlan& search) {
     nlohmann::ordered_json text = nlohmann::ordered_json::object();
-    for (const Weight& weight : search.objective) text[weight.figure] = weight.weight;
+    for (const Weight& weight : search.objective) text[weight.metric] = weight.weight;
     return text.dump();
 }
 
@@ -67,78 +67,80 @@ class BestSearch {
     /// Tries variants; returns their indices from the best one on. Empty: the search was cut off.
     tl::expected<std::vector<std::size_t>, std::string> try_all(const Variants& variants) {
         const Plan plan = with_variants(search_.plan, variants);
-        const auto evaluated = evaluate_(plan, false);
-        if (!evaluated) return Fault(evaluated.error());
-        if (!evaluated->whole) return std::vector<std::size_t>();
+        const auto evaluated_batch = evaluate_(plan, false);
+        if (!evaluated_batch) return Unexpected(evaluated_batch.error());
+        if (!evaluated_batch->complete) return std::vector<std::size_t>();
         auto results = Database::open(results_);
-        if (!results) return Fault(results.error());
-        const auto runs = read_figures(*results, evaluated->batch, Jobs(plan).size());
-        if (!runs) return Fault(runs.error());
-        return take(*results, variants, *runs);
+        if (!results) return Unexpected(results.error());
+        const auto runs = read_metrics(*results, evaluated_batch->batch, Jobs(plan).size());
+        if (!runs) return Unexpected(runs.error());
+        return record_trials(*results, variants, *runs);
     }
 
-    tl::expected<std::vector<std::size_t>, std::string> take(Database& results, const Variants& variants,
-                                                             const std::vector<RunFigures>& runs) {
-        const bool is_start = state_.tried == 0;
+    tl::expected<std::vector<std::size_t>, std::string> record_trials(Database& results,
+                                                                      const Variants& variants,
+                                                                      const std::vector<RunMetrics>& runs) {
+        const bool is_start = state_.trials == 0;
         if (is_start) {
             auto begun = begin_search(results, search_.plan.name, objective_text(search_), search_.seed);
-            if (!begun) return Fault(begun.error());
+            if (!begun) return Unexpected(begun.error());
             state_.search = *begun;
         }
         // A metric that the start lacks is an error of the plan; a variant without a metric is not allowed.
-        if (const std::string missing = is_start ? find_missing_figure(search_, runs) : ""; !missing.empty())
-            return Fault(missing);
+        if (const std::string missing = is_start ? find_missing_metric(search_, runs) : ""; !missing.empty())
+            return Unexpected(missing);
         std::vector<Score> scores;
         std::vector<TrialRow> rows;
         for (std::size_t i = 0; i < variants.size(); ++i) {
             Trial trial{.settings = variants[i], .score = {}, .runs = {}};
             // All variants of a program on one machine are consecutive.
             for (std::size_t at = i; at < runs.size(); at += variants.size()) trial.runs.push_back(runs[at]);
-            trial.score = score_of(search_, trial.runs, is_start ? trial.runs : state_.start.runs);
+            trial.score = compute_score(search_, trial.runs, is_start ? trial.runs : state_.start.runs);
             scores.push_back(trial.score);
-            for (const RunFigures& run : trial.runs)
+            for (const RunMetrics& run : trial.runs)
                 rows.push_back(
-                    {state_.tried, run.run, state_.generation, trial.score.value, trial.score.violation});
-            if (!is_start) note_refusals(trial);
-            take(std::move(trial), is_start);
+                    {state_.trials, run.run, state_.generation, trial.score.value, trial.score.violation});
+            if (!is_start) record_rejections(trial);
+            record_trials(std::move(trial), is_start);
         }
-        if (const Done added = add_trials(results, state_.search, rows); !added) return Fault(added.error());
+        if (const VoidResult result = add_trials(results, state_.search, rows); !result)
+            return Unexpected(result.error());
         progress_(state_);
-        std::vector<std::size_t> places(variants.size());
-        std::iota(places.begin(), places.end(), std::size_t{0});
-        std::stable_sort(places.begin(), places.end(),
+        std::vector<std::size_t> ranking(variants.size());
+        std::iota(ranking.begin(), ranking.end(), std::size_t{0});
+        std::stable_sort(ranking.begin(), ranking.end(),
                          [&](std::size_t a, std::size_t b) { return scores[a] < scores[b]; });
-        return places;
+        return ranking;
     }
 
     /// Records a setting that no run can have, so that it is reported early.
-    void note_refusals(const Trial& trial) {
-        for (const RunFigures& run : trial.runs) {
-            const bool refused = was_not_begun(run);
-            begun_ += refused ? 0 : 1;
-            if (refused && refused_.empty()) refused_ = fmt::format("{}: {}", run.program, run.message);
+    void record_rejections(const Trial& trial) {
+        for (const RunMetrics& run : trial.runs) {
+            const bool rejected = was_not_started(run);
+            started_runs_ += rejected ? 0 : 1;
+            if (rejected && rejection_.empty()) rejection_ = fmt::format("{}: {}", run.program, run.message);
         }
     }
 
-    void take(Trial trial, bool is_start) {
-        state_.allowed += trial.score.is_allowed() ? 1 : 0;
+    void record_trials(Trial trial, bool is_start) {
+        state_.feasible += trial.score.is_feasible() ? 1 : 0;
         if (is_start) state_.start = trial;
         if (is_start || trial.score < state_.best.score) {
             state_.best = std::move(trial);
-            state_.best_number = state_.tried;
+            state_.best_number = state_.trials;
         }
-        ++state_.tried;
+        ++state_.trials;
     }
 
-    Done begin() {
-        const auto tried = try_all({{}});
-        if (!tried) return Fault(tried.error());
-        cut_off_ = tried->empty();
+    VoidResult begin() {
+        const auto trials = try_all({{}});
+        if (!trials) return Unexpected(trials.error());
+        interrupted_ = trials->empty();
         return {};
     }
 
-    std::uint64_t left() const {
-        const std::uint64_t done = state_.tried - 1;  // but for the start
+    std::uint64_t remaining() const {
+        const std::uint64_t done = state_.trials - 1;  // but for the start
         return done < search_.variants ? search_.variants - done : 0;
     }
 
@@ -148,56 +150,56 @@ class BestSearch {
         return variants;
     }
 
-    Done explore() {
-        if (cut_off_) return {};
+    VoidResult explore() {
+        if (interrupted_) return {};
         // The number does not depend on the total, so that a search with more variants continues one with
         // fewer.
         std::uint64_t count = search_.first;
-        if (count == 0) count = std::min(kFirstOfDimension * space_.dimensions(), kMostFirst);
-        count = std::min(count, left());
+        if (count == 0) count = std::min(kInitialPerDimension * space_.dimensions(), kMaxInitial);
+        count = std::min(count, remaining());
         const std::vector<VectorXd> points = spread_points(space_.dimensions(), count, search_.seed);
-        const auto places = try_all(variants_at(points));
-        if (!places) return Fault(places.error());
-        cut_off_ = places->empty();
-        if (cut_off_) return {};
-        if (!refused_.empty() && begun_ == 0)
-            return Fault(fmt::format("each of the {} first variants is refused: {}", count, refused_));
-        begin_at_ = points[places->front()];
+        const auto ranking = try_all(variants_at(points));
+        if (!ranking) return Unexpected(ranking.error());
+        interrupted_ = ranking->empty();
+        if (interrupted_) return {};
+        if (!rejection_.empty() && started_runs_ == 0)
+            return Unexpected(fmt::format("each of the {} first variants is refused: {}", count, rejection_));
+        start_point_ = points[ranking->front()];
         return {};
     }
 
-    Done evolve() {
-        VectorXd mean = begin_at_;
-        double step = kFirstStep;
-        for (std::size_t population = search_.population; !cut_off_ && left() > 0;) {
+    VoidResult evolve() {
+        VectorXd mean = start_point_;
+        double step = kInitialStep;
+        for (std::size_t population = search_.population; !interrupted_ && remaining() > 0;) {
             Evolution evolution(mean, step, population, Random(random_()));
-            while (!cut_off_ && left() > 0 && !evolution.is_done()) {
-                if (Done done = evolve_once(evolution); !done) return done;
+            while (!interrupted_ && remaining() > 0 && !evolution.has_converged()) {
+                if (VoidResult done = evolve_once(evolution); !done) return done;
             }
             population = 2 * evolution.population();
-            for (double& each : mean) each = lot(random_);
-            step = kLaterStep;
+            for (double& each : mean) each = uniform_random(random_);
+            step = kRestartStep;
         }
         return {};
     }
 
-    Done evolve_once(Evolution& evolution) {
-        std::vector<VectorXd> points = evolution.ask();
-        const bool whole = points.size() <= left();
-        if (!whole) points.resize(left());
+    VoidResult evolve_once(Evolution& evolution) {
+        std::vector<VectorXd> points = evolution.sample_population();
+        const bool complete = points.size() <= remaining();
+        if (!complete) points.resize(remaining());
         ++state_.generation;
-        const auto places = try_all(variants_at(points));
-        if (!places) return Fault(places.error());
-        cut_off_ = places->empty();
-        if (!cut_off_ && whole) evolution.tell(*places);
+        const auto ranking = try_all(variants_at(points));
+        if (!ranking) return Unexpected(ranking.error());
+        interrupted_ = ranking->empty();
+        if (!interrupted_ && complete) evolution.update(*ranking);
         return {};
     }
 
-    Done end() {
-        state_.whole = !cut_off_;
-        if (state_.tried == 0) return {};
+    VoidResult end() {
+        state_.complete = !interrupted_;
+        if (state_.trials == 0) return {};
         auto results = Database::open(results_);
-        if (!results) return Fault(results.error());
+        if (!results) return Unexpected(results.error());
         return end_search(*results, state_.search, state_.best_number);
     }
 
@@ -205,13 +207,13 @@ class BestSearch {
     const std::string& results_;
     const Evaluate& evaluate_;
     const std::function<void(const SearchState&)>& progress_;
-    Space space_;
+    SearchSpace space_;
     Random random_;
-    VectorXd begin_at_;
+    VectorXd start_point_;
     SearchState state_;
-    bool cut_off_ = false;
-    std::uint64_t begun_ = 0;  // runs of variants that were begun
-    std::string refused_;      // why the first refused run was refused
+    bool interrupted_ = false;
+    std::uint64_t started_runs_ = 0;  // runs of variants that were begun
+    std::string rejection_;           // why the first refused run was refused
 };
 
 }  // namespace

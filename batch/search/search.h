@@ -17,7 +17,7 @@ namespace gsim::batch {
 struct Trial {
     std::vector<SettingValue> settings;  ///< Empty at the start: files as they are.
     Score score;
-    std::vector<RunFigures> runs;  ///< For each program on each machine.
+    std::vector<RunMetrics> runs;  ///< For each program on each machine.
 };
 
 /// State of a search.
@@ -25,10 +25,10 @@ struct SearchState {
     std::int64_t search = 0;  ///< Its number in the results.
     Trial start, best;        ///< The best one may be the start.
     std::uint64_t best_number = 0;
-    std::uint64_t tried = 0;       ///< Variants, the start among them.
-    std::uint64_t allowed = 0;     ///< Those with all runs within all limits.
+    std::uint64_t trials = 0;      ///< Variants, the start among them.
+    std::uint64_t feasible = 0;    ///< Those with all runs within all limits.
     std::uint64_t generation = 0;  ///< 0: those that are spread evenly.
-    bool whole = false;            ///< Else it was cut off.
+    bool complete = false;         ///< Else it was cut off.
 };
 
 /// Searches for the best variant: the files as they are first, then variants that are spread evenly (a Latin

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "batch/plan/setting_file.h"
-#include "batch/search/figures.h"
+#include "batch/search/metrics.h"
 #include "batch/search/search_plan.h"
 
 namespace gsim::batch {
@@ -18,7 +18,7 @@ using base::TomlSection;
 
 constexpr std::array<std::string_view, 4> kSearchKeys{"variants", "first", "population", "seed"};
 constexpr std::array<std::string_view, 3> kLimitKeys{"figure", "least", "most"};
-constexpr std::uint64_t kMostVariants = 10'000'000;
+constexpr std::uint64_t kMaxVariants = 10'000'000;
 
 class SearchReader {
   public:
@@ -38,9 +38,9 @@ class SearchReader {
     }
 
   private:
-    void fail(std::string_view key, const std::string& sentence) {
+    void fail(std::string_view key, const std::string& message) {
         const toml::node* node = table_.get(key);
-        error_.report(node != nullptr ? node->source().begin : table_.source().begin, sentence);
+        error_.report(node != nullptr ? node->source().begin : table_.source().begin, message);
     }
 
     void read_objective() {
@@ -48,7 +48,7 @@ class SearchReader {
         if (objective == nullptr || objective->empty())
             return fail("objective",
                         "a search needs [objective]: figures and their weights, as in 'cycle_time_s = 1'");
-        TomlSection section(error_, *objective, "[objective]", kFigures);
+        TomlSection section(error_, *objective, "[objective]", kMetrics);
         for (const auto& [key, node] : *objective) {
             const double weight = section.number(key.str(), 1, NumberRule::finite);
             if (weight == 0) section.fail(key.str(), "a weight of 0 says nothing");
@@ -63,13 +63,13 @@ class SearchReader {
             return fail("limit", "'limit' must be an array of tables, each under [[limit]]");
         for (const toml::node& node : *list) {
             TomlSection section(error_, *node.as_table(), "[[limit]]", kLimitKeys);
-            const std::size_t figure = section.choice("figure", 0, kFigures);
+            const std::size_t metric = section.choice("figure", 0, kMetrics);
             if (section.require("figure") == nullptr) continue;
-            FigureLimit limit{.figure = std::string(kFigures[figure])};
-            if (section.has("least")) limit.least = section.number("least", 0, NumberRule::finite);
-            if (section.has("most")) limit.most = section.number("most", 0, NumberRule::finite);
-            if (!limit.least && !limit.most) section.fail("figure", "[[limit]] has 'least', 'most' or both");
-            if (limit.least && limit.most && *limit.least > *limit.most)
+            MetricLimit limit{.metric = std::string(kMetrics[metric])};
+            if (section.has("least")) limit.min = section.number("least", 0, NumberRule::finite);
+            if (section.has("most")) limit.max = section.number("most", 0, NumberRule::finite);
+            if (!limit.min && !limit.max) section.fail("figure", "[[limit]] has 'least', 'most' or both");
+            if (limit.min && limit.max && *limit.min > *limit.max)
                 section.fail("most", "'most' must not be less than 'least'");
             search_.limits.push_back(std::move(limit));
         }
@@ -82,11 +82,11 @@ class SearchReader {
             return;
         }
         TomlSection section(error_, *table, "[search]", kSearchKeys);
-        search_.variants = whole_number(section, "variants", 1, kMostVariants, search_.variants);
-        search_.seed = whole_number(section, "seed", 1, kMostVariants, search_.seed);
-        if (section.has("first")) search_.first = whole_number(section, "first", 1, kMostVariants, 1);
+        search_.variants = read_integer(section, "variants", 1, kMaxVariants, search_.variants);
+        search_.seed = read_integer(section, "seed", 1, kMaxVariants, search_.seed);
+        if (section.has("first")) search_.first = read_integer(section, "first", 1, kMaxVariants, 1);
         if (section.has("population"))
-            search_.population = whole_number(section, "population", 4, kMostVariants, 4);
+            search_.population = read_integer(section, "population", 4, kMaxVariants, 4);
     }
 
     void check_settings() {
@@ -101,10 +101,10 @@ class SearchReader {
         }
     }
 
-    bool needs(std::string_view figure) const {
-        const auto is_it = [&](const auto& each) { return each.figure == figure; };
-        return std::any_of(search_.objective.begin(), search_.objective.end(), is_it) ||
-               std::any_of(search_.limits.begin(), search_.limits.end(), is_it);
+    bool needs(std::string_view metric) const {
+        const auto matches_metric = [&](const auto& each) { return each.metric == metric; };
+        return std::any_of(search_.objective.begin(), search_.objective.end(), matches_metric) ||
+               std::any_of(search_.limits.begin(), search_.limits.end(), matches_metric);
     }
 
     /// Adds the options without which runs do not have the metrics.

@@ -8,7 +8,7 @@
 #include "base/text/format.h"
 #include "base/text/json.h"
 #include "base/text/xml_text.h"
-#include "batch/search/figures.h"
+#include "batch/search/metrics.h"
 #include "batch/work/run_commands.h"
 
 namespace gsim::batch {
@@ -21,16 +21,16 @@ constexpr double kTrialsWidth_px = 640, kTrialsHeight_px = 220, kLeft_px = 60, k
 
 /// Combines a metric of several runs into one value: distances and times add up; for the others the worst
 /// value counts.
-std::optional<double> figure_of(const Trial& trial, std::string_view figure) {
+std::optional<double> combined_metric(const Trial& trial, std::string_view metric) {
     std::optional<double> all;
-    for (const RunFigures& run : trial.runs) {
-        const auto& value = run.figures.at(std::string(figure));
+    for (const RunMetrics& run : trial.runs) {
+        const auto& value = run.metrics.at(std::string(metric));
         if (!value) continue;
         if (!all) {
             all = value;
-        } else if (figure == "clearance_mm") {
+        } else if (metric == "clearance_mm") {
             all = std::min(*all, *value);
-        } else if (figure == "deviation_mm" || figure == "joint_speed_share") {
+        } else if (metric == "deviation_mm" || metric == "joint_speed_share") {
             all = std::max(*all, *value);
         } else {
             *all += *value;
@@ -39,13 +39,13 @@ std::optional<double> figure_of(const Trial& trial, std::string_view figure) {
     return all;
 }
 
-std::string shown(std::optional<double> value) {
+std::string format_value(std::optional<double> value) {
     return value ? fmt::format("{:.6g}", *value) : "-";
 }
 
 /// Returns a row of a table with start and best in adjacent columns.
 std::string row(std::string_view title, std::optional<double> start, std::optional<double> best) {
-    return fmt::format("  {:<36}{:>14}{:>14}\n", title, shown(start), shown(best));
+    return fmt::format("  {:<36}{:>14}{:>14}\n", title, format_value(start), format_value(best));
 }
 
 /// Returns the text with "+ " and "x " as in settings_json().
@@ -55,46 +55,47 @@ std::string value_text(const SettingValue& setting) {
     return fmt::format("{}{:.6g}", use, setting.value.get<double>());
 }
 
-bool shows(std::string_view figure) {
-    return figure != "most_s" && figure != "lower_bound_s" && figure != "blocks" && figure != "warnings";
+bool is_shown(std::string_view metric) {
+    return metric != "most_s" && metric != "lower_bound_s" && metric != "blocks" && metric != "warnings";
 }
 
-std::string faults_of(const Trial& trial) {
-    for (const RunFigures& run : trial.runs) {
+std::string failure_text(const Trial& trial) {
+    for (const RunMetrics& run : trial.runs) {
         if (!run.is_clean())
             return fmt::format("{}: {}", run.program, run.message.empty() ? run.status : run.message);
     }
     return "beyond a limit of the search, or with more findings than the start";
 }
 
-std::string gain_text(const SearchState& state) {
-    if (!state.best.score.is_allowed())
+std::string improvement_text(const SearchState& state) {
+    if (!state.best.score.is_feasible())
         return fmt::format("no variant is without a fault; the nearest one fails: {}\n",
-                           faults_of(state.best));
+                           failure_text(state.best));
     if (state.best_number == 0) return "nothing that was tried is better than the start\n";
-    if (!state.start.score.is_allowed()) return fmt::format("the start fails: {}\n", faults_of(state.start));
+    if (!state.start.score.is_feasible())
+        return fmt::format("the start fails: {}\n", failure_text(state.start));
     const double start = state.start.score.value.value_or(0), best = state.best.score.value.value_or(0);
     return fmt::format("the objective is less by {:.6g} ({:.2f} %)\n", start - best,
                        100 * (start - best) / std::max(std::abs(start), 1e-300));
 }
 
 std::string command_line(const Job& job) {
-    const OpenCommand command = run_command(told_of(job));
+    const OpenCommand command = run_command(run_inputs(job));
     if (command.left_out.empty()) return shell_line(command.words);
     return fmt::format("{}   # without {}, which it has no word for", shell_line(command.words),
                        text::joined(command.left_out, ", "));
 }
 
-std::string proof_text(const std::optional<Proof>& proof) {
-    if (!proof) return {};
+std::string verification_text(const std::optional<VerificationRun>& verification_run) {
+    if (!verification_run) return {};
     std::string text = "proven by runs of their own";
-    if (proof->best.lower_bound_s)
+    if (verification_run->best.lower_bound_s)
         text += fmt::format("; no controller could take this way in less than {:.6g} s",
-                            *proof->best.lower_bound_s);
-    if (proof->start.lower_bound_s)
-        text += fmt::format(" (the start's: {:.6g} s)", *proof->start.lower_bound_s);
+                            *verification_run->best.lower_bound_s);
+    if (verification_run->start.lower_bound_s)
+        text += fmt::format(" (the start's: {:.6g} s)", *verification_run->start.lower_bound_s);
     text += '\n';
-    for (const Job& job : proof->files) text += "  " + command_line(job) + '\n';
+    for (const Job& job : verification_run->files) text += "  " + command_line(job) + '\n';
     return text;
 }
 
@@ -102,63 +103,64 @@ ordered_json json_or_null(std::optional<double> value) {
     return value ? ordered_json(*value) : ordered_json();
 }
 
-ordered_json json_of(const Trial& trial) {
+ordered_json as_json(const Trial& trial) {
     ordered_json text{{"settings", settings_json(trial.settings)},
                       {"value", json_or_null(trial.score.value)},
                       {"violation", trial.score.violation},
                       {"runs", ordered_json::array()}};
-    for (const RunFigures& run : trial.runs) {
+    for (const RunMetrics& run : trial.runs) {
         ordered_json& one = text["runs"].emplace_back(
             ordered_json{{"program", run.program}, {"status", run.status}, {"cause", run.cause}});
         if (!run.message.empty()) one["message"] = run.message;
-        for (const auto& [figure, value] : run.figures) one[figure] = json_or_null(value);
+        for (const auto& [metric, value] : run.metrics) one[metric] = json_or_null(value);
     }
     return text;
 }
 
-ordered_json bound_json(const Proof::Bounded& bounded) {
+ordered_json bound_json(const VerificationRun::BoundedObjective& bounded) {
     return {{"value", json_or_null(bounded.value)}, {"lower_bound_s", json_or_null(bounded.lower_bound_s)}};
 }
 
-struct Dot {
+struct TrialPoint {
     double number, value;
-    bool allowed;
+    bool feasible;
 };
 
-tl::expected<std::vector<Dot>, std::string> dots_of(Database& results, std::int64_t search) {
+tl::expected<std::vector<TrialPoint>, std::string> read_trial_points(Database& results, std::int64_t search) {
     auto rows = results.prepare(
         "SELECT DISTINCT number, value, violation FROM search_run WHERE search = ? AND value IS NOT NULL "
         "ORDER BY number");
     if (!rows) return tl::unexpected(rows.error());
     rows->bind(1, search);
-    std::vector<Dot> dots;
+    std::vector<TrialPoint> trial_points;
     while (true) {
         const auto row = rows->step();
         if (!row) return tl::unexpected(row.error());
-        if (!*row) return dots;
-        dots.push_back({static_cast<double>(rows->whole(0)), rows->number(1), rows->number(2) == 0});
+        if (!*row) return trial_points;
+        trial_points.push_back(
+            {static_cast<double>(rows->integer(0)), rows->number(1), rows->number(2) == 0});
     }
 }
 
 /// Draws trials over their number, allowed ones filled; the line is the best one so far.
-std::string picture(const std::vector<Dot>& dots) {
+std::string picture(const std::vector<TrialPoint>& trial_points) {
     std::vector<double> values;
-    for (const Dot& dot : dots) {
-        if (dot.allowed) values.push_back(dot.value);
+    for (const TrialPoint& dot : trial_points) {
+        if (dot.feasible) values.push_back(dot.value);
     }
     if (values.empty()) return "<p>No trial is without a fault.</p>";
     std::sort(values.begin(), values.end());
     // Much worse values are drawn at the upper edge, because the picture shows how the best ones converge.
-    const double least = values.front();
-    const double most =
-        std::max(values[values.size() * 9 / 10], dots.front().allowed ? dots.front().value : least);
-    const double span = std::max(most - least, 1e-12);
-    const double count = std::max(dots.back().number, 1.0);
+    const double min = values.front();
+    const double max = std::max(values[values.size() * 9 / 10],
+                                trial_points.front().feasible ? trial_points.front().value : min);
+    const double span = std::max(max - min, 1e-12);
+    const double count = std::max(trial_points.back().number, 1.0);
     const auto x = [&](double number) {
         return kLeft_px + number / count * (kTrialsWidth_px - kLeft_px - 10);
     };
     const auto y = [&](double value) {
-        const double share = std::clamp((value - least) / span, -0.05, 1.05);
+        const double share = std::clamp((value - min) / span, -0.05, 1.05);
         return 12 + (1 - share) * (kTrialsHeight_px - kFoot_px - 24);
     };
     std::string svg =
@@ -166,10 +168,10 @@ std::string picture(const std::vector<Dot>& dots) {
                     kTrialsWidth_px, kTrialsHeight_px);
     std::string line;
     double best = INFINITY;
-    for (const Dot& dot : dots) {
+    for (const TrialPoint& dot : trial_points) {
         svg += fmt::format("<circle class=\"{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2\"/>",
-                           dot.allowed ? "allowed" : "refused", x(dot.number), y(dot.value));
-        if (!dot.allowed || dot.value >= best) continue;
+                           dot.feasible ? "allowed" : "refused", x(dot.number), y(dot.value));
+        if (!dot.feasible || dot.value >= best) continue;
         if (std::isfinite(best)) line += fmt::format(" {:.1f},{:.1f}", x(dot.number), y(best));
         best = dot.value;
         line += fmt::format(" {:.1f},{:.1f}", x(dot.number), y(best));
@@ -178,8 +180,8 @@ std::string picture(const std::vector<Dot>& dots) {
     return svg + fmt::format(
                      "<polyline points=\"{}\"/><text x=\"{}\" y=\"{:.1f}\">{:.6g}</text><text x=\"{}\" "
                      "y=\"{:.1f}\">{:.6g}</text><text x=\"{}\" y=\"{}\">{} trials</text></svg>",
-                     line, kLeft_px - 4, y(most) + 4, most, kLeft_px - 4, y(least) + 4, least,
-                     kTrialsWidth_px - 4, kTrialsHeight_px - 6, dots.size());
+                     line, kLeft_px - 4, y(max) + 4, max, kLeft_px - 4, y(min) + 4, min, kTrialsWidth_px - 4,
+                     kTrialsHeight_px - 6, trial_points.size());
 }
 
 constexpr const char* kSearchPage = R"(<!DOCTYPE html>
@@ -194,38 +196,42 @@ pre {{ overflow-x: auto; }} svg {{ width: 100%; max-width: 640px; }} text {{ fon
 
 }  // namespace
 
-std::string to_text(const SearchPlan& search, const SearchState& state, const std::optional<Proof>& proof) {
-    std::string text = fmt::format("{} variants tried, {} without a fault\n", state.tried, state.allowed);
+std::string to_text(const SearchPlan& search, const SearchState& state,
+                    const std::optional<VerificationRun>& verification_run) {
+    std::string text = fmt::format("{} variants tried, {} without a fault\n", state.trials, state.feasible);
     text += fmt::format("  {:<36}{:>14}{:>14}\n", "", "start", "best");
     text += row("objective", state.start.score.value, state.best.score.value);
-    for (const std::string_view figure : kFigures) {
-        const auto start = figure_of(state.start, figure), best = figure_of(state.best, figure);
-        if (shows(figure) && (start.value_or(0) != 0 || best.value_or(0) != 0))
-            text += row(figure, start, best);
+    for (const std::string_view metric : kMetrics) {
+        const auto start = combined_metric(state.start, metric), best = combined_metric(state.best, metric);
+        if (is_shown(metric) && (start.value_or(0) != 0 || best.value_or(0) != 0))
+            text += row(metric, start, best);
     }
     for (const SettingValue& setting : state.best.settings)
         text += fmt::format("  {:<50}{:>14}\n", setting.key, value_text(setting));
-    if (!state.whole) text += fmt::format("cut off; {} variants were to be tried\n", search.variants + 1);
-    return text + gain_text(state) + proof_text(proof);
+    if (!state.complete) text += fmt::format("cut off; {} variants were to be tried\n", search.variants + 1);
+    return text + improvement_text(state) + verification_text(verification_run);
 }
 
-std::string to_json(const SearchPlan& search, const SearchState& state, const std::optional<Proof>& proof) {
+std::string to_json(const SearchPlan& search, const SearchState& state,
+                    const std::optional<VerificationRun>& verification_run) {
     ordered_json text{{"plan", search.plan.name},      {"search", state.search},
-                      {"whole", state.whole},          {"variants", state.tried},
-                      {"allowed", state.allowed},      {"best_number", state.best_number},
-                      {"start", json_of(state.start)}, {"best", json_of(state.best)}};
-    if (proof) {
-        text["proof"] = {{"start", bound_json(proof->start)}, {"best", bound_json(proof->best)}};
-        for (const Job& job : proof->files) text["proof"]["commands"].push_back(command_line(job));
+                      {"whole", state.complete},       {"variants", state.trials},
+                      {"allowed", state.feasible},     {"best_number", state.best_number},
+                      {"start", as_json(state.start)}, {"best", as_json(state.best)}};
+    if (verification_run) {
+        text["proof"] = {{"start", bound_json(verification_run->start)},
+                         {"best", bound_json(verification_run->best)}};
+        for (const Job& job : verification_run->files) text["proof"]["commands"].push_back(command_line(job));
     }
     return text.dump(1, ' ', false, ordered_json::error_handler_t::replace) + '\n';
 }
 
 tl::expected<std::string, std::string> to_html(const SearchPlan& search, const SearchState& state,
-                                               const std::optional<Proof>& proof, Database& results) {
-    return dots_of(results, state.search).map([&](const std::vector<Dot>& dots) {
-        return fmt::format(fmt::runtime(kSearchPage), text::xml_text(search.plan.name), picture(dots),
-                           text::xml_text(to_text(search, state, proof)));
+                                               const std::optional<VerificationRun>& verification_run,
+                                               Database& results) {
+    return read_trial_points(results, state.search).map([&](const std::vector<TrialPoint>& trial_points) {
+        return fmt::format(fmt::runtime(kSearchPage), text::xml_text(search.plan.name), picture(trial_points),
+                           text::xml_text(to_text(search, state, verification_run)));
     });
 }
 

@@ -14,14 +14,14 @@ namespace gsim::batch {
 
 /// Metric of runs with its weight. The minimum is best, so a weight below 0 makes larger values better.
 struct Weight {
-    std::string figure;  ///< One of kFigures.
+    std::string metric;  ///< One of kMetrics.
     double weight = 1;
 };
 
 /// Limits of a metric, for each run.
-struct FigureLimit {
-    std::string figure;
-    std::optional<double> least = {}, most = {};
+struct MetricLimit {
+    std::string metric;
+    std::optional<double> min = {}, max = {};
 };
 
 /// Goal of a search: the values of a plan's settings that minimise the sum of the objective over its programs
@@ -29,7 +29,7 @@ struct FigureLimit {
 struct SearchPlan {
     Plan plan;
     std::vector<Weight> objective;
-    std::vector<FigureLimit> limits;
+    std::vector<MetricLimit> limits;
     std::uint64_t variants = 200;  ///< Max number to be tried.
     std::uint64_t first = 0;  ///< Number of these spread evenly at first; 0: as many as the settings need.
     std::uint64_t population = 0;  ///< Variants tried at once after that; 0: likewise.

@@ -10,9 +10,9 @@ namespace gsim::batch {
 
 /// Settings as points of a box, each coordinate from 0 to 1: one for a setting. An order has one for each of
 /// its items, which are sorted by their coordinates.
-class Space {
+class SearchSpace {
   public:
-    explicit Space(std::vector<Setting> settings);
+    explicit SearchSpace(std::vector<Setting> settings);
 
     std::size_t dimensions() const { return dimensions_; }
     std::vector<SettingValue> variant(const Eigen::VectorXd& point) const;

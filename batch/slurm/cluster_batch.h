@@ -22,7 +22,7 @@ struct ClusterOptions {
     std::optional<std::uint64_t> memory_mb =
         {};  ///< For a worker; empty: the node's share for each, 4096 at most.
     double timeout_s = 600;
-    bool anew = false;  ///< Repeats runs that already exist.
+    bool rerun = false;  ///< Repeats runs that already exist.
     bool retry = false;
 };
 
@@ -33,12 +33,12 @@ struct ClusterState {
     std::uint64_t jobs = 0;    ///< Jobs of the batch.
     std::uint64_t reused = 0;  ///< They were there when it was submitted.
     std::uint64_t ran = 0;     ///< In files of shards, or gathered.
-    std::uint64_t shards = 0, whole = 0, running = 0, waiting = 0;
-    std::uint64_t held = 0;  ///< Among those that wait: someone has to release them.
-    std::uint64_t lost = 0;  ///< Shards that are neither complete nor in the queue.
+    std::uint64_t shards = 0, complete = 0, running = 0, waiting = 0;
+    std::uint64_t fixed = 0;  ///< Among those that wait: someone has to release them.
+    std::uint64_t lost = 0;   ///< Shards that are neither complete nor in the queue.
     bool gathered = false;
 
-    bool is_over() const { return running == 0 && waiting == 0; }
+    bool has_ended() const { return running == 0 && waiting == 0; }
 };
 
 /// Submits the jobs of a plan that have not been run yet: an array of tasks, followed by a job that collects
@@ -49,10 +49,10 @@ tl::expected<ClusterState, std::string> submit(const Plan& plan, const ClusterOp
 
 /// Returns a message why no other program may run into a file of results: a cluster works on it. Empty if
 /// none does.
-std::string why_not_here(const std::string& results);
+std::string cluster_in_use_error(const std::string& results);
 
 /// Queries the progress by the files and the queue.
-tl::expected<ClusterState, std::string> ask_state(const std::string& results);
+tl::expected<ClusterState, std::string> query_state(const std::string& results);
 /// Returns a text for people.
 std::string to_text(const ClusterState& state);
 
@@ -63,15 +63,15 @@ tl::expected<ClusterState, std::string> cancel(const std::string& results);
 tl::expected<bool, std::string> run_shard(const std::string& folder, std::uint64_t shard,
                                           const std::atomic<bool>& stop);
 
-struct Gathered {
-    bool whole = false;                    ///< All of the batch is there.
-    std::vector<std::string> faults = {};  ///< Messages about files of shards that cannot be read.
+struct GatherResult {
+    bool complete = false;                 ///< All of the batch is there.
+    std::vector<std::string> errors = {};  ///< Messages about files of shards that cannot be read.
 };
 /// Copies the results of the shards into the file of results; may be repeated.
-tl::expected<Gathered, std::string> gather(const std::string& folder);
+tl::expected<GatherResult, std::string> gather(const std::string& folder);
 
 /// Words with which tasks call this program, in front of the folder (and a shard's number).
-inline constexpr const char* kShardWord = "--shard";
-inline constexpr const char* kGatherWord = "--gather";
+inline constexpr const char* kShardOption = "--shard";
+inline constexpr const char* kGatherOption = "--gather";
 
 }  // namespace gsim::batch

@@ -15,22 +15,22 @@ namespace gsim::batch {
 
 namespace {
 
-using Fault = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
 /// Runs a program and returns its output.
-tl::expected<std::string, std::string> output_of(const std::vector<std::string>& command) {
+tl::expected<std::string, std::string> command_output(const std::vector<std::string>& command) {
     const os::FileHandle in(std::fopen("/dev/null", "rb")), out(std::tmpfile());
-    if (!in || !out) return Fault("cannot make a temporary file");
-    if (const auto ran = os::run_child(command, in.get(), out.get()); !ran) return Fault(ran.error());
+    if (!in || !out) return Unexpected("cannot make a temporary file");
+    if (const auto ran = os::run_child(command, in.get(), out.get()); !ran) return Unexpected(ran.error());
     std::string text;
-    char piece[4096];
+    char chunk[4096];
     std::rewind(out.get());
-    for (std::size_t count = 0; (count = std::fread(piece, 1, sizeof piece, out.get())) > 0;)
-        text.append(piece, count);
+    for (std::size_t count = 0; (count = std::fread(chunk, 1, sizeof chunk, out.get())) > 0;)
+        text.append(chunk, count);
     return text;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> split_lines(const std::string& text) {
     std::vector<std::string> lines;
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);) {
@@ -39,39 +39,39 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
-std::optional<std::uint64_t> whole(std::string_view text) {
+std::optional<std::uint64_t> parse_integer(std::string_view text) {
     std::uint64_t value = 0;
     const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
     if (read.ec != std::errc() || read.ptr != text.data() + text.size()) return std::nullopt;
     return value;
 }
 
-std::string value_of(const std::map<std::string, std::string>& fields, const std::string& name) {
+std::string field_value(const std::map<std::string, std::string>& fields, const std::string& name) {
     const auto found = fields.find(name);
     return found == fields.end() ? std::string() : found->second;
 }
 
 /// Returns the partition for jobs that name none: sinfo marks it with a star at the end.
 tl::expected<std::string, std::string> default_partition() {
-    const auto names = output_of({"sinfo", "--noheader", "--format=%P"});
-    if (!names) return Fault(names.error());
-    for (const std::string& line : lines_of(*names)) {
+    const auto names = command_output({"sinfo", "--noheader", "--format=%P"});
+    if (!names) return Unexpected(names.error());
+    for (const std::string& line : split_lines(*names)) {
         const std::string name(text::trimmed(line, " "));
         if (name.ends_with('*')) return name.substr(0, name.size() - 1);
     }
-    return Fault("this cluster has no default partition; name one (--partition)");
+    return Unexpected("this cluster has no default partition; name one (--partition)");
 }
 
 tl::expected<std::optional<std::uint64_t>, std::string> largest_memory_mb(const std::string& partition) {
-    const auto told = output_of({"sinfo", "--noheader", "--partition=" + partition, "--format=%m"});
-    if (!told) return Fault(told.error());
-    std::optional<std::uint64_t> most;
-    for (const std::string& line : lines_of(*told)) {
+    const auto output = command_output({"sinfo", "--noheader", "--partition=" + partition, "--format=%m"});
+    if (!output) return Unexpected(output.error());
+    std::optional<std::uint64_t> max;
+    for (const std::string& line : split_lines(*output)) {
         std::string_view text = text::trimmed(line, " ");
         if (text.ends_with('+')) text.remove_suffix(1);
-        if (const auto memory_mb = whole(text)) most = std::max(most.value_or(0), *memory_mb);
+        if (const auto memory_mb = parse_integer(text)) max = std::max(max.value_or(0), *memory_mb);
     }
-    return most;
+    return max;
 }
 
 }  // namespace
@@ -80,9 +80,9 @@ std::map<std::string, std::string> read_fields(std::string_view text) {
     std::map<std::string, std::string> fields;
     std::istringstream in{std::string(text)};
     for (std::string line; std::getline(in, line);) {
-        if (const std::size_t spaced = line.find(" = "); spaced != std::string::npos) {
-            fields[std::string(text::trimmed(line.substr(0, spaced), " "))] =
-                text::trimmed(line.substr(spaced + 3), " ");
+        if (const std::size_t separator = line.find(" = "); separator != std::string::npos) {
+            fields[std::string(text::trimmed(line.substr(0, separator), " "))] =
+                text::trimmed(line.substr(separator + 3), " ");
             continue;
         }
         std::istringstream words(line);
@@ -96,24 +96,24 @@ std::map<std::string, std::string> read_fields(std::string_view text) {
 
 tl::expected<std::optional<std::uint64_t>, std::string> read_minutes(std::string_view text) {
     if (text == "UNLIMITED" || text == "INFINITE") return std::nullopt;
-    const auto fault = [&] { return Fault(fmt::format("'{}' is no time of Slurm's", text)); };
+    const auto invalid = [&] { return Unexpected(fmt::format("'{}' is no time of Slurm's", text)); };
     std::uint64_t days = 0;
-    std::string_view rest = text;
+    std::string_view remaining_text = text;
     const std::size_t dash = text.find('-');
     if (dash != std::string_view::npos) {
-        const auto read = whole(text.substr(0, dash));
-        if (!read) return fault();
+        const auto read = parse_integer(text.substr(0, dash));
+        if (!read) return invalid();
         days = *read;
-        rest = text.substr(dash + 1);
+        remaining_text = text.substr(dash + 1);
     }
     std::vector<std::uint64_t> parts;
     while (true) {
-        const std::size_t colon = rest.find(':');
-        const auto part = whole(rest.substr(0, colon));
-        if (!part || parts.size() == 3) return fault();
+        const std::size_t colon = remaining_text.find(':');
+        const auto part = parse_integer(remaining_text.substr(0, colon));
+        if (!part || parts.size() == 3) return invalid();
         parts.push_back(*part);
         if (colon == std::string_view::npos) break;
-        rest.remove_prefix(colon + 1);
+        remaining_text.remove_prefix(colon + 1);
     }
     // After days come hours. Otherwise minutes are alone or in front of seconds, hours in front of both.
     if (dash != std::string_view::npos) parts.resize(3, 0);
@@ -122,26 +122,27 @@ tl::expected<std::optional<std::uint64_t>, std::string> read_minutes(std::string
     return (days * 24 + hours) * 60 + minutes;
 }
 
-tl::expected<ClusterLimits, std::string> ask_limits(const std::string& partition) {
+tl::expected<ClusterLimits, std::string> query_limits(const std::string& partition) {
     ClusterLimits limits{.partition = partition};
-    const auto config = output_of({"scontrol", "show", "config"});
-    if (!config) return Fault("no cluster answers: " + config.error());
+    const auto config = command_output({"scontrol", "show", "config"});
+    if (!config) return Unexpected("no cluster answers: " + config.error());
     // Array indices are below it.
-    limits.array_tasks = whole(value_of(read_fields(*config), "MaxArraySize")).value_or(1001) - 1;
+    limits.max_array_tasks =
+        parse_integer(field_value(read_fields(*config), "MaxArraySize")).value_or(1001) - 1;
     if (limits.partition.empty()) {
         auto name = default_partition();
-        if (!name) return Fault(name.error());
+        if (!name) return Unexpected(name.error());
         limits.partition = *std::move(name);
     }
-    const auto told = output_of({"scontrol", "--oneliner", "show", "partition", limits.partition});
-    if (!told) return Fault(fmt::format("this cluster has no partition '{}'", limits.partition));
-    const auto fields = read_fields(*told);
-    const auto time_min = read_minutes(value_of(fields, "MaxTime"));
-    if (!time_min) return Fault(time_min.error());
+    const auto output = command_output({"scontrol", "--oneliner", "show", "partition", limits.partition});
+    if (!output) return Unexpected(fmt::format("this cluster has no partition '{}'", limits.partition));
+    const auto fields = read_fields(*output);
+    const auto time_min = read_minutes(field_value(fields, "MaxTime"));
+    if (!time_min) return Unexpected(time_min.error());
     limits.time_min = *time_min;
-    limits.nodes = whole(value_of(fields, "TotalNodes")).value_or(0);
+    limits.nodes = parse_integer(field_value(fields, "TotalNodes")).value_or(0);
     const auto memory_mb = largest_memory_mb(limits.partition);
-    if (!memory_mb) return Fault(memory_mb.error());
+    if (!memory_mb) return Unexpected(memory_mb.error());
     limits.memory_mb = *memory_mb;
     return limits;
 }
@@ -151,25 +152,26 @@ tl::expected<std::string, std::string> submit_job(const std::vector<std::string>
     std::vector<std::string> command{"sbatch", "--parsable"};
     command.insert(command.end(), options.begin(), options.end());
     command.push_back(script);
-    return output_of(command).map([](const std::string& told) {
+    return command_output(command).map([](const std::string& output) {
         // With several clusters the cluster's name follows the number.
-        return told.substr(0, told.find_first_of(";\n"));
+        return output.substr(0, output.find_first_of(";\n"));
     });
 }
 
 tl::expected<std::map<std::int64_t, std::string>, std::string> queued_tasks(const std::string& job) {
     std::map<std::int64_t, std::string> tasks;
-    const auto told = output_of({"squeue", "--noheader", "--array", "--format=%K %T %r", "--jobs=" + job});
-    if (!told) {
+    const auto output =
+        command_output({"squeue", "--noheader", "--array", "--format=%K %T %r", "--jobs=" + job});
+    if (!output) {
         // squeue prints this if it has forgotten a job.
-        if (told.error().find("Invalid job id") != std::string::npos) return tasks;
-        return Fault(told.error());
+        if (output.error().find("Invalid job id") != std::string::npos) return tasks;
+        return Unexpected(output.error());
     }
-    for (const std::string& line : lines_of(*told)) {
+    for (const std::string& line : split_lines(*output)) {
         std::istringstream words(line);
-        std::string place, state;
-        if (!(words >> place >> state)) continue;
-        const auto number = whole(place);
+        std::string task_index, state;
+        if (!(words >> task_index >> state)) continue;
+        const auto number = parse_integer(task_index);
         std::string reason;
         std::getline(words, reason);
         if (reason.find("held") != std::string::npos || reason.find("Held") != std::string::npos)
@@ -183,8 +185,9 @@ tl::expected<void, std::string> cancel_jobs(const std::vector<std::string>& jobs
     for (const std::string& job : jobs) {
         if (job.empty()) continue;
         // A job that Slurm has forgotten has ended.
-        const auto told = output_of({"scancel", job});
-        if (!told && told.error().find("Invalid job id") == std::string::npos) return Fault(told.error());
+        const auto output = command_output({"scancel", job});
+        if (!output && output.error().find("Invalid job id") == std::string::npos)
+            return Unexpected(output.error());
     }
     return {};
 }

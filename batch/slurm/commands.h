@@ -14,14 +14,14 @@ namespace gsim::batch {
 /// Limits of a cluster and one of its partitions.
 struct ClusterLimits {
     std::string partition;                        ///< Its name.
-    std::uint64_t array_tasks = 0;                ///< Max tasks of a job array.
+    std::uint64_t max_array_tasks = 0;            ///< Max tasks of a job array.
     std::optional<std::uint64_t> time_min = {};   ///< Max for a job; empty: no limit.
     std::optional<std::uint64_t> memory_mb = {};  ///< Memory of its largest node.
     std::uint64_t nodes = 0;
 };
 
 /// Queries the cluster by scontrol and sinfo; an empty name: the default partition. The error is a message.
-tl::expected<ClusterLimits, std::string> ask_limits(const std::string& partition);
+tl::expected<ClusterLimits, std::string> query_limits(const std::string& partition);
 
 /// Reads a time in Slurm's format, "2-12:30:00", "90" (minutes), "01:30:00", in minutes, rounded down; empty:
 /// UNLIMITED. The error: the text is no time.

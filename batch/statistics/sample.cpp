@@ -14,17 +14,17 @@ namespace gsim::batch {
 
 namespace {
 
-constexpr double kEach = 0.025;  // beyond either end
-constexpr std::array kShares{0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
-constexpr double kMostBins = 60;
-constexpr double kOnePercent = 0.01;
-constexpr double kMostRuns = 1e15;  // largest printed
+constexpr double kTailProbability = 0.025;  // beyond either end
+constexpr std::array kPercentileShares{0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99};
+constexpr double kMaxBins = 60;
+constexpr double kRelativePrecision = 0.01;
+constexpr double kMaxRuns = 1e15;  // largest printed
 
-double mean_of(std::span<const double> values) {
+double average(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-double deviation_of(std::span<const double> values, double mean) {
+double standard_deviation(std::span<const double> values, double mean) {
     if (values.size() < 2) return 0;
     double sum = 0;
     for (const double value : values) sum += (value - mean) * (value - mean);
@@ -34,33 +34,34 @@ double deviation_of(std::span<const double> values, double mean) {
 /// Returns the half-width of the mean's interval, by Student's t.
 double half_width(double deviation, std::size_t count) {
     const boost::math::students_t distribution(static_cast<double>(count - 1));
-    return quantile(complement(distribution, kEach)) * deviation / std::sqrt(static_cast<double>(count));
+    return quantile(complement(distribution, kTailProbability)) * deviation /
+           std::sqrt(static_cast<double>(count));
 }
 
-double at_share(std::span<const double> sorted, double share) {
-    const double place = share * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<std::size_t>(std::floor(place));
+double sample_quantile(std::span<const double> sorted, double share) {
+    const double index = share * static_cast<double>(sorted.size() - 1);
+    const auto below = static_cast<std::size_t>(std::floor(index));
     const std::size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+    return sorted[below] + (index - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
 /// The number of values below the percentile is binomial. The value at an index is above the percentile if
 /// fewer values are below it.
-Interval interval_of(std::span<const double> sorted, double share) {
+Interval quantile_interval(std::span<const double> sorted, double share) {
     const boost::math::binomial below(static_cast<double>(sorted.size()), share);
-    std::vector<std::size_t> places(sorted.size());
-    std::iota(places.begin(), places.end(), std::size_t{0});
-    // Up to `least` a value is above the percentile with a probability of at most kEach, and from `most` on
-    // one is below it.
-    const auto least = std::partition_point(places.begin(), places.end(), [&](std::size_t place) {
-        return cdf(below, static_cast<double>(place)) <= kEach;
+    std::vector<std::size_t> indices(sorted.size());
+    std::iota(indices.begin(), indices.end(), std::size_t{0});
+    // Up to `least` a value is above the percentile with a probability of at most kTailProbability, and from
+    // `most` on one is below it.
+    const auto min = std::partition_point(indices.begin(), indices.end(), [&](std::size_t index) {
+        return cdf(below, static_cast<double>(index)) <= kTailProbability;
     });
-    const auto most = std::partition_point(places.begin(), places.end(), [&](std::size_t place) {
-        return cdf(complement(below, static_cast<double>(place))) > kEach;
+    const auto max = std::partition_point(indices.begin(), indices.end(), [&](std::size_t index) {
+        return cdf(complement(below, static_cast<double>(index))) > kTailProbability;
     });
     Interval interval;
-    if (least != places.begin()) interval.least = sorted[*std::prev(least)];
-    if (most != places.end()) interval.most = sorted[*most];
+    if (min != indices.begin()) interval.min = sorted[*std::prev(min)];
+    if (max != indices.end()) interval.max = sorted[*max];
     return interval;
 }
 
@@ -69,33 +70,36 @@ Interval interval_of(std::span<const double> sorted, double share) {
 SampleSummary summarize(std::vector<double> values) {
     SampleSummary summary;
     summary.count = values.size();
-    summary.mean = mean_of(values);
-    summary.deviation = deviation_of(values, summary.mean);
+    summary.mean = average(values);
+    summary.deviation = standard_deviation(values, summary.mean);
     if (values.size() > 1) {
         const double half = half_width(summary.deviation, values.size());
         summary.mean_interval = {summary.mean - half, summary.mean + half};
         if (summary.mean != 0) {
             const double needed =
-                quantile(complement(boost::math::students_t(static_cast<double>(values.size() - 1)), kEach)) *
-                summary.deviation / (kOnePercent * std::abs(summary.mean));
+                quantile(complement(boost::math::students_t(static_cast<double>(values.size() - 1)),
+                                    kTailProbability)) *
+                summary.deviation / (kRelativePrecision * std::abs(summary.mean));
             summary.runs_for_percent =
-                static_cast<std::uint64_t>(std::ceil(std::clamp(needed * needed, 1.0, kMostRuns)));
+                static_cast<std::uint64_t>(std::ceil(std::clamp(needed * needed, 1.0, kMaxRuns)));
         }
     }
     std::sort(values.begin(), values.end());
-    summary.least = values.front();
-    summary.most = values.back();
-    for (const double share : kShares)
-        summary.percentiles.push_back({share, at_share(values, share), interval_of(values, share)});
+    summary.min = values.front();
+    summary.max = values.back();
+    for (const double share : kPercentileShares)
+        summary.percentiles.push_back(
+            {share, sample_quantile(values, share), quantile_interval(values, share)});
     return summary;
 }
 
-Interval share_interval(std::uint64_t hits, std::uint64_t count) {
+Interval proportion_interval(std::uint64_t hits, std::uint64_t count) {
     using boost::math::beta_distribution;
     const auto k = static_cast<double>(hits), n = static_cast<double>(count);
-    Interval interval{.least = 0.0, .most = 1.0};
-    if (hits > 0) interval.least = quantile(beta_distribution<double>(k, n - k + 1), kEach);
-    if (hits < count) interval.most = quantile(complement(beta_distribution<double>(k + 1, n - k), kEach));
+    Interval interval{.min = 0.0, .max = 1.0};
+    if (hits > 0) interval.min = quantile(beta_distribution<double>(k, n - k + 1), kTailProbability);
+    if (hits < count)
+        interval.max = quantile(complement(beta_distribution<double>(k + 1, n - k), kTailProbability));
     return interval;
 }
 
@@ -103,19 +107,19 @@ std::vector<Bin> histogram(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const double from = values.front(), to = values.back();
     if (!(to > from)) return {{from, to, values.size()}};
-    const double quartiles = at_share(values, 0.75) - at_share(values, 0.25);
-    const double width = 2 * quartiles / std::cbrt(static_cast<double>(values.size()));
-    const double wanted =
+    const double interquartile_range = sample_quantile(values, 0.75) - sample_quantile(values, 0.25);
+    const double width = 2 * interquartile_range / std::cbrt(static_cast<double>(values.size()));
+    const double bin_count =
         width > 0 ? std::ceil((to - from) / width) : std::sqrt(static_cast<double>(values.size()));
-    const auto count = static_cast<std::size_t>(std::clamp(wanted, 1.0, kMostBins));
+    const auto count = static_cast<std::size_t>(std::clamp(bin_count, 1.0, kMaxBins));
     std::vector<Bin> bins(count);
     for (std::size_t i = 0; i < count; ++i)
         bins[i] = {from + (to - from) * static_cast<double>(i) / static_cast<double>(count),
                    from + (to - from) * static_cast<double>(i + 1) / static_cast<double>(count), 0};
     for (const double value : values) {
-        const auto place =
+        const auto index =
             static_cast<std::size_t>((value - from) / (to - from) * static_cast<double>(count));
-        ++bins[std::min(place, count - 1)].count;
+        ++bins[std::min(index, count - 1)].count;
     }
     return bins;
 }
@@ -124,8 +128,8 @@ std::vector<Convergence> convergence(std::span<const double> values) {
     std::vector<Convergence> steps;
     for (std::size_t count = 8; !values.empty(); count *= 2) {
         const auto first = values.first(std::min(count, values.size()));
-        const double mean = mean_of(first);
-        const double half = first.size() > 1 ? half_width(deviation_of(first, mean), first.size()) : 0;
+        const double mean = average(first);
+        const double half = first.size() > 1 ? half_width(standard_deviation(first, mean), first.size()) : 0;
         steps.push_back({first.size(), mean, half});
         if (count >= values.size()) break;
     }

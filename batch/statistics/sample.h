@@ -10,9 +10,9 @@ namespace gsim::batch {
 /// Interval with a probability of 95 % for a quantity that the sample estimates; an end that the sample
 /// cannot determine is missing.
 struct Interval {
-    std::optional<double> least = {}, most = {};
+    std::optional<double> min = {}, max = {};
 
-    bool holds(double value) const { return (!least || *least <= value) && (!most || value <= *most); }
+    bool contains(double value) const { return (!min || *min <= value) && (!max || value <= *max); }
 };
 
 struct Percentile {
@@ -27,7 +27,7 @@ struct SampleSummary {
     double mean = 0;
     Interval mean_interval = {};  ///< Student's t.
     double deviation = 0;         ///< For single values (n - 1).
-    double least = 0, most = 0;
+    double min = 0, max = 0;
     std::vector<Percentile> percentiles = {};  ///< 1, 5, 25, 50, 75, 95, 99 %.
     /// Runs needed to know the mean to 1 %; 0 if the mean is 0.
     std::uint64_t runs_for_percent = 0;
@@ -40,7 +40,7 @@ struct SampleSummary {
 SampleSummary summarize(std::vector<double> values);
 
 /// Returns the interval of the share that has a property, from `hits` of `count`: Clopper and Pearson 1934.
-Interval share_interval(std::uint64_t hits, std::uint64_t count);
+Interval proportion_interval(std::uint64_t hits, std::uint64_t count);
 
 struct Bin {
     double from = 0, to = 0;

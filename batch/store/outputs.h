@@ -14,15 +14,15 @@ namespace gsim::batch {
 using Sink = std::function<bool(std::string_view)>;
 
 /// Writes the rows of a query as CSV (RFC 4180), after a line with the column names.
-SqlDone write_csv(Database& results, std::string_view query, const Sink& sink);
+SqlResult write_csv(Database& results, std::string_view query, const Sink& sink);
 /// Does the same as JSON, one object a line. Columns of JSON (settings, options, extents, findings) are
 /// values.
-SqlDone write_json_lines(Database& results, std::string_view query, const Sink& sink);
+SqlResult write_json_lines(Database& results, std::string_view query, const Sink& sink);
 
 /// All runs of the latest batch, with all columns.
-inline constexpr std::string_view kWholeRuns = "SELECT * FROM latest";
+inline constexpr std::string_view kAllColumnsQuery = "SELECT * FROM latest";
 /// The same without findings, which do not fit into a table.
-inline constexpr std::string_view kPlainRuns =
+inline constexpr std::string_view kTableColumnsQuery =
     "SELECT job, program, machine, machine_name, controller, options, settings, status, cause, message, "
     "file, line, "
     "cycle_time_s, least_s, most_s, rapid_s, feed_s, dwell_s, rapid_mm, feed_mm, jet_on_mm, blocks, moves, "
@@ -32,10 +32,10 @@ inline constexpr std::string_view kPlainRuns =
     "latest";
 
 /// Writes the latest batch in the JUnit format: a suite for each machine, a case for each run.
-SqlDone write_junit(Database& results, const Sink& sink);
+SqlResult write_junit(Database& results, const Sink& sink);
 /// Writes the findings of the programs of the latest batch as SARIF 2.1.0: each finding once, for any number
 /// of machines.
-SqlDone write_sarif(Database& results, const Sink& sink);
+SqlResult write_sarif(Database& results, const Sink& sink);
 
 /// Returns a summary of the latest batch for people: causes of failures, and the machines.
 tl::expected<std::string, std::string> summary(Database& results);

@@ -15,7 +15,7 @@ namespace gsim::batch {
 
 namespace {
 
-using Fault = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
 std::string now_utc() {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
@@ -26,79 +26,79 @@ std::string new_token() {
     return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
 }
 
-std::int64_t as_whole(std::uint64_t number) {
+std::int64_t as_int64(std::uint64_t number) {
     return static_cast<std::int64_t>(number);
 }
 
-tl::expected<std::int64_t, std::string> ask(Database& database, const char* query) {
-    auto asked = database.prepare(query);
-    if (!asked) return Fault(asked.error());
-    const auto row = asked->step();
-    if (!row) return Fault(row.error());
-    return *row ? asked->whole(0) : 0;
+tl::expected<std::int64_t, std::string> query_number(Database& database, const char* query) {
+    auto prepared_query = database.prepare(query);
+    if (!prepared_query) return Unexpected(prepared_query.error());
+    const auto row = prepared_query->step();
+    if (!row) return Unexpected(row.error());
+    return *row ? prepared_query->integer(0) : 0;
 }
 
 /// Returns the additions of version 2.
-std::string second_version() {
-    std::string sql = kTablesOf2;
-    for (const char* figure : kFiguresOf2)
-        sql += fmt::format("ALTER TABLE run ADD COLUMN {} REAL;\n", figure);
+std::string version_2_sql() {
+    std::string sql = kVersion2Tables;
+    for (const char* metric : kVersion2Columns)
+        sql += fmt::format("ALTER TABLE run ADD COLUMN {} REAL;\n", metric);
     return sql + fmt::format("PRAGMA user_version = {};", kSchemaVersion);
 }
 
-SqlDone make_tables(Database& database) {
+SqlResult create_tables(Database& database) {
     return database.execute(fmt::format("BEGIN; {} PRAGMA application_id = {}; {} COMMIT;", kSchema,
-                                        kApplication, second_version()));
+                                        kApplicationId, version_2_sql()));
 }
 
 /// A new file gets its tables, an existing one must have them.
-SqlDone check_or_make(Database& database) {
-    const auto tables = ask(database, "SELECT count(*) FROM sqlite_schema");
-    if (!tables) return Fault(tables.error());
-    if (*tables == 0) return make_tables(database);
-    const auto application = ask(database, "PRAGMA application_id");
-    const auto version = ask(database, "PRAGMA user_version");
-    if (!application || *application != kApplication)
-        return Fault(fmt::format("'{}' is no file of results", database.file()));
-    if (version && *version == 1) return database.execute(fmt::format("BEGIN; {} COMMIT;", second_version()));
+SqlResult check_or_create_tables(Database& database) {
+    const auto tables = query_number(database, "SELECT count(*) FROM sqlite_schema");
+    if (!tables) return Unexpected(tables.error());
+    if (*tables == 0) return create_tables(database);
+    const auto application = query_number(database, "PRAGMA application_id");
+    const auto version = query_number(database, "PRAGMA user_version");
+    if (!application || *application != kApplicationId)
+        return Unexpected(fmt::format("'{}' is no file of results", database.file()));
+    if (version && *version == 1) return database.execute(fmt::format("BEGIN; {} COMMIT;", version_2_sql()));
     if (!version || *version != kSchemaVersion)
-        return Fault(
+        return Unexpected(
             fmt::format("'{}' is of another version of this program; take a new file", database.file()));
     return {};
 }
 
 /// Returns true if a database has the identification of gsim, and this version.
-bool is_of_version(Database& database, std::int64_t version) {
-    const auto application = ask(database, "PRAGMA application_id");
-    return application && *application == kApplication &&
-           ask(database, "PRAGMA user_version").value_or(0) == version;
+bool has_version(Database& database, std::int64_t version) {
+    const auto application = query_number(database, "PRAGMA application_id");
+    return application && *application == kApplicationId &&
+           query_number(database, "PRAGMA user_version").value_or(0) == version;
 }
 
 /// Returns the number of a statement that gives one row with one number.
-tl::expected<std::int64_t, std::string> number_of(Statement& statement) {
+tl::expected<std::int64_t, std::string> read_integer(Statement& statement) {
     const auto row = statement.step();
-    if (!row) return Fault(row.error());
-    const std::int64_t number = *row ? statement.whole(0) : 0;
-    if (const auto done = statement.run(); !done) return Fault(done.error());
+    if (!row) return Unexpected(row.error());
+    const std::int64_t number = *row ? statement.integer(0) : 0;
+    if (const auto done = statement.run(); !done) return Unexpected(done.error());
     return number;
 }
 
 /// True if a run may succeed with more time or memory, or without being ended from outside.
-bool may_go_better(std::string_view status, std::string_view message) {
+bool may_succeed_on_retry(std::string_view status, std::string_view message) {
     return status == "crashed" || status == "timeout" || status == "memory" ||
            (status != "completed" && message.find("memory") != std::string_view::npos);
 }
 
 }  // namespace
 
-void bring_up_to_date(const std::string& file) {
+void upgrade_schema(const std::string& file) {
     auto before = Database::open(file, true);
-    if (!before || !is_of_version(*before, 1)) return;
-    if (auto database = Database::open(file)) static_cast<void>(check_or_make(*database));
+    if (!before || !has_version(*before, 1)) return;
+    if (auto database = Database::open(file)) static_cast<void>(check_or_create_tables(*database));
 }
 
 struct Results::Statements {
-    Statement begin_batch, end_batch, find, inputs, add, setting, input, run_input, report, picture, note;
+    Statement begin_batch, end_batch, find, inputs, add, setting, input, run_input, report, picture, record;
 };
 
 Results::Results(Database database, std::unique_ptr<Statements> statements)
@@ -112,12 +112,12 @@ Results::~Results() {
 
 tl::expected<Results, std::string> Results::open(const std::string& file, Journal journal) {
     auto database = Database::open(file);
-    if (!database) return Fault(database.error());
+    if (!database) return Unexpected(database.error());
     const char* mode = journal == Journal::write_ahead
                            ? "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;"
                            : "PRAGMA journal_mode = DELETE;";
-    if (const auto set = database->execute(mode); !set) return Fault(set.error());
-    if (const auto made = check_or_make(*database); !made) return Fault(made.error());
+    if (const auto set = database->execute(mode); !set) return Unexpected(set.error());
+    if (const auto created = check_or_create_tables(*database); !created) return Unexpected(created.error());
     const auto prepared = [&](std::string_view sql) {
         auto statement = database->prepare(sql);
         if (!statement) throw std::runtime_error("a statement of ours is wrong: " + statement.error());
@@ -152,78 +152,79 @@ tl::expected<Results, std::string> Results::open(const std::string& file, Journa
     return Results(*std::move(database), std::move(statements));
 }
 
-SqlDone Results::begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version) {
+SqlResult Results::begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version) {
     if (auto begun = database_.execute("BEGIN IMMEDIATE"); !begun) return begun;
     Statement& add = statements_->begin_batch;
     token_ = new_token();
-    add.bind(1, token_).bind(2, plan).bind(3, version).bind(4, now_utc()).bind(5, as_whole(jobs));
-    return number_of(add).map([&](std::int64_t batch) { batch_ = batch; });
+    add.bind(1, token_).bind(2, plan).bind(3, version).bind(4, now_utc()).bind(5, as_int64(jobs));
+    return read_integer(add).map([&](std::int64_t batch) { batch_ = batch; });
 }
 
-SqlDone Results::resume_batch(std::int64_t batch, const std::string& token) {
+SqlResult Results::resume_batch(std::int64_t batch, const std::string& token) {
     auto known = database_.prepare("SELECT count(*) FROM batch WHERE id = ? AND token = ?");
-    if (!known) return Fault(known.error());
+    if (!known) return Unexpected(known.error());
     known->bind(1, batch).bind(2, token);
-    const auto count = number_of(*known);
-    if (!count) return Fault(count.error());
-    if (*count == 0) return Fault(fmt::format("batch {} is not in '{}'", batch, database_.file()));
+    const auto count = read_integer(*known);
+    if (!count) return Unexpected(count.error());
+    if (*count == 0) return Unexpected(fmt::format("batch {} is not in '{}'", batch, database_.file()));
     batch_ = batch;
     token_ = token;
     return database_.execute("BEGIN IMMEDIATE");
 }
 
-tl::expected<std::uint64_t, std::string> Results::noted() {
+tl::expected<std::uint64_t, std::string> Results::recorded() {
     auto count = database_.prepare("SELECT count(*) FROM batch_run WHERE batch = ?");
-    if (!count) return Fault(count.error());
+    if (!count) return Unexpected(count.error());
     count->bind(1, batch_);
-    return number_of(*count).map([](std::int64_t number) { return static_cast<std::uint64_t>(number); });
+    return read_integer(*count).map([](std::int64_t number) { return static_cast<std::uint64_t>(number); });
 }
 
-SqlDone Results::end_batch(bool whole) {
-    statements_->end_batch.bind(1, now_utc()).bind(2, std::int64_t{whole}).bind(3, batch_);
+SqlResult Results::end_batch(bool complete) {
+    statements_->end_batch.bind(1, now_utc()).bind(2, std::int64_t{complete}).bind(3, batch_);
     return statements_->end_batch.run().and_then([&] { return database_.execute("COMMIT"); });
 }
 
-SqlDone Results::commit() {
+SqlResult Results::commit() {
     return database_.execute("COMMIT; BEGIN IMMEDIATE");
 }
 
-tl::expected<bool, std::string> Results::is_current(std::int64_t run, const HashOf& hash_of) {
+tl::expected<bool, std::string> Results::is_current(std::int64_t run, const FileHash& file_hash) {
     Statement& inputs = statements_->inputs;
     inputs.bind(1, run);
     bool current = true;
     while (true) {
         const auto row = inputs.step();
-        if (!row) return Fault(row.error());
+        if (!row) return Unexpected(row.error());
         if (!*row) return current;
-        current = current && hash_of(std::string(inputs.text(0))) == inputs.text(1);
+        current = current && file_hash(std::string(inputs.text(0))) == inputs.text(1);
     }
 }
 
-tl::expected<std::optional<Results::FoundRun>, std::string> Results::find(const std::string& key,
-                                                                          const HashOf& hash_of, Kept wanted,
-                                                                          bool retry) {
-    std::vector<FoundRun> candidates, lost_ones;
+tl::expected<std::optional<Results::StoredRun>, std::string> Results::find(const std::string& key,
+                                                                           const FileHash& file_hash,
+                                                                           StoredDocuments requested,
+                                                                           bool retry) {
+    std::vector<StoredRun> candidates, lost_runs;
     Statement& find = statements_->find;
     find.bind(1, key);
     while (true) {
         const auto row = find.step();
-        if (!row) return Fault(row.error());
+        if (!row) return Unexpected(row.error());
         if (!*row) break;
-        const bool lost = may_go_better(find.text(1), find.text(4));
+        const bool lost = may_succeed_on_retry(find.text(1), find.text(4));
         // A run that ended without a report will not get one.
         if (retry && lost) continue;
-        const bool has_all =
-            (!wanted.report || find.whole(2) != 0) && (!wanted.picture || find.whole(5) != 0);
-        if (has_all || lost || find.text(1) == "refused")
-            (lost ? lost_ones : candidates)
-                .push_back({find.whole(0), find.text(1) == "completed" && find.text(3).empty()});
+        const bool has_documents =
+            (!requested.report || find.integer(2) != 0) && (!requested.picture || find.integer(5) != 0);
+        if (has_documents || lost || find.text(1) == "refused")
+            (lost ? lost_runs : candidates)
+                .push_back({find.integer(0), find.text(1) == "completed" && find.text(3).empty()});
     }
     // The inputs of a run that lost its process are unknown, so it counts only if no better run exists.
-    candidates.insert(candidates.end(), lost_ones.begin(), lost_ones.end());
-    for (const FoundRun& found : candidates) {
-        const auto current = is_current(found.run, hash_of);
-        if (!current) return Fault(current.error());
+    candidates.insert(candidates.end(), lost_runs.begin(), lost_runs.end());
+    for (const StoredRun& found : candidates) {
+        const auto current = is_current(found.run, file_hash);
+        if (!current) return Unexpected(current.error());
         if (*current) return found;
     }
     return std::nullopt;
@@ -233,28 +234,28 @@ tl::expected<std::int64_t, std::string> Results::add(const Job& job, const RunKe
                                                      const std::string& version) {
     Statement& add = statements_->add;
     int at = 0;
-    const auto put = [&](const auto& value) { add.bind(++at, value); };
+    const auto bind_next = [&](const auto& value) { add.bind(++at, value); };
     for (const std::string& text :
          {key.key, job.program, key.program_sha256, job.machine, key.machine_sha256, row.machine,
           row.controller, job.options.dump(), settings_json(job.settings).dump(), version, now_utc(),
           row.status, row.cause, row.message, row.file})
-        put(std::string_view(text));
-    put(std::int64_t{row.line});
-    for (const std::optional<double> figure :
-         {std::optional(row.cycle_time_s), row.least_s, row.most_s, std::optional(row.rapid_s),
+        bind_next(std::string_view(text));
+    bind_next(std::int64_t{row.line});
+    for (const std::optional<double> metric :
+         {std::optional(row.cycle_time_s), row.min_s, row.max_s, std::optional(row.rapid_s),
           std::optional(row.feed_s), std::optional(row.dwell_s), std::optional(row.rapid_mm),
-          std::optional(row.feed_mm), std::optional(row.jet_on_mm)})
-        put(figure);
+          std::optional(row.feed_mm), std::optional(row.process_on_mm)})
+        bind_next(metric);
     for (const std::uint64_t count :
          {row.blocks, row.moves, row.violations, row.collisions, row.process_findings, row.warnings})
-        put(as_whole(count));
-    put(row.energy_j);
-    put(std::string_view(row.extents));
-    put(std::string_view(row.findings));
-    for (const std::optional<double> figure : {std::optional(row.cpu_s), row.clearance_mm, row.deviation_mm,
+        bind_next(as_int64(count));
+    bind_next(row.energy_j);
+    bind_next(std::string_view(row.extents));
+    bind_next(std::string_view(row.findings));
+    for (const std::optional<double> metric : {std::optional(row.cpu_s), row.clearance_mm, row.deviation_mm,
                                                row.joint_speed_share, row.lower_bound_s})
-        put(figure);
-    auto run = number_of(add);
+        bind_next(metric);
+    auto run = read_integer(add);
     if (!run) return run;
     for (const SettingValue& setting : job.settings) {
         statements_->setting.bind(1, *run).bind(2, setting.key);
@@ -264,34 +265,34 @@ tl::expected<std::int64_t, std::string> Results::add(const Job& job, const RunKe
             statements_->setting.bind(
                 3, setting.value.is_string() ? setting.value.get<std::string>() : setting.value.dump());
         }
-        if (const auto done = statements_->setting.run(); !done) return Fault(done.error());
+        if (const auto done = statements_->setting.run(); !done) return Unexpected(done.error());
     }
-    if (const auto done = add_inputs(*run, row); !done) return Fault(done.error());
+    if (const auto done = add_inputs(*run, row); !done) return Unexpected(done.error());
     if (!row.report.empty()) {
         statements_->report.bind(1, *run).bind(2, row.report);
-        if (const auto done = statements_->report.run(); !done) return Fault(done.error());
+        if (const auto done = statements_->report.run(); !done) return Unexpected(done.error());
     }
     if (!row.picture.empty()) {
         statements_->picture.bind(1, *run).bind(2, row.picture);
-        if (const auto done = statements_->picture.run(); !done) return Fault(done.error());
+        if (const auto done = statements_->picture.run(); !done) return Unexpected(done.error());
     }
     return run;
 }
 
-SqlDone Results::add_inputs(std::int64_t run, const RunRow& row) {
+SqlResult Results::add_inputs(std::int64_t run, const RunRow& row) {
     for (const ReadFile& file : row.files) {
         statements_->input.bind(1, file.name).bind(2, file.sha256);
-        const auto input = number_of(statements_->input);
-        if (!input) return Fault(input.error());
+        const auto input = read_integer(statements_->input);
+        if (!input) return Unexpected(input.error());
         statements_->run_input.bind(1, run).bind(2, *input);
         if (auto done = statements_->run_input.run(); !done) return done;
     }
     return {};
 }
 
-SqlDone Results::note(std::uint64_t job, std::int64_t run, bool reused) {
-    statements_->note.bind(1, batch_).bind(2, as_whole(job)).bind(3, run).bind(4, std::int64_t{reused});
-    return statements_->note.run();
+SqlResult Results::record(std::uint64_t job, std::int64_t run, bool reused) {
+    statements_->record.bind(1, batch_).bind(2, as_int64(job)).bind(3, run).bind(4, std::int64_t{reused});
+    return statements_->record.run();
 }
 
 }  // namespace gsim::batch

@@ -23,7 +23,7 @@ struct RunKey {
 };
 
 /// Function that returns the current hash of a file, empty if the file does not exist.
-using HashOf = std::function<std::string(const std::string& name)>;
+using FileHash = std::function<std::string(const std::string& name)>;
 
 /// Method by which SQLite keeps a file consistent if a program is interrupted.
 enum class Journal : std::uint8_t {
@@ -33,7 +33,7 @@ enum class Journal : std::uint8_t {
 
 /// Adds the columns and tables of this version to a file of results of an earlier one, before it is opened
 /// read-only. A file that cannot be changed, or is no file of results, stays unchanged.
-void bring_up_to_date(const std::string& file);
+void upgrade_schema(const std::string& file);
 
 /// Runs in an SQLite file (docs/batch.md describes its tables). One process at a time writes; any number may
 /// read meanwhile.
@@ -47,42 +47,43 @@ class Results {
     ~Results();
 
     /// Begins a batch: `jobs` of them by this plan. All runs that are recorded from now on belong to it.
-    SqlDone begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version);
+    SqlResult begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version);
     /// Continues a batch that another process began. The error: it is not in this file.
-    SqlDone resume_batch(std::int64_t batch, const std::string& token);
+    SqlResult resume_batch(std::int64_t batch, const std::string& token);
     std::int64_t batch() const { return batch_; }
     /// Returns the token that distinguishes a batch from all others, also in other files.
     const std::string& token() const { return token_; }
     /// Ends the batch, as complete or as cut off.
-    SqlDone end_batch(bool whole);
+    SqlResult end_batch(bool complete);
 
-    struct FoundRun {
+    struct StoredRun {
         std::int64_t run = 0;
         bool is_clean = true;
     };
     /// Finds a run by its key that is still valid. All files that it has read are unchanged, and it has the
     /// requested documents. It did not end by an error that another attempt may avoid (`retry`).
-    tl::expected<std::optional<FoundRun>, std::string> find(const std::string& key, const HashOf& hash_of,
-                                                            Kept wanted, bool retry);
+    tl::expected<std::optional<StoredRun>, std::string> find(const std::string& key,
+                                                             const FileHash& file_hash,
+                                                             StoredDocuments requested, bool retry);
     /// Adds a new run; returns its number.
     tl::expected<std::int64_t, std::string> add(const Job& job, const RunKey& key, const RunRow& row,
                                                 const std::string& version);
     /// Records the run for a job of the batch.
-    SqlDone note(std::uint64_t job, std::int64_t run, bool reused);
+    SqlResult record(std::uint64_t job, std::int64_t run, bool reused);
     /// Copies the runs that another file has for its jobs. Jobs of this batch that already have a run are
     /// skipped. Returns the number of copied runs.
-    tl::expected<std::uint64_t, std::string> take_over(const std::string& file);
+    tl::expected<std::uint64_t, std::string> merge(const std::string& file);
     /// Returns the number of jobs of the batch that have a run.
-    tl::expected<std::uint64_t, std::string> noted();
+    tl::expected<std::uint64_t, std::string> recorded();
     /// Commits the additions so far to the disk, so that others see them.
-    SqlDone commit();
+    SqlResult commit();
 
   private:
     struct Statements;
 
     Results(Database database, std::unique_ptr<Statements> statements);
-    tl::expected<bool, std::string> is_current(std::int64_t run, const HashOf& hash_of);
-    SqlDone add_inputs(std::int64_t run, const RunRow& row);
+    tl::expected<bool, std::string> is_current(std::int64_t run, const FileHash& file_hash);
+    SqlResult add_inputs(std::int64_t run, const RunRow& row);
 
     Database database_;
     std::unique_ptr<Statements> statements_;

@@ -7,11 +7,11 @@ namespace gsim::batch {
 /// Version of the tables below; a file has it as PRAGMA user_version.
 inline constexpr int kSchemaVersion = 2;
 /// "gsim" as PRAGMA application_id.
-inline constexpr int kApplication = 0x6773696d;
+inline constexpr int kApplicationId = 0x6773696d;
 
-/// Additions of version 2, without the columns of kFiguresOf2: pictures, searches, and the results of each
-/// run for them.
-inline constexpr const char* kTablesOf2 = R"(
+/// Additions of version 2, without the columns of kVersion2Columns: pictures, searches, and the results of
+/// each run for them.
+inline constexpr const char* kVersion2Tables = R"(
 CREATE TABLE search (
   id INTEGER PRIMARY KEY, plan TEXT NOT NULL, objective TEXT NOT NULL, seed INTEGER NOT NULL, began_at TEXT NOT NULL, ended_at TEXT,
   best INTEGER
@@ -26,7 +26,8 @@ CREATE VIEW evaluations AS
   JOIN run ON run.id = search_run.run WHERE search_run.search = (SELECT max(id) FROM search) ORDER BY search_run.number;
 )";
 /// Columns of `run` that version 2 adds.
-inline constexpr std::array kFiguresOf2{"clearance_mm", "deviation_mm", "joint_speed_share", "lower_bound_s"};
+inline constexpr std::array kVersion2Columns{"clearance_mm", "deviation_mm", "joint_speed_share",
+                                             "lower_bound_s"};
 
 /// Tables and views of version 1 (docs/batch.md).
 inline constexpr const char* kSchema = R"(

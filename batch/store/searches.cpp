@@ -4,31 +4,31 @@ namespace gsim::batch {
 
 namespace {
 
-using Fault = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
-constexpr const char* kNow = "strftime('%Y-%m-%dT%H:%M:%SZ', 'now')";
+constexpr const char* kSqlNow = "strftime('%Y-%m-%dT%H:%M:%SZ', 'now')";
 
 }  // namespace
 
 tl::expected<std::int64_t, std::string> begin_search(Database& results, const std::string& plan,
                                                      const std::string& objective, std::uint64_t seed) {
     auto add = results.prepare(
-        std::string("INSERT INTO search (plan, objective, seed, began_at) VALUES (?, ?, ?, ") + kNow +
+        std::string("INSERT INTO search (plan, objective, seed, began_at) VALUES (?, ?, ?, ") + kSqlNow +
         ") RETURNING id");
-    if (!add) return Fault(add.error());
+    if (!add) return Unexpected(add.error());
     add->bind(1, plan).bind(2, objective).bind(3, static_cast<std::int64_t>(seed));
     const auto row = add->step();
-    if (!row) return Fault(row.error());
-    const std::int64_t search = add->whole(0);
+    if (!row) return Unexpected(row.error());
+    const std::int64_t search = add->integer(0);
     return add->run().map([&] { return search; });
 }
 
-SqlDone add_trials(Database& results, std::int64_t search, std::span<const TrialRow> rows) {
+SqlResult add_trials(Database& results, std::int64_t search, std::span<const TrialRow> rows) {
     auto add = results.prepare(
         "INSERT OR IGNORE INTO search_run (search, number, run, generation, value, violation) VALUES (?, ?, "
         "?, ?, ?, "
         "?)");
-    if (!add) return Fault(add.error());
+    if (!add) return Unexpected(add.error());
     if (auto begun = results.execute("BEGIN IMMEDIATE"); !begun) return begun;
     for (const TrialRow& row : rows) {
         add->bind(1, search)
@@ -45,10 +45,10 @@ SqlDone add_trials(Database& results, std::int64_t search, std::span<const Trial
     return results.execute("COMMIT");
 }
 
-SqlDone end_search(Database& results, std::int64_t search, std::uint64_t best) {
+SqlResult end_search(Database& results, std::int64_t search, std::uint64_t best) {
     auto end =
-        results.prepare(std::string("UPDATE search SET ended_at = ") + kNow + ", best = ? WHERE id = ?");
-    if (!end) return Fault(end.error());
+        results.prepare(std::string("UPDATE search SET ended_at = ") + kSqlNow + ", best = ? WHERE id = ?");
+    if (!end) return Unexpected(end.error());
     end->bind(1, static_cast<std::int64_t>(best)).bind(2, search);
     return end->run();
 }

@@ -23,8 +23,8 @@ struct TrialRow {
 /// Begins a search in a file of results that has its tables. No other process writes meanwhile.
 tl::expected<std::int64_t, std::string> begin_search(Database& results, const std::string& plan,
                                                      const std::string& objective, std::uint64_t seed);
-SqlDone add_trials(Database& results, std::int64_t search, std::span<const TrialRow> rows);
+SqlResult add_trials(Database& results, std::int64_t search, std::span<const TrialRow> rows);
 /// Ends a search, with the number of the best trial.
-SqlDone end_search(Database& results, std::int64_t search, std::uint64_t best);
+SqlResult end_search(Database& results, std::int64_t search, std::uint64_t best);
 
 }  // namespace gsim::batch

@@ -10,7 +10,7 @@ namespace gsim::batch {
 
 namespace {
 
-constexpr int kBusy_ms = 10'000;
+constexpr int kBusyTimeout_ms = 10'000;
 
 /// Returns the name of a file that is never changed, in SQLite's format (https://www.sqlite.org/uri.html).
 std::string immutable_uri(const std::string& file) {
@@ -24,12 +24,12 @@ std::string immutable_uri(const std::string& file) {
 }
 
 /// Returns SQLite's message for its latest error, with the system's message if that was the cause.
-std::string sentence_of(sqlite3* database, const std::string& file) {
-    std::string said = fmt::format("'{}': {}", file, sqlite3_errmsg(database));
+std::string sqlite_message(sqlite3* database, const std::string& file) {
+    std::string error_text = fmt::format("'{}': {}", file, sqlite3_errmsg(database));
     const int status = sqlite3_errcode(database);
     const int error = sqlite3_system_errno(database);
-    if ((status != SQLITE_IOERR && status != SQLITE_CANTOPEN) || error == 0) return said;
-    return fmt::format("{} ({})", said, std::generic_category().message(error));
+    if ((status != SQLITE_IOERR && status != SQLITE_CANTOPEN) || error == 0) return error_text;
+    return fmt::format("{} ({})", error_text, std::generic_category().message(error));
 }
 
 }  // namespace
@@ -42,43 +42,43 @@ void Database::Close::operator()(sqlite3* database) const {
     sqlite3_close(database);
 }
 
-Statement& Statement::bound(int status) {
-    if (status != SQLITE_OK) unbound_ = status;
+Statement& Statement::check_bind(int status) {
+    if (status != SQLITE_OK) bind_status_ = status;
     return *this;
 }
 
 Statement& Statement::bind(int parameter, std::string_view text) {
     // An empty view may have a null pointer, which SQLite would interpret as NULL.
-    const char* place = text.data() == nullptr ? "" : text.data();
-    return bound(
-        sqlite3_bind_text64(statement_.get(), parameter, place, text.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
+    const char* text_data = text.data() == nullptr ? "" : text.data();
+    return check_bind(sqlite3_bind_text64(statement_.get(), parameter, text_data, text.size(),
+                                          SQLITE_TRANSIENT, SQLITE_UTF8));
 }
 
 Statement& Statement::bind(int parameter, std::int64_t number) {
-    return bound(sqlite3_bind_int64(statement_.get(), parameter, number));
+    return check_bind(sqlite3_bind_int64(statement_.get(), parameter, number));
 }
 
 Statement& Statement::bind(int parameter, std::optional<double> number) {
     if (!number) return bind_null(parameter);
-    return bound(sqlite3_bind_double(statement_.get(), parameter, *number));
+    return check_bind(sqlite3_bind_double(statement_.get(), parameter, *number));
 }
 
 Statement& Statement::bind_null(int parameter) {
-    return bound(sqlite3_bind_null(statement_.get(), parameter));
+    return check_bind(sqlite3_bind_null(statement_.get(), parameter));
 }
 
 tl::expected<bool, std::string> Statement::step() {
-    if (const int unbound = std::exchange(unbound_, SQLITE_OK); unbound != SQLITE_OK)
-        return tl::unexpected(fmt::format("'{}': {}", *file_, sqlite3_errstr(unbound)));
+    if (const int bind_status = std::exchange(bind_status_, SQLITE_OK); bind_status != SQLITE_OK)
+        return tl::unexpected(fmt::format("'{}': {}", *file_, sqlite3_errstr(bind_status)));
     const int status = sqlite3_step(statement_.get());
     if (status == SQLITE_ROW) return true;
     tl::expected<bool, std::string> ended = false;
-    if (status != SQLITE_DONE) ended = tl::unexpected(sentence_of(database_, *file_));
+    if (status != SQLITE_DONE) ended = tl::unexpected(sqlite_message(database_, *file_));
     sqlite3_reset(statement_.get());
     return ended;
 }
 
-SqlDone Statement::run() {
+SqlResult Statement::run() {
     while (true) {
         const auto row = step();
         if (!row) return tl::unexpected(row.error());
@@ -98,7 +98,7 @@ bool Statement::is_null(int column) const {
     return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
 }
 
-bool Statement::is_whole(int column) const {
+bool Statement::is_integer(int column) const {
     return sqlite3_column_type(statement_.get(), column) == SQLITE_INTEGER;
 }
 
@@ -112,7 +112,7 @@ std::string_view Statement::text(int column) const {
     return {static_cast<const char*>(bytes), static_cast<std::size_t>(count)};
 }
 
-std::int64_t Statement::whole(int column) const {
+std::int64_t Statement::integer(int column) const {
     return sqlite3_column_int64(statement_.get(), column);
 }
 
@@ -120,36 +120,36 @@ double Statement::number(int column) const {
     return sqlite3_column_double(statement_.get(), column);
 }
 
-tl::expected<Database, std::string> Database::open(const std::string& file, bool for_reading) {
-    if (!for_reading) return open_by(file, file, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+tl::expected<Database, std::string> Database::open(const std::string& file, bool read_only) {
+    if (!read_only) return open_with_flags(file, file, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
     // If the file is writable, the last program that closes it removes the auxiliary files of SQLite.
-    auto database = open_by(file, file, SQLITE_OPEN_READWRITE);
+    auto database = open_with_flags(file, file, SQLITE_OPEN_READWRITE);
     if (!database || database->prepare("SELECT count(*) FROM sqlite_schema")) return database;
     // Neither it nor its folder can be written, so no process changes it meanwhile.
-    return open_by(file, immutable_uri(file), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
+    return open_with_flags(file, immutable_uri(file), SQLITE_OPEN_READONLY | SQLITE_OPEN_URI);
 }
 
-tl::expected<Database, std::string> Database::open_by(const std::string& file, const std::string& name,
-                                                      int flags) {
+tl::expected<Database, std::string> Database::open_with_flags(const std::string& file,
+                                                              const std::string& name, int flags) {
     sqlite3* opened = nullptr;
     const int status = sqlite3_open_v2(name.c_str(), &opened, flags, nullptr);
     Database database(opened, file);
     if (status != SQLITE_OK)
         return tl::unexpected(fmt::format("'{}' cannot be opened: {}", file, sqlite3_errstr(status)));
-    sqlite3_busy_timeout(opened, kBusy_ms);
+    sqlite3_busy_timeout(opened, kBusyTimeout_ms);
     return database;
 }
 
-SqlDone Database::execute(const std::string& sql) {
+SqlResult Database::execute(const std::string& sql) {
     if (sqlite3_exec(database_.get(), sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK) return {};
-    return tl::unexpected(sentence_of(database_.get(), *file_));
+    return tl::unexpected(sqlite_message(database_.get(), *file_));
 }
 
 tl::expected<Statement, std::string> Database::prepare(std::string_view sql) {
     sqlite3_stmt* statement = nullptr;
     if (sqlite3_prepare_v3(database_.get(), sql.data(), static_cast<int>(sql.size()),
                            SQLITE_PREPARE_PERSISTENT, &statement, nullptr) != SQLITE_OK)
-        return tl::unexpected(sentence_of(database_.get(), *file_));
+        return tl::unexpected(sqlite_message(database_.get(), *file_));
     return Statement(database_.get(), file_, statement);
 }
 

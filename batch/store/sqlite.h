@@ -15,7 +15,7 @@ struct sqlite3_stmt;
 namespace gsim::batch {
 
 /// Result of an SQL statement; the error is a message of SQLite after the file's name.
-using SqlDone = tl::expected<void, std::string>;
+using SqlResult = tl::expected<void, std::string>;
 
 /// One SQL statement with its parameters, to be stepped through. Creating it again for the same SQL costs no
 /// more than its steps. It must be destroyed before its database.
@@ -32,16 +32,16 @@ class Statement {
     /// memory).
     tl::expected<bool, std::string> step();
     /// Runs a statement without rows to its end; it may then be bound again.
-    SqlDone run();
+    SqlResult run();
 
     /// Returns the number of columns of the current row of step(). Columns count from 0.
     int columns() const;
     std::string name(int column) const;
     bool is_null(int column) const;
-    bool is_whole(int column) const;          ///< True for an integer.
+    bool is_integer(int column) const;        ///< True for an integer.
     bool is_number(int column) const;         ///< Any other number.
     std::string_view text(int column) const;  ///< Until the next step.
-    std::int64_t whole(int column) const;
+    std::int64_t integer(int column) const;
     double number(int column) const;
 
   private:
@@ -51,26 +51,26 @@ class Statement {
     };
     Statement(sqlite3* database, std::shared_ptr<const std::string> file, sqlite3_stmt* statement)
         : database_(database), file_(std::move(file)), statement_(statement) {}
-    Statement& bound(int status);
+    Statement& check_bind(int status);
 
     sqlite3* database_;
     std::shared_ptr<const std::string> file_;
     std::unique_ptr<sqlite3_stmt, Close> statement_;
-    int unbound_ = 0;  ///< SQLite's error code for a parameter that was not accepted.
+    int bind_status_ = 0;  ///< SQLite's error code for a parameter that was not accepted.
 };
 
 /// SQLite file.
 class Database {
   public:
-    /// Opens a file, or creates it; `for_reading`: an existing one, which is not changed. The error is a
+    /// Opens a file, or creates it; `read_only`: an existing one, which is not changed. The error is a
     /// message with the file's name.
-    static tl::expected<Database, std::string> open(const std::string& file, bool for_reading = false);
+    static tl::expected<Database, std::string> open(const std::string& file, bool read_only = false);
 
     /// Returns the name with which it was opened.
     const std::string& file() const { return *file_; }
 
     /// Executes statements without parameters and rows, separated by semicolons.
-    SqlDone execute(const std::string& sql);
+    SqlResult execute(const std::string& sql);
     /// Prepares one statement. The error: invalid SQL, or a name in it does not exist.
     tl::expected<Statement, std::string> prepare(std::string_view sql);
 
@@ -80,8 +80,8 @@ class Database {
     };
     Database(sqlite3* database, const std::string& file)
         : file_(std::make_shared<const std::string>(file)), database_(database) {}
-    static tl::expected<Database, std::string> open_by(const std::string& file, const std::string& name,
-                                                       int flags);
+    static tl::expected<Database, std::string> open_with_flags(const std::string& file,
+                                                               const std::string& name, int flags);
 
     std::shared_ptr<const std::string> file_;
     std::unique_ptr<sqlite3, Close> database_;

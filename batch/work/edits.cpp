@@ -5,7 +5,7 @@
 #include <charconv>
 
 #include "base/text/format.h"
-#include "base/toml/toml_edit.h"
+#include "base/toml/toml_editor.h"
 #include "batch/work/path_job.h"
 #include "engine/machine_data.h"
 
@@ -14,13 +14,14 @@ namespace gsim::batch {
 namespace {
 
 using nlohmann::json;
-using Fault = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
-constexpr std::array kKinds{kOfMachine, kOfCell, kOfRobots, kOfData, kOfPath, kOfRun};
+constexpr std::array kPrefixes{kMachinePrefix, kCellPrefix, kRobotsPrefix,
+                               kDataPrefix,    kPathPrefix, kOptionPrefix};
 /// Keys that name an element of a list.
-constexpr std::array kNames{"letter", "name", "on"};
+constexpr std::array kNameKeys{"letter", "name", "on"};
 
-std::vector<std::string> words_of(std::string_view key) {
+std::vector<std::string> split_key(std::string_view key) {
     std::vector<std::string> words;
     while (true) {
         const std::size_t dot = key.find('.');
@@ -30,18 +31,18 @@ std::vector<std::string> words_of(std::string_view key) {
     }
 }
 
-std::optional<std::size_t> place_in(const std::string& word) {
-    std::size_t place = 0;
+std::optional<std::size_t> parse_index(const std::string& word) {
+    std::size_t index = 0;
     const char* end = word.data() + word.size();
-    const auto read = std::from_chars(word.data(), end, place);
+    const auto read = std::from_chars(word.data(), end, index);
     if (read.ec != std::errc() || read.ptr != end) return std::nullopt;
-    return place;
+    return index;
 }
 
 /// Finds an element of a list by its index or by its name.
 std::optional<std::size_t> find_element(const json& list, const std::string& word) {
-    if (const auto place = place_in(word)) return *place < list.size() ? place : std::nullopt;
-    for (const char* name : kNames) {
+    if (const auto index = parse_index(word)) return *index < list.size() ? index : std::nullopt;
+    for (const char* name : kNameKeys) {
         for (std::size_t i = 0; i < list.size(); ++i) {
             if (list[i].is_object() && list[i].value(name, json()) == word) return i;
         }
@@ -49,23 +50,24 @@ std::optional<std::size_t> find_element(const json& list, const std::string& wor
     return std::nullopt;
 }
 
-struct Found {
+struct KeyMatch {
     base::TomlPath path;
     const json* value = nullptr;  ///< Null: the key is new.
 };
 
-tl::expected<Found, std::string> find(const json& document, const std::string& key) {
-    Found found{.path = {}, .value = &document};
-    for (const std::string& word : words_of(key)) {
+tl::expected<KeyMatch, std::string> find(const json& document, const std::string& key) {
+    KeyMatch found{.path = {}, .value = &document};
+    for (const std::string& word : split_key(key)) {
         if (found.value != nullptr && found.value->is_array()) {
-            const auto place = find_element(*found.value, word);
-            if (!place) return Fault(fmt::format("'{}': there is no '{}'", key, word));
-            found.path.emplace_back(*place);
-            found.value = &(*found.value)[*place];
+            const auto index = find_element(*found.value, word);
+            if (!index) return Unexpected(fmt::format("'{}': there is no '{}'", key, word));
+            found.path.emplace_back(*index);
+            found.value = &(*found.value)[*index];
             continue;
         }
         if (found.value != nullptr && !found.value->is_object())
-            return Fault(fmt::format("'{}': nothing is below '{}'", key, base::shown(found.path)));
+            return Unexpected(
+                fmt::format("'{}': nothing is below '{}'", key, base::display_text(found.path)));
         found.path.emplace_back(word);
         if (found.value != nullptr)
             found.value = found.value->contains(word) ? &found.value->at(word) : nullptr;
@@ -73,17 +75,17 @@ tl::expected<Found, std::string> find(const json& document, const std::string& k
     return found;
 }
 
-tl::expected<json, std::string> value_of(const SettingValue& setting, const json* old) {
+tl::expected<json, std::string> edited_value(const SettingValue& setting, const json* old) {
     if (setting.use == SettingUse::set) return setting.value;
     const auto value = setting.value.get<double>();
     if (setting.use == SettingUse::shift && old == nullptr) return value;  // what is not said is 0
     if (old == nullptr || !old->is_number())
-        return Fault(fmt::format("'{}': {} needs a number in the file", setting.key,
-                                 setting.use == SettingUse::factor ? "a factor" : "what is added"));
+        return Unexpected(fmt::format("'{}': {} needs a number in the file", setting.key,
+                                      setting.use == SettingUse::factor ? "a factor" : "what is added"));
     return setting.use == SettingUse::factor ? old->get<double>() * value : old->get<double>() + value;
 }
 
-std::string written(const json& value) {
+std::string print_value(const json& value) {
     if (value.is_number_integer()) return fmt::format("{}", value.get<std::int64_t>());
     if (value.is_number()) return fmt::format("{}", value.get<double>());
     return value.is_string() ? value.get<std::string>() : value.dump();
@@ -91,58 +93,59 @@ std::string written(const json& value) {
 
 }  // namespace
 
-std::vector<SettingValue> settings_of(std::span<const SettingValue> settings, std::string_view kind) {
+std::vector<SettingValue> settings_with_prefix(std::span<const SettingValue> settings,
+                                               std::string_view prefix) {
     std::vector<SettingValue> found;
     for (const SettingValue& setting : settings) {
-        if (!setting.key.starts_with(kind)) continue;
+        if (!setting.key.starts_with(prefix)) continue;
         found.push_back(setting);
-        found.back().key.erase(0, kind.size());
+        found.back().key.erase(0, prefix.size());
     }
     return found;
 }
 
-std::string fault_of_key(const std::string& key) {
-    const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
-                                   [&](std::string_view each) { return key.starts_with(each); });
-    if (kind == kKinds.end())
-        return fmt::format("'{}' should begin with '{}'", key, text::joined(kKinds, "', '"));
-    const std::vector<std::string> words = words_of(std::string_view(key).substr(kind->size()));
+std::string check_key_name(const std::string& key) {
+    const auto prefix = std::find_if(kPrefixes.begin(), kPrefixes.end(),
+                                     [&](std::string_view each) { return key.starts_with(each); });
+    if (prefix == kPrefixes.end())
+        return fmt::format("'{}' should begin with '{}'", key, text::joined(kPrefixes, "', '"));
+    const std::vector<std::string> words = split_key(std::string_view(key).substr(prefix->size()));
     if (std::any_of(words.begin(), words.end(), [](const std::string& word) { return word.empty(); }))
         return fmt::format("'{}' has an empty name between its dots", key);
-    if (*kind == kOfData && words.size() != 3)
+    if (*prefix == kDataPrefix && words.size() != 3)
         return fmt::format("'{}' should be data.SECTION.ID.FIELD, as data.OFFSET.54.X", key);
-    if (*kind == kOfPath) return fault_of_path_key(key.substr(kind->size()));
-    if (*kind == kOfRun && words.size() != 1) return fmt::format("'{}' is no option", key);
+    if (*prefix == kPathPrefix) return check_path_key(key.substr(prefix->size()));
+    if (*prefix == kOptionPrefix && words.size() != 1) return fmt::format("'{}' is no option", key);
     return {};
 }
 
-tl::expected<std::string, std::string> edited_toml(std::string text, const std::string& file,
-                                                   std::span<const SettingValue> settings) {
-    auto edit = base::TomlEdit::read(std::move(text), file);
-    if (!edit) return Fault(edit.error());
+tl::expected<std::string, std::string> edit_toml(std::string text, const std::string& file,
+                                                 std::span<const SettingValue> settings) {
+    auto edit = base::TomlEditor::read(std::move(text), file);
+    if (!edit) return Unexpected(edit.error());
     for (const SettingValue& setting : settings) {
         const auto found = find(edit->value(), setting.key);
-        if (!found) return Fault(fmt::format("{}: {}", file, found.error()));
-        const auto value = value_of(setting, found->value);
-        if (!value) return Fault(fmt::format("{}: {}", file, value.error()));
+        if (!found) return Unexpected(fmt::format("{}: {}", file, found.error()));
+        const auto value = edited_value(setting, found->value);
+        if (!value) return Unexpected(fmt::format("{}: {}", file, value.error()));
         if (const auto done = edit->set(found->path, *value); !done)
-            return Fault(fmt::format("{}: {}", file, done.error()));
+            return Unexpected(fmt::format("{}: {}", file, done.error()));
     }
     return edit->text();
 }
 
-tl::expected<std::string, std::string> edited_data(std::string_view text, const std::string& file,
-                                                   std::span<const SettingValue> settings) {
+tl::expected<std::string, std::string> edit_data(std::string_view text, const std::string& file,
+                                                 std::span<const SettingValue> settings) {
     auto data = engine::MachineData::read(text, file);
-    if (!data) return Fault(data.error().message);
+    if (!data) return Unexpected(data.error().message);
     for (const SettingValue& setting : settings) {
-        const std::vector<std::string> words = words_of(setting.key);
+        const std::vector<std::string> words = split_key(setting.key);
         if (setting.use != SettingUse::set)
-            return Fault(
+            return Unexpected(
                 fmt::format("'{}': machine data take values, no factors and nothing added", setting.key));
-        const std::string change = words[2] + "=" + written(setting.value);
+        const std::string change = words[2] + "=" + print_value(setting.value);
         if (const auto set = data->set(words[0], words[1], {&change, 1}); !set)
-            return Fault(fmt::format("{}: {}", file, set.error().message));
+            return Unexpected(fmt::format("{}: {}", file, set.error().message));
     }
     return data->text();
 }

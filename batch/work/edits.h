@@ -12,27 +12,28 @@
 namespace gsim::batch {
 
 /// Prefix of the keys of settings.
-inline constexpr std::string_view kOfMachine = "machine.";
-inline constexpr std::string_view kOfCell = "cell.";
-inline constexpr std::string_view kOfRobots = "robots.";
-inline constexpr std::string_view kOfData = "data.";
-inline constexpr std::string_view kOfPath = "path.";
-inline constexpr std::string_view kOfRun = "option.";
+inline constexpr std::string_view kMachinePrefix = "machine.";
+inline constexpr std::string_view kCellPrefix = "cell.";
+inline constexpr std::string_view kRobotsPrefix = "robots.";
+inline constexpr std::string_view kDataPrefix = "data.";
+inline constexpr std::string_view kPathPrefix = "path.";
+inline constexpr std::string_view kOptionPrefix = "option.";
 
 /// Returns the settings with keys that have this prefix, and removes the prefix.
-std::vector<SettingValue> settings_of(std::span<const SettingValue> settings, std::string_view kind);
+std::vector<SettingValue> settings_with_prefix(std::span<const SettingValue> settings,
+                                               std::string_view prefix);
 
 /// Returns the reason why a setting must not have this key; empty if it may.
-std::string fault_of_key(const std::string& key);
+std::string check_key_name(const std::string& key);
 
 /// Returns the text of a machine file, a cell or a file of robots (TOML) with changed values. Keys are names
 /// and indices separated by dots: "axis.X.max_mm". The error is a message.
-tl::expected<std::string, std::string> edited_toml(std::string text, const std::string& file,
-                                                   std::span<const SettingValue> settings);
+tl::expected<std::string, std::string> edit_toml(std::string text, const std::string& file,
+                                                 std::span<const SettingValue> settings);
 
 /// Returns the text of machine data with changed values. Keys are a section, an entry and a field:
 /// "OFFSET.54.X", in the unit of the entry. The error is a message.
-tl::expected<std::string, std::string> edited_data(std::string_view text, const std::string& file,
-                                                   std::span<const SettingValue> settings);
+tl::expected<std::string, std::string> edit_data(std::string_view text, const std::string& file,
+                                                 std::span<const SettingValue> settings);
 
 }  // namespace gsim::batch

@@ -12,9 +12,13 @@ std::string print_job(const Job& job) {
     json settings = json::array();
     for (const SettingValue& setting : job.settings)
         settings.push_back({setting.key, setting.value, setting.use});
-    return json{{"number", job.number},        {"program", job.program}, {"machine", job.machine},
-                {"options", job.options},      {"settings", settings},   {"report", job.keeps.report},
-                {"picture", job.keeps.picture}}
+    return json{{"number", job.number},
+                {"program", job.program},
+                {"machine", job.machine},
+                {"options", job.options},
+                {"settings", settings},
+                {"report", job.stored_documents.report},
+                {"picture", job.stored_documents.picture}}
         .dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
@@ -26,7 +30,7 @@ tl::expected<Job, std::string> read_job(std::string_view line) {
                 .machine = read.at("machine"),
                 .options = read.at("options"),
                 .settings = {},
-                .keeps = {read.at("report"), read.at("picture")}};
+                .stored_documents = {read.at("report"), read.at("picture")}};
         for (const json& setting : read.at("settings"))
             job.settings.push_back({setting.at(0), setting.at(1), setting.at(2)});
         return job;

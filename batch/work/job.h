@@ -32,11 +32,11 @@ struct SettingValue {
 };
 
 /// Optional documents of a run that are stored with its row.
-struct Kept {
+struct StoredDocuments {
     bool report = false;   ///< All of it, as JSON.
     bool picture = false;  ///< Path, speed and acceleration, as SVG.
 
-    bool operator==(const Kept&) const = default;
+    bool operator==(const StoredDocuments&) const = default;
 };
 
 /// One run: a program on a machine, with all its inputs and options.
@@ -46,7 +46,7 @@ struct Job {
     std::string machine;     ///< File or name; empty: the one of the cell, or the one built in.
     nlohmann::json options;  ///< Object, by the names of run_options().
     std::vector<SettingValue> settings;
-    Kept keeps = {};
+    StoredDocuments stored_documents = {};
 };
 
 /// Returns the job as a line of JSON, without a line feed.

@@ -14,18 +14,18 @@ namespace gsim::batch {
 
 namespace {
 
-using Done = tl::expected<void, std::string>;
-using Fault = tl::unexpected<std::string>;
+using VoidResult = tl::expected<void, std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
-constexpr const char* kBuiltIn = "built-in machine.toml";
+constexpr const char* kBuiltInName = "built-in machine.toml";
 
 /// Editor that replaces the files of the settings by edited texts.
 class Edits {
   public:
-    Edits(const Job& job, engine::Request& request, FilesOfRun& files)
+    Edits(const Job& job, engine::Request& request, RunFiles& files)
         : job_(job), request_(request), files_(files) {}
 
-    Done make() {
+    VoidResult make() {
         // The cell comes first, because a changed cell may name another machine.
         return cell().and_then([&] { return robots(); }).and_then([&] { return machine(); }).and_then([&] {
             return data();
@@ -34,83 +34,85 @@ class Edits {
 
   private:
     /// Returns the text of a file that is referenced by name.
-    tl::expected<std::string, std::string> text_of(engine::NameKind kind, std::string& name) {
+    tl::expected<std::string, std::string> find_and_read(engine::NameKind kind, std::string& name) {
         auto found = request_.host.find(kind, name);
-        if (!found) return Fault(found.error());
+        if (!found) return Unexpected(found.error());
         name = *std::move(found);
         auto text = files_.read(name);
-        if (!text) return Fault(fmt::format("cannot read '{}'", name));
+        if (!text) return Unexpected(fmt::format("cannot read '{}'", name));
         return *std::move(text);
     }
 
-    Done machine() {
-        const auto settings = settings_of(job_.settings, kOfMachine);
+    VoidResult machine() {
+        const auto settings = settings_with_prefix(job_.settings, kMachinePrefix);
         if (settings.empty()) return {};
         if (request_.machine.empty() && !request_.cell.empty()) {
-            auto of_cell = engine::Machine::read(request_);
-            if (!of_cell) return Fault(of_cell.error().message);
-            request_.machine = of_cell->machine_file();
+            auto cell_machine = engine::Machine::read(request_);
+            if (!cell_machine) return Unexpected(cell_machine.error().message);
+            request_.machine = cell_machine->machine_file();
         }
         tl::expected<std::string, std::string> text = std::string(machine::built_in_machine_toml());
         if (request_.machine.empty()) {
-            request_.machine = kBuiltIn;
+            request_.machine = kBuiltInName;
         } else {
-            text = text_of(engine::NameKind::machine, request_.machine);
+            text = find_and_read(engine::NameKind::machine, request_.machine);
         }
-        if (!text) return Fault(text.error());
-        return put(request_.machine, edited_toml(*std::move(text), request_.machine, settings));
+        if (!text) return Unexpected(text.error());
+        return replace_text(request_.machine, edit_toml(*std::move(text), request_.machine, settings));
     }
 
-    Done cell() {
-        const auto settings = settings_of(job_.settings, kOfCell);
+    VoidResult cell() {
+        const auto settings = settings_with_prefix(job_.settings, kCellPrefix);
         if (settings.empty()) return {};
-        if (request_.cell.empty()) return Fault("a setting of the cell needs a cell file (option 'cell')");
-        auto text = text_of(engine::NameKind::sample, request_.cell);
-        if (!text) return Fault(text.error());
-        return put(request_.cell, edited_toml(*std::move(text), request_.cell, settings));
+        if (request_.cell.empty())
+            return Unexpected("a setting of the cell needs a cell file (option 'cell')");
+        auto text = find_and_read(engine::NameKind::sample, request_.cell);
+        if (!text) return Unexpected(text.error());
+        return replace_text(request_.cell, edit_toml(*std::move(text), request_.cell, settings));
     }
 
-    Done robots() {
-        const auto settings = settings_of(job_.settings, kOfRobots);
+    VoidResult robots() {
+        const auto settings = settings_with_prefix(job_.settings, kRobotsPrefix);
         if (settings.empty()) return {};
         if (request_.robots.empty())
-            return Fault("a setting of robots needs a file of them (option 'robots')");
-        auto text = text_of(engine::NameKind::sample, request_.robots);
-        if (!text) return Fault(text.error());
-        return put(request_.robots, edited_toml(*std::move(text), request_.robots, settings));
+            return Unexpected("a setting of robots needs a file of them (option 'robots')");
+        auto text = find_and_read(engine::NameKind::sample, request_.robots);
+        if (!text) return Unexpected(text.error());
+        return replace_text(request_.robots, edit_toml(*std::move(text), request_.robots, settings));
     }
 
-    Done data() {
-        const auto settings = settings_of(job_.settings, kOfData);
+    VoidResult data() {
+        const auto settings = settings_with_prefix(job_.settings, kDataPrefix);
         if (settings.empty()) return {};
         if (request_.machine_data.empty())
-            return Fault("a setting of machine data needs a file of them (option 'machine_data')");
-        const auto text = text_of(engine::NameKind::sample, request_.machine_data);
-        if (!text) return Fault(text.error());
-        return put(request_.machine_data, edited_data(*text, request_.machine_data, settings));
+            return Unexpected("a setting of machine data needs a file of them (option 'machine_data')");
+        const auto text = find_and_read(engine::NameKind::sample, request_.machine_data);
+        if (!text) return Unexpected(text.error());
+        return replace_text(request_.machine_data, edit_data(*text, request_.machine_data, settings));
     }
 
-    Done put(const std::string& name, tl::expected<std::string, std::string> edited) {
-        return std::move(edited).map([&](std::string text) { files_.replace(name, std::move(text)); });
+    VoidResult replace_text(const std::string& name, tl::expected<std::string, std::string> edit_result) {
+        return std::move(edit_result).map([&](std::string text) { files_.replace(name, std::move(text)); });
     }
 
     const Job& job_;
     engine::Request& request_;
-    FilesOfRun& files_;
+    RunFiles& files_;
 };
 
 }  // namespace
 
-Done make_edits(const Job& job, engine::Request& request, FilesOfRun& files) {
+VoidResult make_edits(const Job& job, engine::Request& request, RunFiles& files) {
     return Edits(job, request, files).make();
 }
 
-Done set_options(const Job& job, JobRequest& request) {
+VoidResult set_options(const Job& job, JobRequest& request) {
     for (const auto& [name, value] : job.options.items()) {
-        if (const auto set = set_option(request, name, value); !set) return Fault(set.error());
+        if (const auto set = set_option(request, name, value); !set) return Unexpected(set.error());
     }
-    for (const SettingValue& setting : settings_of(job.settings, kOfRun)) {
-        if (const auto set = set_option(request, setting.key, setting.value); !set) return Fault(set.error());
+    for (const SettingValue& setting : settings_with_prefix(job.settings, kOptionPrefix)) {
+        if (const auto set = set_option(request, setting.key, setting.value); !set)
+            return Unexpected(set.error());
     }
     return {};
 }

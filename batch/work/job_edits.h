@@ -4,9 +4,9 @@
 
 #include <tl/expected.hpp>
 
-#include "batch/work/files_of_run.h"
 #include "batch/work/job.h"
 #include "batch/work/job_request.h"
+#include "batch/work/run_files.h"
 
 namespace gsim::batch {
 
@@ -15,6 +15,6 @@ tl::expected<void, std::string> set_options(const Job& job, JobRequest& request)
 
 /// Replaces the files of the job's settings by edited texts: cell, robots, machine, data. Names in the
 /// request become names of files. The error is a message.
-tl::expected<void, std::string> make_edits(const Job& job, engine::Request& request, FilesOfRun& files);
+tl::expected<void, std::string> make_edits(const Job& job, engine::Request& request, RunFiles& files);
 
 }  // namespace gsim::batch

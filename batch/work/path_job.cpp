@@ -13,31 +13,32 @@ namespace gsim::batch {
 
 namespace {
 
-using engine::Failure;
+using engine::Error;
 using engine::FramePose;
 using nlohmann::json;
 
-constexpr std::string_view kPlace = "place.", kOrder = "order", kFeed = "feed_mm_min";
-constexpr std::array<std::string_view, 6> kPlaces{"x_mm", "y_mm", "z_mm", "roll_deg", "pitch_deg", "yaw_deg"};
-constexpr const char* kUsualPost = "ab9";  // as gsim write has it
+constexpr std::string_view kPosePrefix = "place.", kPathOrderKey = "order", kFeedKey = "feed_mm_min";
+constexpr std::array<std::string_view, 6> kPoseFields{"x_mm",     "y_mm",      "z_mm",
+                                                      "roll_deg", "pitch_deg", "yaw_deg"};
+constexpr const char* kDefaultPost = "ab9";  // as gsim write has it
 
-tl::unexpected<Failure> refused(std::string why) {
-    return tl::unexpected(Failure{.code = "setting", .message = std::move(why)});
+tl::unexpected<Error> setting_error(std::string message) {
+    return tl::unexpected(Error{.code = "setting", .message = std::move(message)});
 }
 
-double& place_of(FramePose& pose, std::size_t place) {
+double& pose_field(FramePose& pose, std::size_t place) {
     return place < 3 ? pose.origin_mm[place] : pose.rpy_deg[place - 3];
 }
 
 /// Returns the name of the path that a feed key refers to; empty result: the key is another one.
-std::optional<std::string> path_of_feed(const std::string& key) {
-    if (key == kFeed) return std::string();
-    const std::string end = '.' + std::string(kFeed);
+std::optional<std::string> feed_path_name(const std::string& key) {
+    if (key == kFeedKey) return std::string();
+    const std::string end = '.' + std::string(kFeedKey);
     if (!key.ends_with(end) || key.size() == end.size()) return std::nullopt;
     return key.substr(0, key.size() - end.size());
 }
 
-tl::expected<std::vector<std::size_t>, std::string> order_in(const json& value) {
+tl::expected<std::vector<std::size_t>, std::string> parse_order(const json& value) {
     std::vector<std::size_t> order;
     for (const json& each : value.is_array() ? value : json::array({value})) {
         if (!each.is_number_unsigned())
@@ -49,41 +50,41 @@ tl::expected<std::vector<std::size_t>, std::string> order_in(const json& value) 
 }
 
 /// Returns the post for programs that the machine reads.
-tl::expected<std::string, Failure> post_for(const JobRequest& request, const engine::Machine& machine) {
+tl::expected<std::string, Error> select_post(const JobRequest& request, const engine::Machine& machine) {
     if (!request.path.post.empty()) return request.path.post;
-    const std::string& said = request.run.language.dialect;
-    const std::string& dialect = said.empty() ? machine.dialect() : said;
-    if (dialect.empty()) return kUsualPost;
+    const std::string& given_dialect = request.run.language.dialect;
+    const std::string& dialect = given_dialect.empty() ? machine.dialect() : given_dialect;
+    if (dialect.empty()) return kDefaultPost;
     const std::vector<std::string> posts = engine::post_names();
     if (std::find(posts.begin(), posts.end(), dialect) != posts.end()) return dialect;
-    return refused(
+    return setting_error(
         fmt::format("how is a program written that '{}' reads? The option 'post' takes {}, or a file",
                     dialect, text::joined(posts, ", ")));
 }
 
 /// Returns the pose of the frame that moves the path.
-tl::expected<FramePose, Failure> frame_of(engine::Machine& machine, const std::string& name) {
+tl::expected<FramePose, Error> frame_pose(engine::Machine& machine, const std::string& name) {
     return machine.read_bodies().and_then([&] { return machine.frame_in_work(name); });
 }
 
-tl::expected<void, Failure> follow_frame(const Job& job, const JobRequest& request, engine::Machine& machine,
-                                         const engine::Host& as_it_is, engine::PathChanges& changes) {
+tl::expected<void, Error> follow_frame(const Job& job, const JobRequest& request, engine::Machine& machine,
+                                       const engine::Host& original_host, engine::PathChanges& changes) {
     if (request.path_frame.empty()) return {};
-    if (request.run.cell.empty()) return refused("the option 'path_frame' needs a cell");
-    const auto put = [](FramePose& pose) { return [&pose](const FramePose& found) { pose = found; }; };
+    if (request.run.cell.empty()) return setting_error("the option 'path_frame' needs a cell");
+    const auto store_pose = [](FramePose& pose) { return [&pose](const FramePose& found) { pose = found; }; };
     engine::Request before = request.run;
-    before.host = as_it_is;
+    before.host = original_host;
     before.machine = job.machine;  // edits may have named what no file is
     return engine::Machine::read(before)
-        .and_then([&](engine::Machine found) { return frame_of(found, request.path_frame); })
-        .map(put(changes.from))
-        .and_then([&] { return frame_of(machine, request.path_frame); })
-        .map(put(changes.to));
+        .and_then([&](engine::Machine found) { return frame_pose(found, request.path_frame); })
+        .map(store_pose(changes.from))
+        .and_then([&] { return frame_pose(machine, request.path_frame); })
+        .map(store_pose(changes.to));
 }
 
-tl::expected<std::string, Failure> written(engine::PathRequest request) {
+tl::expected<std::string, Error> write_program(engine::PathRequest request) {
     return engine::PathTranslation::open(std::move(request))
-        .and_then([](engine::PathTranslation path) -> tl::expected<std::string, Failure> {
+        .and_then([](engine::PathTranslation path) -> tl::expected<std::string, Error> {
             std::string text;
             const auto sink = [&](const std::string&) {
                 return [&text](std::string_view part) {
@@ -100,27 +101,27 @@ tl::expected<std::string, Failure> written(engine::PathRequest request) {
 
 }  // namespace
 
-bool is_path(const std::string& name) {
+bool is_path_file(const std::string& name) {
     const std::string plain = text::lower(name);
     return plain.ends_with(".path.json") || plain.ends_with(".path.lua");
 }
 
-std::string fault_of_path_key(const std::string& key) {
-    if (key == kOrder || path_of_feed(key)) return {};
-    if (key.starts_with(kPlace) &&
-        std::find(kPlaces.begin(), kPlaces.end(), key.substr(kPlace.size())) != kPlaces.end())
+std::string check_path_key(const std::string& key) {
+    if (key == kPathOrderKey || feed_path_name(key)) return {};
+    if (key.starts_with(kPosePrefix) && std::find(kPoseFields.begin(), kPoseFields.end(),
+                                                  key.substr(kPosePrefix.size())) != kPoseFields.end())
         return {};
     return fmt::format(
         "of a path there are 'path.place.{}', 'path.order', 'path.feed_mm_min' and "
         "'path.NAME.feed_mm_min', not 'path.{}'",
-        text::joined(kPlaces, "', 'path.place."), key);
+        text::joined(kPoseFields, "', 'path.place."), key);
 }
 
 tl::expected<engine::PathChanges, std::string> path_changes(std::span<const SettingValue> settings) {
     engine::PathChanges changes;
     for (const SettingValue& setting : settings) {
-        if (setting.key == kOrder) {
-            auto order = order_in(setting.value);
+        if (setting.key == kPathOrderKey) {
+            auto order = parse_order(setting.value);
             if (!order) return tl::unexpected(order.error());
             changes.order = *std::move(order);
             continue;
@@ -130,39 +131,40 @@ tl::expected<engine::PathChanges, std::string> path_changes(std::span<const Sett
             return tl::unexpected(
                 fmt::format("'path.{}' must be a number, not {}", setting.key, setting.value.dump()));
         const auto value = number->get<double>();
-        if (auto path = path_of_feed(setting.key)) {
+        if (auto path = feed_path_name(setting.key)) {
             if (value <= 0) return tl::unexpected(fmt::format("'path.{}' must be above 0", setting.key));
             changes.feeds.push_back({*std::move(path), value, setting.use == SettingUse::factor});
             continue;
         }
-        const auto* const place = std::find(kPlaces.begin(), kPlaces.end(),
-                                            setting.key.substr(std::min(kPlace.size(), setting.key.size())));
-        if (place == kPlaces.end()) return tl::unexpected(fault_of_path_key(setting.key));
-        place_of(changes.place, static_cast<std::size_t>(place - kPlaces.begin())) = value;
+        const auto* const place =
+            std::find(kPoseFields.begin(), kPoseFields.end(),
+                      setting.key.substr(std::min(kPosePrefix.size(), setting.key.size())));
+        if (place == kPoseFields.end()) return tl::unexpected(check_path_key(setting.key));
+        pose_field(changes.place, static_cast<std::size_t>(place - kPoseFields.begin())) = value;
     }
     return changes;
 }
 
-tl::expected<std::optional<std::string>, Failure> write_path(const Job& job, const JobRequest& request,
-                                                             const engine::Host& as_it_is) {
-    const std::vector<SettingValue> settings = settings_of(job.settings, kOfPath);
-    if (!is_path(job.program)) {
+tl::expected<std::optional<std::string>, Error> write_path(const Job& job, const JobRequest& request,
+                                                           const engine::Host& original_host) {
+    const std::vector<SettingValue> settings = settings_with_prefix(job.settings, kPathPrefix);
+    if (!is_path_file(job.program)) {
         if (!request.path_frame.empty())
-            return refused(
+            return setting_error(
                 fmt::format("the option 'path_frame' is of paths (.path.json, .path.lua), and '{}' would "
                             "not go along with '{}'",
                             job.program, request.path_frame));
         if (settings.empty()) return std::nullopt;
-        return refused(fmt::format("'path.{}' is of paths (.path.json, .path.lua), and '{}' is none",
-                                   settings.front().key, job.program));
+        return setting_error(fmt::format("'path.{}' is of paths (.path.json, .path.lua), and '{}' is none",
+                                         settings.front().key, job.program));
     }
     auto changes = path_changes(settings);
-    if (!changes) return refused(changes.error());
+    if (!changes) return setting_error(changes.error());
     auto machine = engine::Machine::read(request.run);
     if (!machine) return tl::unexpected(machine.error());
-    auto post = post_for(request, *machine);
+    auto post = select_post(request, *machine);
     if (!post) return tl::unexpected(post.error());
-    if (auto done = follow_frame(job, request, *machine, as_it_is, *changes); !done)
+    if (auto done = follow_frame(job, request, *machine, original_host, *changes); !done)
         return tl::unexpected(done.error());
     engine::PathRequest path = request.path;
     path.path = job.program;
@@ -171,7 +173,9 @@ tl::expected<std::optional<std::string>, Failure> write_path(const Job& job, con
     path.machine_data = machine->machine_data_file();
     path.changes = *std::move(changes);
     path.host = request.run.host;
-    return written(std::move(path)).map([](std::string text) { return std::optional(std::move(text)); });
+    return write_program(std::move(path)).map([](std::string text) {
+        return std::optional(std::move(text));
+    });
 }
 
 }  // namespace gsim::batch

@@ -14,20 +14,19 @@ namespace gsim::batch {
 
 /// Returns true if a program is a path (docs/paths.md): its name ends in .path.json or .path.lua. A program
 /// is first written from it for its machine, and then run.
-bool is_path(const std::string& name);
+bool is_path_file(const std::string& name);
 
 /// Returns the reason why a setting's key, without its "path.", is invalid; empty if it is valid.
-std::string fault_of_path_key(const std::string& key);
+std::string check_path_key(const std::string& key);
 
 /// Returns the changes of a path by settings, with keys without "path.": `place.x_mm` and the like, `order`,
 /// `feed_mm_min`, `NAME.feed_mm_min`. The error is a message.
 tl::expected<engine::PathChanges, std::string> path_changes(std::span<const SettingValue> settings);
 
 /// Returns the text of a job's program if that is a path, written for the machine of the request; empty for
-/// other jobs. `as_it_is` has files without the job's edits: they define the pose of the cell's frame that
-/// moves the path.
-tl::expected<std::optional<std::string>, engine::Failure> write_path(const Job& job,
-                                                                     const JobRequest& request,
-                                                                     const engine::Host& as_it_is);
+/// other jobs. `original_host` has files without the job's edits: they define the pose of the cell's frame
+/// that moves the path.
+tl::expected<std::optional<std::string>, engine::Error> write_path(const Job& job, const JobRequest& request,
+                                                                   const engine::Host& original_host);
 
 }  // namespace gsim::batch

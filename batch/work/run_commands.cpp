@@ -18,40 +18,40 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Option of a run in the spelling of gsim-run.
-struct Spelling {
+struct CommandOption {
     std::string_view option, word;
-    bool is_of_studio = false;
+    bool is_for_studio = false;
     bool is_file = false;  ///< That the studio serves.
 };
 
 // Permanent variables are excluded because gsim-run would write them.
-constexpr std::array kSpellings{
-    Spelling{"dialect", "--dialect", true},
-    Spelling{"unknown", "--unknown"},
-    Spelling{"machine_data", "--machine-data", true, true},
-    Spelling{"cell", "--cell", true, true},
-    Spelling{"setup", "--setup"},
-    Spelling{"robots", "--robots", true, true},
-    Spelling{"library", "--lua-lib"},
-    Spelling{"module", "--rcs", true},
-    Spelling{"probe", "--probe"},
-    Spelling{"overrides", "--overrides"},
-    Spelling{"feed_override_percent", "--feed-override"},
-    Spelling{"rapid_override_percent", "--rapid-override"},
-    Spelling{"spindle_override_percent", "--spindle-override"},
-    Spelling{"block_delete", "--block-delete"},
-    Spelling{"optional_stop", "--optional-stop"},
-    Spelling{"stop_at_first", "--stop-at-first"},
-    Spelling{"passes", "--passes"},
-    Spelling{"max_time_s", "--max-time"},
-    Spelling{"max_cpu_s", "--max-cpu-seconds"},
-    Spelling{"max_blocks", "--max-blocks"},
-    Spelling{"max_steps", "--max-steps"},
-    Spelling{"lower_bound", "--explain"},
+constexpr std::array kCommandOptions{
+    CommandOption{"dialect", "--dialect", true},
+    CommandOption{"unknown", "--unknown"},
+    CommandOption{"machine_data", "--machine-data", true, true},
+    CommandOption{"cell", "--cell", true, true},
+    CommandOption{"setup", "--setup"},
+    CommandOption{"robots", "--robots", true, true},
+    CommandOption{"library", "--lua-lib"},
+    CommandOption{"module", "--rcs", true},
+    CommandOption{"probe", "--probe"},
+    CommandOption{"overrides", "--overrides"},
+    CommandOption{"feed_override_percent", "--feed-override"},
+    CommandOption{"rapid_override_percent", "--rapid-override"},
+    CommandOption{"spindle_override_percent", "--spindle-override"},
+    CommandOption{"block_delete", "--block-delete"},
+    CommandOption{"optional_stop", "--optional-stop"},
+    CommandOption{"stop_at_first", "--stop-at-first"},
+    CommandOption{"passes", "--passes"},
+    CommandOption{"max_time_s", "--max-time"},
+    CommandOption{"max_cpu_s", "--max-cpu-seconds"},
+    CommandOption{"max_blocks", "--max-blocks"},
+    CommandOption{"max_steps", "--max-steps"},
+    CommandOption{"lower_bound", "--explain"},
 };
 
 /// Adds "./" so that a file name is not parsed as an option.
-std::string file_word(const std::string& file) {
+std::string file_argument(const std::string& file) {
     return file.starts_with('-') ? "./" + file : file;
 }
 
@@ -67,59 +67,59 @@ struct CommandParts {
     std::vector<std::string> left_out;
 };
 
-void gather(CommandParts& parts, std::string_view option, const json& value, bool for_studio) {
-    const auto* found = std::find_if(kSpellings.begin(), kSpellings.end(),
-                                     [&](const Spelling& each) { return each.option == option; });
+void collect_option(CommandParts& parts, std::string_view option, const json& value, bool for_studio) {
+    const auto* found = std::find_if(kCommandOptions.begin(), kCommandOptions.end(),
+                                     [&](const CommandOption& each) { return each.option == option; });
     if (option == "joint_speeds") return;  // which changes no run
-    const bool is_of_collisions = option == "collisions" && value.is_boolean();
-    if (is_of_collisions && value == json(true)) return;  // as it is without a word
-    if (is_of_collisions && !for_studio) {
+    const bool is_collision_option = option == "collisions" && value.is_boolean();
+    if (is_collision_option && value == json(true)) return;  // as it is without a word
+    if (is_collision_option && !for_studio) {
         parts.words.emplace_back("--no-collisions");
-    } else if (found == kSpellings.end() || (for_studio && !found->is_of_studio)) {
+    } else if (found == kCommandOptions.end() || (for_studio && !found->is_for_studio)) {
         parts.left_out.emplace_back(option);
     } else if (value.is_boolean()) {
         if (value.get<bool>()) parts.words.emplace_back(found->word);
     } else {
         const std::string word = value.is_string() ? value.get<std::string>() : value.dump();
         parts.words.emplace_back(found->word);
-        parts.words.push_back(found->is_file ? file_word(word) : word);
+        parts.words.push_back(found->is_file ? file_argument(word) : word);
         if (found->is_file) parts.files.push_back(word);
     }
 }
 
-CommandParts command_parts(const RunTold& run, bool for_studio) {
+CommandParts command_parts(const RunInputs& run, bool for_studio) {
     CommandParts parts;
     if (!run.machine.empty()) {
-        parts.words.insert(parts.words.end(), {"--machine", file_word(run.machine)});
+        parts.words.insert(parts.words.end(), {"--machine", file_argument(run.machine)});
         if (is_file_name(run.machine)) parts.files.push_back(run.machine);
     }
     json options = text::try_parse_json<json>(run.options);
     if (!options.is_object()) options = json::object();
     const json settings = text::try_parse_json<json>(run.settings);
     for (const auto& [key, value] : settings.items()) {
-        if (key.starts_with(kOfRun)) {
-            options[key.substr(kOfRun.size())] = value;
+        if (key.starts_with(kOptionPrefix)) {
+            options[key.substr(kOptionPrefix.size())] = value;
         } else {
             parts.left_out.push_back(key);
         }
     }
-    for (const auto& [option, value] : options.items()) gather(parts, option, value, for_studio);
+    for (const auto& [option, value] : options.items()) collect_option(parts, option, value, for_studio);
     parts.files.push_back(run.program);
     return parts;
 }
 
-OpenCommand command_of(std::vector<std::string> head, CommandParts parts, std::vector<std::string> tail) {
+OpenCommand make_command(std::vector<std::string> head, CommandParts parts, std::vector<std::string> tail) {
     head.insert(head.end(), parts.words.begin(), parts.words.end());
     head.insert(head.end(), tail.begin(), tail.end());
     return {.words = std::move(head), .left_out = std::move(parts.left_out)};
 }
 
 /// Returns a folder that contains all files; empty: their names do not determine one.
-std::string folder_of_all(const std::vector<std::string>& files) {
-    const auto is_inner = [](const std::string& file) {
+std::string common_folder(const std::vector<std::string>& files) {
+    const auto is_inside = [](const std::string& file) {
         return fs::path(file).is_relative() && *fs::path(file).lexically_normal().begin() != "..";
     };
-    if (std::all_of(files.begin(), files.end(), is_inner)) return ".";
+    if (std::all_of(files.begin(), files.end(), is_inside)) return ".";
     fs::path folder = fs::path(files.front()).lexically_normal().parent_path();
     for (const std::string& file : files) {
         if (!fs::path(file).is_absolute()) return {};
@@ -130,33 +130,35 @@ std::string folder_of_all(const std::vector<std::string>& files) {
 
 }  // namespace
 
-OpenCommand studio_command(const RunTold& run) {
-    if (is_path(run.program)) return {};
+OpenCommand studio_command(const RunInputs& run) {
+    if (is_path_file(run.program)) return {};
     CommandParts parts = command_parts(run, true);
-    const std::string folder = folder_of_all(parts.files);
+    const std::string folder = common_folder(parts.files);
     if (folder.empty()) return {};
-    return command_of({"gsim", "studio"}, std::move(parts), {file_word(folder), file_word(run.program)});
+    return make_command({"gsim", "studio"}, std::move(parts),
+                        {file_argument(folder), file_argument(run.program)});
 }
 
-OpenCommand view_command(const RunTold& run) {
-    if (is_path(run.program)) return {};
-    return command_of({"gsim", "run", "--view", std::string(kViewFile)}, command_parts(run, false),
-                      {file_word(run.program)});
+OpenCommand view_command(const RunInputs& run) {
+    if (is_path_file(run.program)) return {};
+    return make_command({"gsim", "run", "--view", std::string(kViewFile)}, command_parts(run, false),
+                        {file_argument(run.program)});
 }
 
-OpenCommand run_command(const RunTold& run) {
-    if (is_path(run.program)) return {};
-    return command_of({"gsim", "run"}, command_parts(run, false), {file_word(run.program)});
+OpenCommand run_command(const RunInputs& run) {
+    if (is_path_file(run.program)) return {};
+    return make_command({"gsim", "run"}, command_parts(run, false), {file_argument(run.program)});
 }
 
-RunTold told_of(const Job& job) {
+RunInputs run_inputs(const Job& job) {
     return {job.program, job.machine, job.options.dump(), settings_json(job.settings).dump()};
 }
 
 std::string shell_word(std::string_view word) {
-    constexpr std::string_view kPlain =
+    constexpr std::string_view kSafeCharacters =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:=+,@%-";
-    if (!word.empty() && word.find_first_not_of(kPlain) == std::string_view::npos) return std::string(word);
+    if (!word.empty() && word.find_first_not_of(kSafeCharacters) == std::string_view::npos)
+        return std::string(word);
     std::string quoted = "'";
     for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return quoted + '\'';

@@ -12,11 +12,11 @@ namespace gsim::batch {
 inline constexpr std::string_view kViewFile = "run.html";
 
 /// Inputs and options of a run, as in the results.
-struct RunTold {
+struct RunInputs {
     std::string program, machine;
     std::string options = "{}", settings = "{}";  ///< JSON.
 };
-RunTold told_of(const Job& job);
+RunInputs run_inputs(const Job& job);
 
 /// Command to view a run, for the folder in which the batch was run.
 struct OpenCommand {
@@ -27,11 +27,11 @@ struct OpenCommand {
 
 /// Returns the command for the studio with program and machine: it serves one folder, which must contain all
 /// files.
-OpenCommand studio_command(const RunTold& run);
+OpenCommand studio_command(const RunInputs& run);
 /// Returns the command for a page with the finished run.
-OpenCommand view_command(const RunTold& run);
+OpenCommand view_command(const RunInputs& run);
 /// Returns the command for the run itself.
-OpenCommand run_command(const RunTold& run);
+OpenCommand run_command(const RunInputs& run);
 
 /// Quotes a word for a shell.
 std::string shell_word(std::string_view word);

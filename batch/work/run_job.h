@@ -6,10 +6,10 @@
 
 #include <tl/expected.hpp>
 
-#include "batch/work/files_of_run.h"
 #include "batch/work/input_files.h"
 #include "batch/work/job.h"
 #include "batch/work/job_request.h"
+#include "batch/work/run_files.h"
 #include "batch/work/run_row.h"
 #include "engine/run.h"
 
@@ -31,14 +31,14 @@ class JobRunner {
     /// Runs a job and returns its row. Errors of the job are part of the row.
     RunRow run(const Job& job);
     /// Returns the texts that it would run.
-    tl::expected<JobTexts, engine::Failure> texts_of(const Job& job);
+    tl::expected<JobTexts, engine::Error> job_texts(const Job& job);
 
   private:
     RunRow run_unguarded(const Job& job);
-    tl::expected<JobRequest, engine::Failure> prepare(const Job& job, FilesOfRun& files) const;
+    tl::expected<JobRequest, engine::Error> prepare(const Job& job, RunFiles& files) const;
 
     InputFiles files_;
-    engine::SharedLibrary library_;
+    engine::CompiledLuaLibrary library_;
     engine::Host system_;
 };
 

@@ -75,7 +75,7 @@ constexpr std::array kOptions{
               [](JobRequest& r, const json& v) { r.path.rotary_as_given = v.get<bool>(); }},
 };
 
-std::string_view wanted(Kind kind) {
+std::string_view kind_text(Kind kind) {
     switch (kind) {
         case Kind::flag: return "true or false";
         case Kind::number: return "a number";
@@ -86,7 +86,7 @@ std::string_view wanted(Kind kind) {
     return "a text";
 }
 
-bool is_of_kind(const json& value, Kind kind) {
+bool has_kind(const json& value, Kind kind) {
     switch (kind) {
         case Kind::flag: return value.is_boolean();
         case Kind::number: return value.is_number();
@@ -120,8 +120,9 @@ tl::expected<void, std::string> check_option(std::string_view name, const json& 
             nearest ? fmt::format("there is no option '{}'; did you mean '{}'?", name, *nearest)
                     : fmt::format("there is no option '{}'; there are: {}", name, text::joined(names, ", ")));
     }
-    if (is_of_kind(value, option->kind)) return {};
-    return tl::unexpected(fmt::format("'{}' must be {}, not {}", name, wanted(option->kind), value.dump()));
+    if (has_kind(value, option->kind)) return {};
+    return tl::unexpected(
+        fmt::format("'{}' must be {}, not {}", name, kind_text(option->kind), value.dump()));
 }
 
 tl::expected<void, std::string> set_option(JobRequest& request, std::string_view name, const json& value) {

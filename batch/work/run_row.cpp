@@ -14,52 +14,52 @@ json optional_json(std::optional<double> value) {
     return value ? json(*value) : json();
 }
 
-std::optional<double> optional_in(const json& value) {
+std::optional<double> parse_optional(const json& value) {
     return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
 /// Calls `take(name, member)` for each member that is a text, a number or a count.
-template <typename Row, typename Take>
-void for_each_row_field(Row& row, const Take& take) {
-    take("number", row.number);
-    take("status", row.status);
-    take("cause", row.cause);
-    take("message", row.message);
-    take("file", row.file);
-    take("line", row.line);
-    take("machine", row.machine);
-    take("controller", row.controller);
-    take("cycle_time_s", row.cycle_time_s);
-    take("rapid_s", row.rapid_s);
-    take("feed_s", row.feed_s);
-    take("dwell_s", row.dwell_s);
-    take("rapid_mm", row.rapid_mm);
-    take("feed_mm", row.feed_mm);
-    take("jet_on_mm", row.jet_on_mm);
-    take("blocks", row.blocks);
-    take("moves", row.moves);
-    take("violations", row.violations);
-    take("collisions", row.collisions);
-    take("process_findings", row.process_findings);
-    take("warnings", row.warnings);
-    take("extents", row.extents);
-    take("findings", row.findings);
-    take("cpu_s", row.cpu_s);
-    take("report", row.report);
-    take("picture", row.picture);
-    take("picture_fault", row.picture_fault);
+template <typename Row, typename Visitor>
+void for_each_row_field(Row& row, const Visitor& on_field) {
+    on_field("number", row.number);
+    on_field("status", row.status);
+    on_field("cause", row.cause);
+    on_field("message", row.message);
+    on_field("file", row.file);
+    on_field("line", row.line);
+    on_field("machine", row.machine);
+    on_field("controller", row.controller);
+    on_field("cycle_time_s", row.cycle_time_s);
+    on_field("rapid_s", row.rapid_s);
+    on_field("feed_s", row.feed_s);
+    on_field("dwell_s", row.dwell_s);
+    on_field("rapid_mm", row.rapid_mm);
+    on_field("feed_mm", row.feed_mm);
+    on_field("jet_on_mm", row.process_on_mm);
+    on_field("blocks", row.blocks);
+    on_field("moves", row.moves);
+    on_field("violations", row.violations);
+    on_field("collisions", row.collisions);
+    on_field("process_findings", row.process_findings);
+    on_field("warnings", row.warnings);
+    on_field("extents", row.extents);
+    on_field("findings", row.findings);
+    on_field("cpu_s", row.cpu_s);
+    on_field("report", row.report);
+    on_field("picture", row.picture);
+    on_field("picture_fault", row.picture_error);
 }
 
 /// Does the same for those that may be missing.
-template <typename Row, typename Take>
-void for_each_optional(Row& row, const Take& take) {
-    take("least_s", row.least_s);
-    take("most_s", row.most_s);
-    take("energy_j", row.energy_j);
-    take("clearance_mm", row.clearance_mm);
-    take("deviation_mm", row.deviation_mm);
-    take("joint_speed_share", row.joint_speed_share);
-    take("lower_bound_s", row.lower_bound_s);
+template <typename Row, typename Visitor>
+void for_each_optional(Row& row, const Visitor& on_field) {
+    on_field("least_s", row.min_s);
+    on_field("most_s", row.max_s);
+    on_field("energy_j", row.energy_j);
+    on_field("clearance_mm", row.clearance_mm);
+    on_field("deviation_mm", row.deviation_mm);
+    on_field("joint_speed_share", row.joint_speed_share);
+    on_field("lower_bound_s", row.lower_bound_s);
 }
 
 }  // namespace
@@ -80,8 +80,9 @@ tl::expected<RunRow, std::string> read_row(std::string_view line) {
         const json read = text::parse_json<json>(line);
         RunRow row;
         for_each_row_field(row, [&](const char* name, auto& value) { read.at(name).get_to(value); });
-        for_each_optional(
-            row, [&](const char* name, std::optional<double>& value) { value = optional_in(read.at(name)); });
+        for_each_optional(row, [&](const char* name, std::optional<double>& value) {
+            value = parse_optional(read.at(name));
+        });
         for (const json& file : read.at("files")) row.files.push_back({file.at(0), file.at(1)});
         return row;
     } catch (const json::exception& error) {

@@ -32,9 +32,9 @@ struct RunRow {
     std::string machine = {};     ///< Name in its file.
     std::string controller = {};  ///< Model.
     double cycle_time_s = 0;
-    std::optional<double> least_s = {}, most_s = {};  ///< 95 % of a calibrated machine.
+    std::optional<double> min_s = {}, max_s = {};  ///< 95 % of a calibrated machine.
     double rapid_s = 0, feed_s = 0, dwell_s = 0;
-    double rapid_mm = 0, feed_mm = 0, jet_on_mm = 0;
+    double rapid_mm = 0, feed_mm = 0, process_on_mm = 0;
     std::uint64_t blocks = 0, moves = 0;
     std::uint64_t violations = 0, collisions = 0, process_findings = 0, warnings = 0;
     std::optional<double> energy_j = {};  ///< From the motors, less what comes back.
@@ -50,7 +50,7 @@ struct RunRow {
     std::vector<ReadFile> files = {};
     std::string report = {};         ///< JSON, if the job wants it.
     std::string picture = {};        ///< SVG, likewise.
-    std::string picture_fault = {};  ///< Message why no picture exists.
+    std::string picture_error = {};  ///< Message why no picture exists.
 
     bool is_clean() const { return status == "completed" && cause.empty(); }
 };

@@ -21,46 +21,47 @@ namespace gsim::batch {
 namespace {
 
 // The stack is not unwound, because destructors may need memory, too.
-[[noreturn]] void end_without_memory() {
+[[noreturn]] void exit_out_of_memory() {
     ::_exit(kOutOfMemory);
 }
 
-void bound_memory([[maybe_unused]] std::uint64_t memory_mb) {
-    std::set_new_handler(end_without_memory);
+void limit_memory([[maybe_unused]] std::uint64_t memory_mb) {
+    std::set_new_handler(exit_out_of_memory);
 #ifndef GSIM_SANITIZES_ADDRESSES  // that reserves the complete address space
-    const rlimit bound{memory_mb << 20U, memory_mb << 20U};
-    ::setrlimit(RLIMIT_DATA, &bound);
+    const rlimit limit{memory_mb << 20U, memory_mb << 20U};
+    ::setrlimit(RLIMIT_DATA, &limit);
 #endif
-    const rlimit no_core{0, 0};
-    ::setrlimit(RLIMIT_CORE, &no_core);
+    const rlimit no_core_dump{0, 0};
+    ::setrlimit(RLIMIT_CORE, &no_core_dump);
 }
 
 /// Programs and scripts may be untrusted, so this process must not change any file. Without landlock only the
 /// engine's checks protect the files.
-void confine_to_reading() {
-    const std::filesystem::path here = os::program_folder();
-    static_cast<void>(os::confine({.read = {"/"},
-                                   .run = {"/usr", "/lib", "/lib64", here, here.parent_path() / "libexec"},
-                                   .written = {},
-                                   .changed = {}}));
+void confine_to_read_only() {
+    const std::filesystem::path executable_folder = os::program_folder();
+    static_cast<void>(os::confine(
+        {.read = {"/"},
+         .run = {"/usr", "/lib", "/lib64", executable_folder, executable_folder.parent_path() / "libexec"},
+         .written = {},
+         .changed = {}}));
 }
 
-bool answer(const RunRow& row) {
+bool write_row(const RunRow& row) {
     const std::string line = print_row(row) + '\n';
     return std::fwrite(line.data(), 1, line.size(), stdout) == line.size() && std::fflush(stdout) == 0;
 }
 
 }  // namespace
 
-int work(std::uint64_t memory_mb) {
+int run_worker(std::uint64_t memory_mb) {
     // If the parent that sends the jobs is killed, no worker remains.
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     // A signal that ends a job of a cluster or a terminal is meant for the main program, which lets each run
     // complete.
     std::signal(SIGTERM, SIG_IGN);
     std::signal(SIGINT, SIG_IGN);
-    bound_memory(memory_mb);
-    confine_to_reading();
+    limit_memory(memory_mb);
+    confine_to_read_only();
     JobRunner runner;
     for (std::string line; std::getline(std::cin, line);) {
         const auto job = read_job(line);
@@ -71,8 +72,8 @@ int work(std::uint64_t memory_mb) {
         const RunRow row = runner.run(*job);
         // The engine catches std::bad_alloc: here it is caused by the worker's limit.
         if (row.status == "refused" && row.message.find("out of memory") != std::string::npos)
-            end_without_memory();
-        if (!answer(row)) return 2;  // no reader left
+            exit_out_of_memory();
+        if (!write_row(row)) return 2;  // no reader left
     }
     return 0;
 }

@@ -21,32 +21,32 @@ namespace gsim::batch {
 
 namespace {
 
-using Fault = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
-constexpr std::size_t kDepth = 2;  // one is run, the next one waits
-constexpr int kMostTries = 3;
-constexpr std::size_t kPiece = std::size_t{64} << 10U;
+constexpr std::size_t kQueueDepth = 2;  // one is run, the next one waits
+constexpr int kMaxAttempts = 3;
+constexpr std::size_t kChunkBytes = std::size_t{64} << 10U;
 
-std::string reason(int error) {
+std::string system_message(int error) {
     return std::generic_category().message(error);
 }
 
 tl::expected<std::pair<os::Descriptor, os::Descriptor>, std::string> make_pipe() {
     std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Fault("no pipe: " + reason(errno));
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Unexpected("no pipe: " + system_message(errno));
     return std::pair(os::Descriptor(ends[0]), os::Descriptor(ends[1]));
 }
 
 /// Returns true if another process (a cluster, an administrator, the system if memory is short) ended the
 /// worker: the job need not be the cause.
-bool was_ended_from_outside(int status) {
+bool was_killed_externally(int status) {
     if (!WIFSIGNALED(status)) return false;
     const int signal = WTERMSIG(status);
     return signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP;
 }
 
 /// Returns the row of a job during which its worker ended.
-RunRow row_of_end(const Job& job, int status, bool timed_out, double timeout_s) {
+RunRow failure_row(const Job& job, int status, bool timed_out, double timeout_s) {
     RunRow row{.number = job.number};
     row.file = job.program;
     if (timed_out) {
@@ -95,48 +95,52 @@ WorkerPool::~WorkerPool() {
     for (const Worker& worker : workers_) os::wait_for(worker.child);
 }
 
-bool WorkerPool::has_room() const {
+bool WorkerPool::has_capacity() const {
     return workers_.size() < options_.workers ||
            std::any_of(workers_.begin(), workers_.end(),
-                       [](const Worker& worker) { return worker.jobs.size() < kDepth; });
+                       [](const Worker& worker) { return worker.jobs.size() < kQueueDepth; });
 }
 
-std::size_t WorkerPool::in_work() const {
+std::size_t WorkerPool::pending_count() const {
     std::size_t count = 0;
     for (const Worker& worker : workers_) count += worker.jobs.size();
     return count;
 }
 
-tl::expected<void, std::string> WorkerPool::begin_worker() {
+tl::expected<void, std::string> WorkerPool::start_worker() {
     auto jobs = make_pipe();
     auto rows = make_pipe();
-    if (!jobs || !rows) return Fault(jobs ? rows.error() : jobs.error());
+    if (!jobs || !rows) return Unexpected(jobs ? rows.error() : jobs.error());
     os::SpawnActions actions;
     actions.redirect(jobs->first.number(), STDIN_FILENO);
     actions.redirect(rows->second.number(), STDOUT_FILENO);
     // Signals of a terminal that end this program are handled here, not in the worker.
-    const auto child = os::spawn(options_.command, actions, os::ProcessGroup::own);
-    if (!child) return Fault(fmt::format("cannot run {}: {}", options_.command[0], reason(child.error())));
-    for (const int ours : {jobs->second.number(), rows->first.number()})
-        ::fcntl(ours, F_SETFL, ::fcntl(ours, F_GETFL) | O_NONBLOCK);
+    const auto child = os::spawn(options_.command, actions, os::ProcessGroup::separate);
+    if (!child)
+        return Unexpected(
+            fmt::format("cannot run {}: {}", options_.command[0], system_message(child.error())));
+    for (const int parent_end : {jobs->second.number(), rows->first.number()})
+        ::fcntl(parent_end, F_SETFL, ::fcntl(parent_end, F_GETFL) | O_NONBLOCK);
     workers_.push_back({.child = *child, .input = std::move(jobs->second), .output = std::move(rows->first)});
     return {};
 }
 
-tl::expected<void, std::string> WorkerPool::give(Job job) {
-    return give_again({.job = std::move(job)});
+tl::expected<void, std::string> WorkerPool::submit(Job job) {
+    return enqueue({.job = std::move(job)});
 }
 
-tl::expected<void, std::string> WorkerPool::give_again(Given given) {
-    const auto least = [](const Worker& a, const Worker& b) { return a.jobs.size() < b.jobs.size(); };
-    auto worker = std::min_element(workers_.begin(), workers_.end(), least);
+tl::expected<void, std::string> WorkerPool::enqueue(QueuedJob queued) {
+    const auto has_fewer_jobs = [](const Worker& a, const Worker& b) {
+        return a.jobs.size() < b.jobs.size();
+    };
+    auto worker = std::min_element(workers_.begin(), workers_.end(), has_fewer_jobs);
     if (worker == workers_.end() || (!worker->jobs.empty() && workers_.size() < options_.workers)) {
-        if (auto begun = begin_worker(); !begun) return begun;
+        if (auto start = start_worker(); !start) return start;
         worker = std::prev(workers_.end());
     }
-    if (worker->jobs.empty()) worker->begun = Clock::now();
-    worker->unsent += print_job(given.job) + '\n';
-    worker->jobs.push_back(std::move(given));
+    if (worker->jobs.empty()) worker->start = Clock::now();
+    worker->unsent += print_job(queued.job) + '\n';
+    worker->jobs.push_back(std::move(queued));
     send(*worker);
     return {};
 }
@@ -151,11 +155,11 @@ void WorkerPool::send(Worker& worker) {
 }
 
 bool WorkerPool::receive(Worker& worker, std::vector<RunRow>& rows) {
-    std::array<char, kPiece> piece{};
-    const ssize_t got = ::read(worker.output.number(), piece.data(), piece.size());
-    if (got < 0) return errno == EAGAIN || errno == EINTR;
-    if (got == 0) return false;
-    worker.received.append(piece.data(), static_cast<std::size_t>(got));
+    std::array<char, kChunkBytes> chunk{};
+    const ssize_t bytes_read = ::read(worker.output.number(), chunk.data(), chunk.size());
+    if (bytes_read < 0) return errno == EAGAIN || errno == EINTR;
+    if (bytes_read == 0) return false;
+    worker.received.append(chunk.data(), static_cast<std::size_t>(bytes_read));
     std::size_t begin = 0;
     for (std::size_t end = 0; (end = worker.received.find('\n', begin)) != std::string::npos;
          begin = end + 1) {
@@ -164,69 +168,71 @@ bool WorkerPool::receive(Worker& worker, std::vector<RunRow>& rows) {
         if (!row || worker.jobs.empty() || row->number != worker.jobs.front().job.number) return false;
         rows.push_back(*std::move(row));
         worker.jobs.pop_front();
-        worker.has_answered = true;
-        worker.begun = Clock::now();
+        worker.has_finished_job = true;
+        worker.start = Clock::now();
     }
     worker.received.erase(0, begin);
     return true;
 }
 
 /// Handles a worker that has ended: its job gets a row, and pending jobs get another worker.
-tl::expected<void, std::string> WorkerPool::bury(std::list<Worker>::iterator worker,
-                                                 std::vector<RunRow>& rows) {
+tl::expected<void, std::string> WorkerPool::remove_ended_worker(std::list<Worker>::iterator worker,
+                                                                std::vector<RunRow>& rows) {
     ::kill(worker->child, SIGKILL);
     const int status = os::wait_for(worker->child).value_or(0);
-    std::deque<Given> jobs = std::move(worker->jobs);
+    std::deque<QueuedJob> jobs = std::move(worker->jobs);
     const bool timed_out = worker->timed_out;
     // An earlier run may have damaged the process, so the job is tried once more.
-    const bool may_be_anothers = worker->has_answered && !jobs.empty() && jobs.front().tries == 0;
+    const bool may_be_earlier_job = worker->has_finished_job && !jobs.empty() && jobs.front().attempts == 0;
     workers_.erase(worker);
     if (jobs.empty()) return {};
-    if (timed_out || !(may_be_anothers || was_ended_from_outside(status)) ||
-        ++jobs.front().tries == kMostTries) {
-        rows.push_back(row_of_end(jobs.front().job, status, timed_out, options_.timeout_s));
+    if (timed_out || !(may_be_earlier_job || was_killed_externally(status)) ||
+        ++jobs.front().attempts == kMaxAttempts) {
+        rows.push_back(failure_row(jobs.front().job, status, timed_out, options_.timeout_s));
         jobs.pop_front();
     }
-    for (Given& job : jobs) {
-        if (auto given = give_again(std::move(job)); !given) return given;
+    for (QueuedJob& job : jobs) {
+        if (auto queued = enqueue(std::move(job)); !queued) return queued;
     }
     return {};
 }
 
-void WorkerPool::kill_if_late(Worker& worker) const {
-    const std::chrono::duration<double> longest(options_.timeout_s);
-    if (worker.jobs.empty() || worker.timed_out || Clock::now() - worker.begun < longest) return;
+void WorkerPool::kill_if_timed_out(Worker& worker) const {
+    const std::chrono::duration<double> max_duration(options_.timeout_s);
+    if (worker.jobs.empty() || worker.timed_out || Clock::now() - worker.start < max_duration) return;
     worker.timed_out = true;
     ::kill(worker.child, SIGKILL);
 }
 
-std::chrono::milliseconds WorkerPool::until_timeout(std::chrono::milliseconds longest) const {
+std::chrono::milliseconds WorkerPool::time_until_timeout(std::chrono::milliseconds max_duration) const {
     const auto timeout =
         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(options_.timeout_s));
     for (const Worker& worker : workers_) {
         if (worker.jobs.empty() || worker.timed_out) continue;
-        const auto left = std::chrono::ceil<std::chrono::milliseconds>(worker.begun + timeout - Clock::now());
-        longest = std::clamp(left, std::chrono::milliseconds(0), longest);
+        const auto remaining =
+            std::chrono::ceil<std::chrono::milliseconds>(worker.start + timeout - Clock::now());
+        max_duration = std::clamp(remaining, std::chrono::milliseconds(0), max_duration);
     }
-    return longest;
+    return max_duration;
 }
 
-tl::expected<std::vector<RunRow>, std::string> WorkerPool::take(std::chrono::milliseconds longest_wait) {
-    std::vector<pollfd> asked;
+tl::expected<std::vector<RunRow>, std::string> WorkerPool::collect(std::chrono::milliseconds max_wait) {
+    std::vector<pollfd> descriptors;
     for (const Worker& worker : workers_) {
-        asked.push_back({worker.output.number(), POLLIN, 0});
-        if (!worker.unsent.empty()) asked.push_back({worker.input.number(), POLLOUT, 0});
+        descriptors.push_back({worker.output.number(), POLLIN, 0});
+        if (!worker.unsent.empty()) descriptors.push_back({worker.input.number(), POLLOUT, 0});
     }
-    ::poll(asked.data(), asked.size(), static_cast<int>(until_timeout(longest_wait).count()));
+    ::poll(descriptors.data(), descriptors.size(), static_cast<int>(time_until_timeout(max_wait).count()));
     std::vector<RunRow> rows;
     for (auto worker = workers_.begin(); worker != workers_.end();) {
         const auto next = std::next(worker);
         send(*worker);
-        const bool goes_on = receive(*worker, rows);
-        kill_if_late(*worker);
+        const bool is_alive = receive(*worker, rows);
+        kill_if_timed_out(*worker);
         // A child process of a run may keep the output of a killed worker open.
-        if (worker->timed_out || !goes_on) {
-            if (auto buried = bury(worker, rows); !buried) return Fault(buried.error());
+        if (worker->timed_out || !is_alive) {
+            if (auto removed = remove_ended_worker(worker, rows); !removed)
+                return Unexpected(removed.error());
         }
         worker = next;
     }

@@ -35,41 +35,42 @@ class WorkerPool {
     ~WorkerPool();
 
     /// Returns true if the pool can take a job that will soon be begun.
-    bool has_room() const;
+    bool has_capacity() const;
     /// Adds a job. The error: no process can be started.
-    tl::expected<void, std::string> give(Job job);
+    tl::expected<void, std::string> submit(Job job);
     /// Returns the number of jobs without a row.
-    std::size_t in_work() const;
+    std::size_t pending_count() const;
     /// Waits at most so long for rows, and returns them.
-    tl::expected<std::vector<RunRow>, std::string> take(std::chrono::milliseconds longest_wait);
+    tl::expected<std::vector<RunRow>, std::string> collect(std::chrono::milliseconds max_wait);
 
   private:
     using Clock = std::chrono::steady_clock;
 
-    struct Given {
+    struct QueuedJob {
         Job job;
-        int tries = 0;  ///< That somebody from outside has ended.
+        int attempts = 0;  ///< That somebody from outside has ended.
     };
     struct Worker {
         pid_t child;
-        os::Descriptor input;         ///< Jobs go there.
-        os::Descriptor output;        ///< Rows come from there.
-        std::deque<Given> jobs = {};  ///< The one in front is run.
-        Clock::time_point begun = {};
+        os::Descriptor input;             ///< Jobs go there.
+        os::Descriptor output;            ///< Rows come from there.
+        std::deque<QueuedJob> jobs = {};  ///< The one in front is run.
+        Clock::time_point start = {};
         std::string unsent = {};
         std::string received = {};
         bool timed_out = false;
-        bool has_answered = false;  ///< It has run a job to its end.
+        bool has_finished_job = false;  ///< It has run a job to its end.
     };
 
-    tl::expected<void, std::string> give_again(Given given);
-    tl::expected<void, std::string> begin_worker();
+    tl::expected<void, std::string> enqueue(QueuedJob queued);
+    tl::expected<void, std::string> start_worker();
     static void send(Worker& worker);
     /// Reads available output; returns false at the end of the output.
     bool receive(Worker& worker, std::vector<RunRow>& rows);
-    tl::expected<void, std::string> bury(std::list<Worker>::iterator worker, std::vector<RunRow>& rows);
-    void kill_if_late(Worker& worker) const;
-    std::chrono::milliseconds until_timeout(std::chrono::milliseconds longest) const;
+    tl::expected<void, std::string> remove_ended_worker(std::list<Worker>::iterator worker,
+                                                        std::vector<RunRow>& rows);
+    void kill_if_timed_out(Worker& worker) const;
+    std::chrono::milliseconds time_until_timeout(std::chrono::milliseconds max_duration) const;
 
     PoolOptions options_;
     std::list<Worker> workers_;

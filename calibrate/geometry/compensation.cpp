@@ -11,21 +11,21 @@ namespace gsim::calibrate {
 namespace {
 
 constexpr int kSteps = 10;  // of a table; its lines lie on a straight one
-constexpr int kRounds = 10;
-constexpr double kNear_mm = 1e-9;
-constexpr double kProbe_mm = 1;
-constexpr double kLeastDeterminant = 0.01;
+constexpr int kIterations = 10;
+constexpr double kTolerance_mm = 1e-9;
+constexpr double kProbeStep_mm = 1;
+constexpr double kMinDeterminant = 0.01;
 
 /// Returns X, Y and Z if they are slides, else the first three.
-std::vector<std::size_t> three_slides(const machine::Machine& machine) {
-    std::vector<std::size_t> slides, named;
+std::vector<std::size_t> find_three_slides(const machine::Machine& machine) {
+    std::vector<std::size_t> slides, named_axes;
     for (std::size_t i = 0; i < machine.axes.size(); ++i) {
         const machine::Axis& axis = machine.axes[i];
-        if (axis.kind != machine::AxisKind::linear || axis.carries == machine::Carries::nothing) continue;
+        if (axis.kind != machine::AxisKind::linear || axis.carries == machine::CarriedPart::none) continue;
         slides.push_back(i);
-        if (axis.letter >= 'X' && axis.letter <= 'Z') named.push_back(i);
+        if (axis.letter >= 'X' && axis.letter <= 'Z') named_axes.push_back(i);
     }
-    if (named.size() == 3) return named;
+    if (named_axes.size() == 3) return named_axes;
     slides.resize(std::min<std::size_t>(slides.size(), 3));
     return slides;
 }
@@ -33,18 +33,19 @@ std::vector<std::size_t> three_slides(const machine::Machine& machine) {
 /// Finds readings of slides that move the TCP to the work frame's origin; returns false if none do.
 bool bring_to_origin(const Geometry& geometry, const std::vector<std::size_t>& slides,
                      std::vector<double>& readings) {
-    const TipFinder finder(geometry);
-    for (int round = 0; round < kRounds; ++round) {
-        const Eigen::Vector3d tip = finder.tip(readings).translation();
-        if (tip.norm() < kNear_mm) return true;
-        Eigen::Matrix3d ways;
+    const TcpCalculator calculator(geometry);
+    for (int round = 0; round < kIterations; ++round) {
+        const Eigen::Vector3d tcp = calculator.tcp(readings).translation();
+        if (tcp.norm() < kTolerance_mm) return true;
+        Eigen::Matrix3d directions;
         for (std::size_t i = 0; i < slides.size(); ++i) {
-            std::vector<double> beside = readings;
-            beside[slides[i]] += kProbe_mm;
-            ways.col(static_cast<Eigen::Index>(i)) = (finder.tip(beside).translation() - tip) / kProbe_mm;
+            std::vector<double> stepped_readings = readings;
+            stepped_readings[slides[i]] += kProbeStep_mm;
+            directions.col(static_cast<Eigen::Index>(i)) =
+                (calculator.tcp(stepped_readings).translation() - tcp) / kProbeStep_mm;
         }
-        if (std::abs(ways.determinant()) < kLeastDeterminant) return false;
-        const Eigen::Vector3d step = ways.inverse() * tip;
+        if (std::abs(directions.determinant()) < kMinDeterminant) return false;
+        const Eigen::Vector3d step = directions.inverse() * tcp;
         for (std::size_t i = 0; i < slides.size(); ++i)
             readings[slides[i]] -= step[static_cast<Eigen::Index>(i)];
     }
@@ -54,25 +55,25 @@ bool bring_to_origin(const Geometry& geometry, const std::vector<std::size_t>& s
 }  // namespace
 
 std::vector<CompensationTable> compensation_tables(const GeometryFit& fit,
-                                                   std::span<const MeasuredTip> tips) {
+                                                   std::span<const MeasuredTcp> tcps) {
     std::vector<CompensationTable> tables;
-    for (const FoundDeviation& found : fit.found) {
+    for (const FittedDeviation& found : fit.found) {
         if (found.deviation.of != Deviation::Of::scale) continue;
         const machine::Axis& axis = fit.geometry.machine.axes[found.deviation.axis];
         double low = axis.min, high = axis.max;
         if (!std::isfinite(high - low)) {
-            const auto [least, most] = std::minmax_element(
-                tips.begin(), tips.end(), [&](const MeasuredTip& a, const MeasuredTip& b) {
+            const auto [min, max] = std::minmax_element(
+                tcps.begin(), tcps.end(), [&](const MeasuredTcp& a, const MeasuredTcp& b) {
                     return a.readings[found.deviation.axis] < b.readings[found.deviation.axis];
                 });
-            low = least->readings[found.deviation.axis];
-            high = most->readings[found.deviation.axis];
+            low = min->readings[found.deviation.axis];
+            high = max->readings[found.deviation.axis];
         }
         CompensationTable table{.letter = axis.letter, .text = {}};
         for (int i = 0; i <= kSteps; ++i) {
             const double nominal = low + (high - low) * i / kSteps;
-            const double really = nominal * fit.geometry.scales[found.deviation.axis];
-            table.text += fmt::format("{0:.6f} {1:.6f} {1:.6f}\n", nominal, really);
+            const double actual = nominal * fit.geometry.scales[found.deviation.axis];
+            table.text += fmt::format("{0:.6f} {1:.6f} {1:.6f}\n", nominal, actual);
         }
         tables.push_back(std::move(table));
     }
@@ -81,7 +82,7 @@ std::vector<CompensationTable> compensation_tables(const GeometryFit& fit,
 
 tl::expected<std::string, std::string> work_offset_line(const machine::Machine& nominal,
                                                         const GeometryFit& fit) {
-    const auto slides = three_slides(nominal);
+    const auto slides = find_three_slides(nominal);
     Geometry geometry = fit.geometry;
     geometry.instrument = rrs::CartPos::Identity();
     std::vector<double> readings;

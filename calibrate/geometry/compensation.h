@@ -18,7 +18,7 @@ struct CompensationTable {
 };
 
 /// Returns a table for each axis with a fitted scale, over its range, or if that is unbounded, over `tips`.
-std::vector<CompensationTable> compensation_tables(const GeometryFit& fit, std::span<const MeasuredTip> tips);
+std::vector<CompensationTable> compensation_tables(const GeometryFit& fit, std::span<const MeasuredTcp> tcps);
 
 /// Returns a line of G-code (G10 L2 P1) that sets the work offset. It makes a program's zero the work frame's
 /// origin, with rotary axes at the fitted zeros. The error: the machine has no three slides that can do that.

@@ -36,24 +36,26 @@ struct Deviation {
     /// axes, with all joints at zero.
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
 
-    bool is_turn() const { return unit == DeviationUnit::deg; }
+    bool is_rotation_error() const { return unit == DeviationUnit::deg; }
 };
 
 /// Returns the plausible error of a file, in the deviation's unit: beyond it measurements add no information.
-double usual_size(const Deviation& deviation);
+double typical_size(const Deviation& deviation);
 
 /// Selection of deviations to fit in a machine.
-struct DeviationChoice {
-    bool own_frame = false;         ///< TCP poses are in the instrument's frame, at any pose.
-    std::vector<std::string> held;  ///< Names, or words of them, of what is not looked for: "scale", "tool".
+struct DeviationOptions {
+    bool instrument_frame = false;   ///< TCP poses are in the instrument's frame, at any pose.
+    std::vector<std::string> fixed;  ///< Names, or words of them, of what is not looked for: "scale", "tool".
 };
 
 /// Returns all deviations of a machine, many of which cannot be distinguished from others. The list begins
 /// with those that users prefer. A frame that no joint carries, and axes that carry no other part, have none.
-std::vector<Deviation> all_deviations(const machine::Machine& machine, const DeviationChoice& choice);
+std::vector<Deviation> all_deviations(const machine::Machine& machine,
+                                      const DeviationOptions& deviation_options);
 
 /// Returns the first held word that occurs in no name, so that it holds no deviation.
-std::optional<std::string> unknown_held(const machine::Machine& machine, const DeviationChoice& choice);
+std::optional<std::string> find_unknown_fixed(const machine::Machine& machine,
+                                              const DeviationOptions& deviation_options);
 
 /// Machine with values that its file cannot contain: scales and the frame of the instrument.
 struct Geometry {
@@ -74,20 +76,20 @@ class DeviatedMachine {
     Geometry at(std::span<const Deviation> deviations, const Eigen::VectorXd& values) const;
     /// Returns the geometry with the tool rotated about its TCP, so that with all joints at zero its
     /// orientation to the work is nominal. This is for measurements without that information.
-    Geometry with_nominal_turn(Geometry geometry) const;
+    Geometry with_nominal_orientation(Geometry geometry) const;
 
   private:
     Geometry nominal_;
-    std::vector<rrs::CartPos> joints_;  ///< Frames of the joints in the world, with all at zero.
-    std::vector<rrs::CartPos> behind_;  ///< Transform that is fixed after each joint.
+    std::vector<rrs::CartPos> joints_;        ///< Frames of the joints in the world, with all at zero.
+    std::vector<rrs::CartPos> after_joints_;  ///< Transform that is fixed after each joint.
 };
 
 /// Calculator of TCP poses.
-class TipFinder {
+class TcpCalculator {
   public:
-    explicit TipFinder(const Geometry& geometry);
+    explicit TcpCalculator(const Geometry& geometry);
     /// Returns the tool centre point in the instrument's frame, for readings of the axes in mm and deg.
-    rrs::CartPos tip(std::span<const double> readings) const;
+    rrs::CartPos tcp(std::span<const double> readings) const;
 
   private:
     std::shared_ptr<const kinematics::Kinematics> kinematics_;

@@ -13,10 +13,10 @@ struct Squareness {
     char first = 'X';
     char second = 'Y';
     double value_um_m = 0;
-    double spread_um_m = 0;  ///< One standard deviation.
+    double standard_deviation_um_m = 0;  ///< One standard deviation.
 };
 
 /// Returns the squareness of each pair of slides. `nominal` is the machine that was fitted.
-std::vector<Squareness> squareness_of(const machine::Machine& nominal, const GeometryFit& fit);
+std::vector<Squareness> compute_squareness(const machine::Machine& nominal, const GeometryFit& fit);
 
 }  // namespace gsim::calibrate

@@ -16,7 +16,7 @@ namespace {
 using Records = tl::expected<std::vector<AxisRecord>, std::string>;
 
 constexpr std::string_view kLineBlanks = " \t\r\n";
-constexpr std::size_t kLeastSamples = 20;
+constexpr std::size_t kMinSamples = 20;
 
 char upper(char letter) {
     return static_cast<char>(std::toupper(static_cast<unsigned char>(letter)));
@@ -46,7 +46,8 @@ class AxisSamples {
         std::vector<double> values;
         for (const AxisColumns& axis : columns_) {
             if (std::max(axis.set_point, axis.other) >= cells.size()) return false;
-            const auto set_point = number_in(cells[axis.set_point]), other = number_in(cells[axis.other]);
+            const auto set_point = parse_number(cells[axis.set_point]),
+                       other = parse_number(cells[axis.other]);
             if (!set_point || !other) return false;
             values.push_back(*set_point);
             values.push_back(axis.is_error ? *set_point - *other : *other);
@@ -55,14 +56,14 @@ class AxisSamples {
         for (std::size_t i = 0; i < records_.size(); ++i) {
             records_[i].t_s.push_back(t_s);
             records_[i].set_points.push_back(values[2 * i]);
-            records_[i].places.push_back(values[2 * i + 1]);
+            records_[i].positions.push_back(values[2 * i + 1]);
         }
         return true;
     }
 
-    Records take() {
-        if (records_.front().t_s.size() < kLeastSamples)
-            return tl::unexpected(fmt::format("there are less than {} samples in it", kLeastSamples));
+    Records release_records() {
+        if (records_.front().t_s.size() < kMinSamples)
+            return tl::unexpected(fmt::format("there are less than {} samples in it", kMinSamples));
         return std::move(records_);
     }
 
@@ -80,7 +81,7 @@ std::vector<AxisColumns> named_columns(const Cells& heading) {
         const std::string_view unit = name.substr(1);
         if (unit != "_mm" && unit != "_deg") continue;
         for (const std::string_view what : {"_at", "_error"}) {
-            const auto other = column_of(heading, fmt::format("{}{}{}", name.front(), what, unit));
+            const auto other = find_column(heading, fmt::format("{}{}{}", name.front(), what, unit));
             if (!other) continue;
             found.push_back({upper(name.front()), i, *other, what == "_error"});
             break;
@@ -90,10 +91,10 @@ std::vector<AxisColumns> named_columns(const Cells& heading) {
 }
 
 Records read_named(std::string_view text) {
-    std::optional<AxisSamples> gathered;
+    std::optional<AxisSamples> samples;
     std::size_t time = 0;
     const auto heading = [&](const Cells& cells) -> tl::expected<void, std::string> {
-        const auto at = column_of(cells, "t_s");
+        const auto at = find_column(cells, "t_s");
         auto columns = named_columns(cells);
         if (!at || columns.empty()) {
             return tl::unexpected<std::string>(
@@ -102,55 +103,58 @@ Records read_named(std::string_view text) {
                 "its following error x_error_mm");
         }
         time = *at;
-        gathered.emplace(std::move(columns));
+        samples.emplace(std::move(columns));
         return {};
     };
     const auto row = [&](const Cells& cells) -> tl::expected<void, std::string> {
-        const auto t_s = time < cells.size() ? number_in(cells[time]) : std::nullopt;
-        if (!t_s || !gathered->add(*t_s, cells)) return tl::unexpected<std::string>("a number is missing");
+        const auto t_s = time < cells.size() ? parse_number(cells[time]) : std::nullopt;
+        if (!t_s || !samples->add(*t_s, cells)) return tl::unexpected<std::string>("a number is missing");
         return {};
     };
     if (const auto read = read_list(text, heading, row); !read) return tl::unexpected(read.error());
-    return gathered->take();
+    return samples->release_records();
 }
 
 /// Pairs capital letters with the same small ones.
-std::vector<AxisColumns> lettered_columns(std::string_view columns) {
+std::vector<AxisColumns> columns_from_letters(std::string_view columns) {
     std::vector<AxisColumns> found;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         const char letter = columns[i];
         if (!is_letter(letter) || upper(letter) != letter) continue;
-        const char small = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-        if (const std::size_t other = columns.find(small); other != std::string_view::npos)
+        const char lower_letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+        if (const std::size_t other = columns.find(lower_letter); other != std::string_view::npos)
             found.push_back({letter, i, other, false});
     }
     return found;
 }
 
-Records read_columns(std::string_view text, const ServoForm& form) {
-    auto columns = lettered_columns(form.columns);
-    if (form.period_s > 0 && columns.empty()) {
-        return tl::unexpected(
-            fmt::format("'{}' has no axis with both its set point (X) and its place (x)", form.columns));
+Records read_columns(std::string_view text, const ServoFormat& columns_format) {
+    auto columns = columns_from_letters(columns_format.columns);
+    if (columns_format.period_s > 0 && columns.empty()) {
+        return tl::unexpected(fmt::format("'{}' has no axis with both its set point (X) and its place (x)",
+                                          columns_format.columns));
     }
-    AxisSamples gathered(std::move(columns));
-    const auto take = [&](int line, double t_s, const Cells& words) -> tl::expected<void, std::string> {
-        if (words.size() == form.columns.size() && gathered.add(t_s, words)) return {};
+    AxisSamples samples(std::move(columns));
+    const auto release_records = [&](int line, double t_s,
+                                     const Cells& words) -> tl::expected<void, std::string> {
+        if (words.size() == columns_format.columns.size() && samples.add(t_s, words)) return {};
         return tl::unexpected(fmt::format("line {}: not the {} numbers of '{}' (--sample-columns)", line,
-                                          form.columns.size(), form.columns));
+                                          columns_format.columns.size(), columns_format.columns));
     };
-    if (auto read = read_halsampler(text, form.columns.size(), form.period_s, take); !read)
+    if (auto read =
+            read_halsampler(text, columns_format.columns.size(), columns_format.period_s, release_records);
+        !read)
         return tl::unexpected(read.error());
-    return gathered.take();
+    return samples.release_records();
 }
 
 }  // namespace
 
-Records read_servo_record(std::string_view text, const ServoForm& form) {
+Records read_servo_record(std::string_view text, const ServoFormat& columns_format) {
     const std::size_t start = text.find_first_not_of(kLineBlanks);
     if (start == std::string_view::npos) return tl::unexpected<std::string>("it is empty");
     const bool numbers = is_halsampler(text.substr(start, text.find('\n', start) - start));
-    return numbers ? read_columns(text, form) : read_named(text.substr(start));
+    return numbers ? read_columns(text, columns_format) : read_named(text.substr(start));
 }
 
 }  // namespace gsim::calibrate

@@ -13,11 +13,11 @@ struct AxisRecord {
     char letter = 'X';
     std::vector<double> t_s;  ///< Rising.
     std::vector<double> set_points;
-    std::vector<double> places;
+    std::vector<double> positions;
 };
 
 /// Format of a recording that is columns of numbers without names.
-struct ServoForm {
+struct ServoFormat {
     double period_s = 0;  ///< Between samples; 0: not known.
     std::string columns =
         "Xx";  ///< A letter each: capital ones are set points, small ones positions; '-' is skipped.
@@ -30,6 +30,6 @@ struct ServoForm {
 /// - output of LinuxCNC's halsampler: numbers in columns, with or without its -t.
 /// Samples with a time that does not rise are left out. The error names the line and what it lacks.
 tl::expected<std::vector<AxisRecord>, std::string> read_servo_record(std::string_view text,
-                                                                     const ServoForm& form);
+                                                                     const ServoFormat& columns_format);
 
 }  // namespace gsim::calibrate

@@ -6,24 +6,25 @@ namespace gsim::calibrate {
 
 namespace {
 
-constexpr std::string_view kLost = "overrun";
+constexpr std::string_view kOverrun = "overrun";
 
 }  // namespace
 
-Cells words_of(std::string_view line) {
-    Cells words = cells_of(line, " \t\r");
+Cells split_words(std::string_view line) {
+    Cells words = split_cells(line, " \t\r");
     std::erase_if(words, [](std::string_view word) { return word.empty(); });
     return words;
 }
 
 bool is_halsampler(std::string_view line) {
-    const Cells words = words_of(line);
-    return std::all_of(words.begin(), words.end(),
-                       [](std::string_view word) { return number_in(word).has_value() || word == kLost; });
+    const Cells words = split_words(line);
+    return std::all_of(words.begin(), words.end(), [](std::string_view word) {
+        return parse_number(word).has_value() || word == kOverrun;
+    });
 }
 
 tl::expected<void, std::string> read_halsampler(std::string_view text, std::size_t columns, double period_s,
-                                                const TakeSample& take) {
+                                                const SampleHandler& on_sample) {
     if (!(period_s > 0)) {
         return tl::unexpected<std::string>(
             "columns of numbers without times, as halsampler prints them: --sample-period says how far apart "
@@ -32,15 +33,15 @@ tl::expected<void, std::string> read_halsampler(std::string_view text, std::size
     double count = 0;
     for (int line = 1; !text.empty(); ++line) {
         const std::size_t end = std::min(text.find('\n'), text.size());
-        Cells words = words_of(text.substr(0, end));
+        Cells words = split_words(text.substr(0, end));
         text.remove_prefix(std::min(end + 1, text.size()));
-        if (words.empty() || words.front() == kLost) continue;
+        if (words.empty() || words.front() == kOverrun) continue;
         double at = count++;
         if (words.size() == columns + 1) {
-            at = number_in(words.front()).value_or(at);
+            at = parse_number(words.front()).value_or(at);
             words.erase(words.begin());
         }
-        if (auto taken = take(line, at * period_s, words); !taken) return taken;
+        if (auto handled = on_sample(line, at * period_s, words); !handled) return handled;
     }
     return {};
 }

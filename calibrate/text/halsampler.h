@@ -12,19 +12,20 @@
 namespace gsim::calibrate {
 
 /// Returns the words of a line, separated by blanks.
-Cells words_of(std::string_view line);
+Cells split_words(std::string_view line);
 
 /// Returns true if a first line is output of LinuxCNC's halsampler: numbers alone.
 bool is_halsampler(std::string_view line);
 
 /// Function that receives a sample: the number of its line, its time in s and its columns. The error
 /// describes the problem.
-using TakeSample = std::function<tl::expected<void, std::string>(int line, double t_s, const Cells& columns)>;
+using SampleHandler =
+    std::function<tl::expected<void, std::string>(int line, double t_s, const Cells& columns)>;
 
 /// Reads the output of halsampler, samples of `columns` numbers each, `period_s` apart, with or without its
 /// -t (the number of the sample in front). If samples were lost ("overrun") these numbers show how many. The
 /// error: of `take`, or an unknown period.
 tl::expected<void, std::string> read_halsampler(std::string_view text, std::size_t columns, double period_s,
-                                                const TakeSample& take);
+                                                const SampleHandler& on_sample);
 
 }  // namespace gsim::calibrate

@@ -14,21 +14,21 @@ namespace gsim::calibrate {
 using Cells = std::vector<std::string_view>;
 
 /// Returns the cells of a line; each character of `between` is a separator.
-Cells cells_of(std::string_view line, std::string_view between);
+Cells split_cells(std::string_view line, std::string_view separators);
 
 /// Returns the index of a column by its name; empty if no column has it.
-std::optional<std::size_t> column_of(const Cells& heading, std::string_view name);
+std::optional<std::size_t> find_column(const Cells& heading, std::string_view name);
 
 /// Returns the finite number in a cell, without a plus sign; empty if the cell is none.
-std::optional<double> number_in(std::string_view cell);
+std::optional<double> parse_number(std::string_view cell);
 
 /// Function that receives the cells of a line; the error describes what is wrong with them.
-using TakeCells = std::function<tl::expected<void, std::string>(const Cells& cells)>;
+using RowHandler = std::function<tl::expected<void, std::string>(const Cells& cells)>;
 
 /// Reads a list, one item a line, separated by commas, or by tabs if the first line has one. The first line
 /// names the columns and is passed to `heading`. The other non-empty lines are passed to `row`, and its
 /// errors get the number of the line. A list without a line is an error.
-tl::expected<void, std::string> read_list(std::string_view list, const TakeCells& heading,
-                                          const TakeCells& row);
+tl::expected<void, std::string> read_list(std::string_view list, const RowHandler& heading,
+                                          const RowHandler& row);
 
 }  // namespace gsim::calibrate

@@ -9,25 +9,26 @@
 #include <fmt/format.h>
 
 #include "base/dense/symmetric.h"
-#include "calibrate/times/wait_start.h"
+#include "calibrate/times/wait_estimate.h"
 
 namespace gsim::calibrate {
 
 namespace {
 
-constexpr double kUnit = 0.01;     // residuals are in percent
-constexpr double kRobustFrom = 2;  // of these
-constexpr double kStep = 0.01;     // of a logarithm, for derivatives
-constexpr double kPrior = 0.02;  // percent for a factor e off what the machine had: what runs say counts more
-constexpr double kMostSpread = 0.5;   // of a logarithm
-constexpr double kUnknown = 1;        // the same for a parameter without information from runs: a factor e
-constexpr double kLeastNoise = 2e-4;  // of times: no clock and no model is better
+constexpr double kResidualUnit = 0.01;  // residuals are in percent
+constexpr double kRobustThreshold = 2;  // of these
+constexpr double kStep = 0.01;          // of a logarithm, for derivatives
+constexpr double kPriorWeight =
+    0.02;  // percent for a factor e off what the machine had: what runs say counts more
+constexpr double kMaxSpread = 0.5;    // of a logarithm
+constexpr double kUnknownSpread = 1;  // the same for a parameter without information from runs: a factor e
+constexpr double kMinNoise = 2e-4;    // of times: no clock and no model is better
 
 /// Logarithms of all times for logarithms of parameters, with their derivatives.
-class Times : public ceres::EvaluationCallback {
+class TimeModel : public ceres::EvaluationCallback {
   public:
-    Times(const machine::Machine& machine, const std::vector<Parameter>& parameters,
-          const std::vector<Datum>& data, const Predictor& predictor)
+    TimeModel(const machine::Machine& machine, const std::vector<Parameter>& parameters,
+              const std::vector<Datum>& data, const Predictor& predictor)
         : machine_(machine),
           parameters_(parameters),
           data_(data),
@@ -38,12 +39,12 @@ class Times : public ceres::EvaluationCallback {
     tl::expected<void, std::string> begin() {
         const auto times_s = predictor_.times_s(data_, machine_at(logs));
         if (!times_s) return tl::unexpected(times_s.error());
-        stand(logarithms(*times_s));
+        set_times(logarithms(*times_s));
         return {};
     }
 
     void PrepareForEvaluation(bool with_slopes, bool /*is_new*/) override {
-        if (logs != planned_at_) stand(at(logs));
+        if (logs != evaluated_at_) set_times(at(logs));
         if (with_slopes && slopes.size() == 0) differentiate();
     }
 
@@ -55,35 +56,35 @@ class Times : public ceres::EvaluationCallback {
 
     /// Returns an extremely long time for runs that do not reach their ends with these values.
     Eigen::VectorXd at(const Eigen::VectorXd& point) const {
-        constexpr double kNever_s = 1e9;
+        constexpr double kUnreachable_s = 1e9;
         const auto times_s = predictor_.times_s(data_, machine_at(point));
         if (times_s) return logarithms(*times_s);
-        return Eigen::VectorXd::Constant(static_cast<Eigen::Index>(data_.size()), std::log(kNever_s));
+        return Eigen::VectorXd::Constant(static_cast<Eigen::Index>(data_.size()), std::log(kUnreachable_s));
     }
 
   private:
     static Eigen::VectorXd logarithms(const std::vector<double>& times_s) {
-        constexpr double kLeast_s = 1e-6;
+        constexpr double kMin_s = 1e-6;
         Eigen::VectorXd found(static_cast<Eigen::Index>(times_s.size()));
         for (Eigen::Index i = 0; i < found.size(); ++i)
-            found[i] = std::log(std::max(times_s[static_cast<std::size_t>(i)], kLeast_s));
+            found[i] = std::log(std::max(times_s[static_cast<std::size_t>(i)], kMin_s));
         return found;
     }
 
-    void stand(Eigen::VectorXd times) {
+    void set_times(Eigen::VectorXd times) {
         log_times = std::move(times);
         slopes.resize(0, 0);
-        planned_at_ = logs;
+        evaluated_at_ = logs;
     }
 
     void differentiate() {
         slopes.resize(log_times.size(), logs.size());
         for (Eigen::Index k = 0; k < logs.size(); ++k) {
             const Parameter& parameter = parameters_[static_cast<std::size_t>(k)];
-            Eigen::VectorXd beside = logs;
-            const double step = logs[k] + kStep > std::log(parameter.most) ? -kStep : kStep;
-            beside[k] += step;
-            slopes.col(k) = (at(beside) - log_times) / step;
+            Eigen::VectorXd stepped_logs = logs;
+            const double step = logs[k] + kStep > std::log(parameter.max) ? -kStep : kStep;
+            stepped_logs[k] += step;
+            slopes.col(k) = (at(stepped_logs) - log_times) / step;
         }
     }
 
@@ -91,7 +92,7 @@ class Times : public ceres::EvaluationCallback {
     const std::vector<Parameter>& parameters_;
     const std::vector<Datum>& data_;
     const Predictor& predictor_;
-    Eigen::VectorXd planned_at_;  // to which log_times and slopes belong
+    Eigen::VectorXd evaluated_at_;  // to which log_times and slopes belong
 
   public:
     Eigen::VectorXd logs;  ///< Current point of Ceres.
@@ -100,29 +101,29 @@ class Times : public ceres::EvaluationCallback {
 };
 
 /// Returns the unit of one percent of a time: larger for a time that is short relative to its clock error.
-double unit_of(const Datum& datum) {
-    return std::hypot(kUnit, datum.clock_s / datum.time_s);
+double residual_unit(const Datum& datum) {
+    return std::hypot(kResidualUnit, datum.clock_error_s / datum.time_s);
 }
 
 /// Error of one time, in percent.
-class OneTime : public ceres::CostFunction {
+class TimeResidual : public ceres::CostFunction {
   public:
-    OneTime(const Times& times, Eigen::Index place, const Datum& datum)
-        : times_(times), place_(place), log_recorded_(std::log(datum.time_s)), unit_(unit_of(datum)) {
+    TimeResidual(const TimeModel& times, Eigen::Index index, const Datum& datum)
+        : times_(times), index_(index), log_recorded_(std::log(datum.time_s)), unit_(residual_unit(datum)) {
         set_num_residuals(1);
         mutable_parameter_block_sizes()->push_back(static_cast<int>(times.logs.size()));
     }
 
     bool Evaluate(double const* const* /*at*/, double* residuals, double** slopes) const override {
-        residuals[0] = (times_.log_times[place_] - log_recorded_) / unit_;
+        residuals[0] = (times_.log_times[index_] - log_recorded_) / unit_;
         if (slopes == nullptr || slopes[0] == nullptr) return true;
-        for (Eigen::Index k = 0; k < times_.logs.size(); ++k) slopes[0][k] = times_.slopes(place_, k) / unit_;
+        for (Eigen::Index k = 0; k < times_.logs.size(); ++k) slopes[0][k] = times_.slopes(index_, k) / unit_;
         return true;
     }
 
   private:
-    const Times& times_;
-    Eigen::Index place_;
+    const TimeModel& times_;
+    Eigen::Index index_;
     double log_recorded_;
     double unit_;
 };
@@ -130,69 +131,70 @@ class OneTime : public ceres::CostFunction {
 /// Distance of parameters from the machine's original values.
 class Prior : public ceres::CostFunction {
   public:
-    explicit Prior(Eigen::VectorXd before) : before_(std::move(before)) {
-        set_num_residuals(static_cast<int>(before_.size()));
-        mutable_parameter_block_sizes()->push_back(static_cast<int>(before_.size()));
+    explicit Prior(Eigen::VectorXd before) : initial_(std::move(before)) {
+        set_num_residuals(static_cast<int>(initial_.size()));
+        mutable_parameter_block_sizes()->push_back(static_cast<int>(initial_.size()));
     }
 
     bool Evaluate(double const* const* at, double* residuals, double** slopes) const override {
-        const Eigen::Index count = before_.size();
+        const Eigen::Index count = initial_.size();
         for (Eigen::Index i = 0; i < count; ++i) {
-            residuals[i] = kPrior * (at[0][i] - before_[i]);
+            residuals[i] = kPriorWeight * (at[0][i] - initial_[i]);
             for (Eigen::Index k = 0; slopes != nullptr && slopes[0] != nullptr && k < count; ++k)
-                slopes[0][i * count + k] = i == k ? kPrior : 0;
+                slopes[0][i * count + k] = i == k ? kPriorWeight : 0;
         }
         return true;
     }
 
   private:
-    Eigen::VectorXd before_;
+    Eigen::VectorXd initial_;
 };
 
 /// Solves, and returns the remaining cost.
-double solve(Times& times, const std::vector<Datum>& data, const std::vector<Parameter>& parameters,
-             int most_steps, const std::function<void(const std::string&)>& told) {
+double solve(TimeModel& times, const std::vector<Datum>& data, const std::vector<Parameter>& parameters,
+             int max_steps, const std::function<void(const std::string&)>& on_message) {
     ceres::Problem::Options options;
     options.evaluation_callback = &times;
     ceres::Problem problem(options);
     for (std::size_t i = 0; i < data.size(); ++i) {
-        problem.AddResidualBlock(new OneTime(times, static_cast<Eigen::Index>(i), data[i]),
-                                 new ceres::HuberLoss(kRobustFrom), times.logs.data());
+        problem.AddResidualBlock(new TimeResidual(times, static_cast<Eigen::Index>(i), data[i]),
+                                 new ceres::HuberLoss(kRobustThreshold), times.logs.data());
     }
     problem.AddResidualBlock(new Prior(times.logs), nullptr, times.logs.data());
     for (std::size_t k = 0; k < parameters.size(); ++k) {
-        problem.SetParameterLowerBound(times.logs.data(), static_cast<int>(k), std::log(parameters[k].least));
-        problem.SetParameterUpperBound(times.logs.data(), static_cast<int>(k), std::log(parameters[k].most));
+        problem.SetParameterLowerBound(times.logs.data(), static_cast<int>(k), std::log(parameters[k].min));
+        problem.SetParameterUpperBound(times.logs.data(), static_cast<int>(k), std::log(parameters[k].max));
     }
-    ceres::Solver::Options how;
-    how.linear_solver_type = ceres::DENSE_QR;
-    how.max_num_iterations = most_steps;
-    how.function_tolerance = 1e-3;
-    how.parameter_tolerance = 1e-4;
-    how.logging_type = ceres::SILENT;
+    ceres::Solver::Options solver_options;
+    solver_options.linear_solver_type = ceres::DENSE_QR;
+    solver_options.max_num_iterations = max_steps;
+    solver_options.function_tolerance = 1e-3;
+    solver_options.parameter_tolerance = 1e-4;
+    solver_options.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;
-    ceres::Solve(how, &problem, &summary);
-    if (told) told(fmt::format("{} steps, {}", summary.iterations.size(), summary.message));
+    ceres::Solve(solver_options, &problem, &summary);
+    if (on_message) on_message(fmt::format("{} steps, {}", summary.iterations.size(), summary.message));
     return summary.final_cost;
 }
 
 /// End point of a fit.
-struct End {
+struct FitEnd {
     Eigen::VectorXd logs;
     double cost = 0;
 };
 
 /// Returns true if times grow in proportion to the parameter.
 bool is_wait(const Parameter& parameter) {
-    return parameter.figure.of == "times" || parameter.figure.key == "rest_s" ||
-           parameter.figure.key == "settle_s";
+    return parameter.parameter_id.of == "times" || parameter.parameter_id.key == "rest_s" ||
+           parameter.parameter_id.key == "settle_s";
 }
 
 /// Estimates start values of words' times and the other waits from the missing times, with all other
 /// parameters as they are, if words take time.
-void begin_waits(Times& times, const std::vector<Datum>& data, const std::vector<Parameter>& parameters) {
+void initialize_waits(TimeModel& times, const std::vector<Datum>& data,
+                      const std::vector<Parameter>& parameters) {
     const bool any = std::any_of(parameters.begin(), parameters.end(),
-                                 [](const Parameter& each) { return each.figure.of == "times"; });
+                                 [](const Parameter& each) { return each.parameter_id.of == "times"; });
     std::vector<Eigen::Index> waits;
     for (std::size_t k = 0; any && k < parameters.size(); ++k) {
         if (is_wait(parameters[k])) waits.push_back(static_cast<Eigen::Index>(k));
@@ -206,105 +208,110 @@ void begin_waits(Times& times, const std::vector<Datum>& data, const std::vector
     Eigen::VectorXd missing_s = recorded_s - planned_s;
     for (Eigen::Index w = 0; w < counts.cols(); ++w) {
         const Eigen::Index k = waits[static_cast<std::size_t>(w)];
-        const Eigen::VectorXd all_s = times.slopes.col(k).cwiseProduct(planned_s);
-        counts.col(w) = all_s / std::exp(times.logs[k]);
-        missing_s += all_s;
+        const Eigen::VectorXd wait_total_s = times.slopes.col(k).cwiseProduct(planned_s);
+        counts.col(w) = wait_total_s / std::exp(times.logs[k]);
+        missing_s += wait_total_s;
     }
-    const Eigen::VectorXd waits_s = waits_from(counts, missing_s, recorded_s);
+    const Eigen::VectorXd waits_s = estimate_waits(counts, missing_s, recorded_s);
     for (Eigen::Index w = 0; w < counts.cols(); ++w) {
         const Eigen::Index k = waits[static_cast<std::size_t>(w)];
         const Parameter& parameter = parameters[static_cast<std::size_t>(k)];
-        times.logs[k] = std::log(std::clamp(waits_s[w], parameter.least, parameter.most));
+        times.logs[k] = std::log(std::clamp(waits_s[w], parameter.min, parameter.max));
     }
 }
 
 /// A high share for speed in curves leaves little for their ramps, and vice versa. Both may explain a curve's
 /// time, and a fit finds the nearer solution, so it begins at several. Returns the best end first.
-std::vector<End> solve_from_all(Times& times, const std::vector<Datum>& data,
-                                const std::vector<Parameter>& parameters, const FitOptions& options,
-                                const std::function<void(const std::string&)>& told) {
-    std::vector<End> ends;
+std::vector<FitEnd> solve_from_all_starts(TimeModel& times, const std::vector<Datum>& data,
+                                          const std::vector<Parameter>& parameters, const FitOptions& options,
+                                          const std::function<void(const std::string&)>& on_message) {
+    std::vector<FitEnd> ends;
     const auto start = [&](const Eigen::VectorXd& at) {
         times.logs = at;
-        const double cost = solve(times, data, parameters, options.most_steps, told);
+        const double cost = solve(times, data, parameters, options.max_steps, on_message);
         ends.push_back({times.logs, cost});
     };
     start(Eigen::VectorXd(times.logs));
-    for (std::size_t k = 0; options.other_starts && k < parameters.size(); ++k) {
-        if (parameters[k].figure.key != "centripetal_share" || parameters[k].most >= 1) continue;
+    for (std::size_t k = 0; options.multi_start && k < parameters.size(); ++k) {
+        if (parameters[k].parameter_id.key != "centripetal_share" || parameters[k].max >= 1) continue;
         for (const double share : {0.3, 0.6, 0.9}) {
             Eigen::VectorXd other = ends.front().logs;
             other[static_cast<Eigen::Index>(k)] = std::log(share);
             start(other);
         }
     }
-    std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.cost < b.cost; });
+    std::stable_sort(ends.begin(), ends.end(),
+                     [](const FitEnd& a, const FitEnd& b) { return a.cost < b.cost; });
     times.logs = ends.front().logs;
     return ends;
 }
 
 /// Returns the standard deviation of the residuals with so many free parameters.
-double deviation(double squares, std::size_t count, std::size_t figures) {
+double deviation(double squares, std::size_t count, std::size_t parameter_count) {
     return std::sqrt(squares /
-                     std::max<double>(static_cast<double>(count) - static_cast<double>(figures), 1));
+                     std::max<double>(static_cast<double>(count) - static_cast<double>(parameter_count), 1));
 }
 
 /// Returns the additional spread from other ends that explain the times as well (within two standard
 /// deviations).
-Eigen::MatrixXd between_ends(const std::vector<End>& ends, std::size_t times) {
+Eigen::MatrixXd covariance_between_ends(const std::vector<FitEnd>& ends, std::size_t times) {
     const Eigen::VectorXd& best = ends.front().logs;
-    const double freedom = std::max(static_cast<double>(times) - static_cast<double>(best.size()), 1.0);
-    const double as_good = ends.front().cost * (1 + 4 / freedom);
-    Eigen::VectorXd farthest = Eigen::VectorXd::Zero(best.size());
-    for (const End& end : ends) {
-        if (end.cost <= as_good && (end.logs - best).norm() > farthest.norm()) farthest = end.logs - best;
+    const double degrees_of_freedom =
+        std::max(static_cast<double>(times) - static_cast<double>(best.size()), 1.0);
+    const double max_equivalent_cost = ends.front().cost * (1 + 4 / degrees_of_freedom);
+    Eigen::VectorXd max_change = Eigen::VectorXd::Zero(best.size());
+    for (const FitEnd& end : ends) {
+        if (end.cost <= max_equivalent_cost && (end.logs - best).norm() > max_change.norm())
+            max_change = end.logs - best;
     }
-    return farthest * farthest.transpose();
+    return max_change * max_change.transpose();
 }
 
 /// Judges which parameters the runs determine, and how well. The residuals are the noise of the times, and
 /// without runs only the magnitude of a parameter is known.
-void judge(const Times& times, const std::vector<Datum>& data, const std::vector<End>& ends, Fit& fit) {
+void estimate_uncertainty(const TimeModel& times, const std::vector<Datum>& data,
+                          const std::vector<FitEnd>& ends, Fit& fit) {
     const Eigen::Index count = times.logs.size();
     Eigen::MatrixXd slopes = times.slopes;
     double squares = 0;
     for (std::size_t i = 0; i < data.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
-        const double weight = kUnit / unit_of(data[i]);
-        const double off = weight * (times.log_times[row] - std::log(data[i].time_s));
-        squares += off * off;
+        const double weight = kResidualUnit / residual_unit(data[i]);
+        const double log_error = weight * (times.log_times[row] - std::log(data[i].time_s));
+        squares += log_error * log_error;
         slopes.row(row) *= weight;
     }
     const double noise =
-        std::max(deviation(squares, data.size(), static_cast<std::size_t>(count)), kLeastNoise);
-    const Eigen::MatrixXd told = slopes.transpose() * slopes / (noise * noise);
-    const Eigen::MatrixXd known = told + Eigen::MatrixXd::Identity(count, count) / (kUnknown * kUnknown);
-    fit.covariance = base::inverse_of_positive(known);
-    fit.covariance += between_ends(ends, data.size());
+        std::max(deviation(squares, data.size(), static_cast<std::size_t>(count)), kMinNoise);
+    const Eigen::MatrixXd on_message = slopes.transpose() * slopes / (noise * noise);
+    const Eigen::MatrixXd posterior_information =
+        on_message + Eigen::MatrixXd::Identity(count, count) / (kUnknownSpread * kUnknownSpread);
+    fit.covariance = base::positive_definite_inverse(posterior_information);
+    fit.covariance += covariance_between_ends(ends, data.size());
     for (Eigen::Index k = 0; k < count; ++k) {
         FittedParameter& parameter = fit.parameters[static_cast<std::size_t>(k)];
-        parameter.spread = std::sqrt(fit.covariance(k, k));
-        parameter.identified = parameter.spread < kMostSpread;
+        parameter.standard_deviation = std::sqrt(fit.covariance(k, k));
+        parameter.identified = parameter.standard_deviation < kMaxSpread;
     }
 }
 
 /// Returns the residuals of the times of complete runs.
-double noise_of(const Fit& fit, std::span<const RecordedRun> runs) {
+double residual_noise(const Fit& fit, std::span<const RecordedRun> runs) {
     double squares = 0;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        const double off = std::log(fit.times_s[i] / runs[i].time_s);
-        squares += off * off;
+        const double log_error = std::log(fit.times_s[i] / runs[i].time_s);
+        squares += log_error * log_error;
     }
     return deviation(squares, runs.size(), fit.parameters.size());
 }
 
 /// Returns open parameters; for words only those that programs contain.
-std::vector<Parameter> parameters_of(const machine::Machine& machine, const OpenFigures& open,
-                                     const std::vector<std::string>& words) {
+std::vector<Parameter> select_parameters(const machine::Machine& machine, const OpenParameters& open,
+                                         const std::vector<std::string>& words) {
     std::vector<Parameter> parameters = open_parameters(machine, open);
     std::erase_if(parameters, [&](const Parameter& each) {
-        return each.figure.of == "times" &&
-               std::find(words.begin(), words.end(), each.figure.key) == words.end();
+        return each.parameter_id.of == "times" &&
+               std::find(words.begin(), words.end(), each.parameter_id.key) == words.end();
     });
     return parameters;
 }
@@ -313,27 +320,28 @@ std::vector<Parameter> parameters_of(const machine::Machine& machine, const Open
 
 tl::expected<Fit, std::string> fit_times(const machine::Machine& machine, std::span<const RecordedRun> runs,
                                          const Predictor& predictor, const FitOptions& options,
-                                         const std::function<void(const std::string&)>& told) {
+                                         const std::function<void(const std::string&)>& on_message) {
     const std::vector<Datum> data = predictor.data();
-    const std::vector<Parameter> parameters = parameters_of(machine, options.open, predictor.words());
+    const std::vector<Parameter> parameters = select_parameters(machine, options.open, predictor.words());
     if (runs.empty() || parameters.empty())
         return tl::unexpected<std::string>("there is nothing to fit: no runs, or no figure that is open");
-    Times times(machine, parameters, data, predictor);
+    TimeModel times(machine, parameters, data, predictor);
     for (std::size_t k = 0; k < parameters.size(); ++k)
         times.logs[static_cast<Eigen::Index>(k)] = std::log(parameters[k].first);
     if (const auto begun = times.begin(); !begun) return tl::unexpected(begun.error());
-    begin_waits(times, data, parameters);
-    const std::vector<End> ends = solve_from_all(times, data, parameters, options, told);
+    initialize_waits(times, data, parameters);
+    const std::vector<FitEnd> ends = solve_from_all_starts(times, data, parameters, options, on_message);
     times.PrepareForEvaluation(true, true);
     Fit fit;
     fit.machine = times.machine_at(times.logs);
     for (std::size_t k = 0; k < parameters.size(); ++k)
-        fit.parameters.push_back({parameters[k].figure, std::exp(times.logs[static_cast<Eigen::Index>(k)])});
+        fit.parameters.push_back(
+            {parameters[k].parameter_id, std::exp(times.logs[static_cast<Eigen::Index>(k)])});
     fit.times_s.assign(runs.size(), 0);
     for (std::size_t i = 0; i < data.size(); ++i)  // of a run they add up to all of it
         fit.times_s[data[i].run] += std::exp(times.log_times[static_cast<Eigen::Index>(i)]);
-    judge(times, data, ends, fit);
-    fit.noise = noise_of(fit, runs);
+    estimate_uncertainty(times, data, ends, fit);
+    fit.noise = residual_noise(fit, runs);
     return fit;
 }
 

@@ -15,9 +15,9 @@ namespace gsim::calibrate {
 
 /// Result of a fit for a parameter.
 struct FittedParameter {
-    machine::Figure figure;
+    machine::MachineParameter parameter_id;
     double value = 0;
-    double spread = 0;       ///< Standard deviation of the value's logarithm: 0.01 is 1 %.
+    double standard_deviation = 0;  ///< Standard deviation of the value's logarithm: 0.01 is 1 %.
     bool identified = true;  ///< false: these runs do not depend on it, or on it and others together alone.
 };
 
@@ -32,9 +32,9 @@ struct Fit {
 };
 
 struct FitOptions {
-    OpenFigures open = {};
-    int most_steps = 15;
-    bool other_starts = false;  ///< From several shares for curves, of which two may explain the same times.
+    OpenParameters open = {};
+    int max_steps = 15;
+    bool multi_start = false;  ///< From several shares for curves, of which two may explain the same times.
 };
 
 /// Fits the open parameters of `machine` to the times of `runs`: least squares of the logarithms of times,
@@ -44,6 +44,6 @@ struct FitOptions {
 /// that does not reach its end, or reports too few runs.
 tl::expected<Fit, std::string> fit_times(const machine::Machine& machine, std::span<const RecordedRun> runs,
                                          const Predictor& predictor, const FitOptions& options,
-                                         const std::function<void(const std::string&)>& told = {});
+                                         const std::function<void(const std::string&)>& on_message = {});
 
 }  // namespace gsim::calibrate

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "machine/file/times_section.h"
-#include "machine/model/figure.h"
+#include "machine/model/machine_parameter.h"
 
 namespace gsim::calibrate {
 
@@ -21,11 +21,11 @@ using rrs::CornerRule;
 using rrs::PlannerKind;
 
 /// Default for a machine without a jerk limit: its acceleration in 50 ms.
-constexpr double kJerkOfAcceleration_1_s = 20;
-constexpr double kFirstPart = 0.75;     // of the acceleration
-constexpr double kFirstBlock_s = 0.02;  // above the expected value: a limit without effect is not found
-constexpr double kFirstWord_s = 0.5;
-constexpr std::size_t kFarAhead = 1000;  // blocks
+constexpr double kJerkPerAcceleration_1_s = 20;
+constexpr double kInitialShare = 0.75;    // of the acceleration
+constexpr double kInitialBlock_s = 0.02;  // above the expected value: a limit without effect is not found
+constexpr double kInitialWord_s = 0.5;
+constexpr std::size_t kUnlimitedLookAhead = 1000;  // blocks
 
 /// Corners with the name of their rule.
 struct Corners {
@@ -39,11 +39,11 @@ constexpr Corners kCorners[] = {{"velocity-step", CornerRule::velocity_step},
                                 {"smooth-blend", CornerRule::smooth_blend}};
 
 /// Returns the rules of a generic controller; settings of a machine file for words and offsets stay.
-ControllerRules rules_of(const ControllerRules& machines, const Corners& corners) {
+ControllerRules generic_rules(const ControllerRules& machines, const Corners& corners) {
     ControllerRules rules = machines;
     rules.model = "exact-stop";
     rules.planner = PlannerKind::look_ahead;
-    rules.look_ahead_blocks = kFarAhead;
+    rules.look_ahead_blocks = kUnlimitedLookAhead;
     rules.corner = corners.rule;
     rules.exact_path_corner = rrs::is_blend(corners.rule) ? CornerRule::velocity_step : corners.rule;
     rules.stop_between_rapid_and_feed = false;
@@ -55,11 +55,11 @@ ControllerRules rules_of(const ControllerRules& machines, const Corners& corners
 /// Returns the rules of a controller that overlays the end of a move with the beginning of the next one: each
 /// with a part of the acceleration, lines alone, and exactly by stops. These belong together, so refining one
 /// at a time would not find them.
-ControllerRules overlaying(const ControllerRules& machines) {
-    ControllerRules rules = rules_of(machines, {"", CornerRule::parabolic_blend});
+ControllerRules overlay_rules(const ControllerRules& machines) {
+    ControllerRules rules = generic_rules(machines, {"", CornerRule::parabolic_blend});
     rules.exact_path_corner = CornerRule::stop;
     rules.stop_between_rapid_and_feed = true;
-    rules.continuous_acceleration_share = kFirstPart;
+    rules.continuous_acceleration_share = kInitialShare;
     return rules;
 }
 
@@ -67,49 +67,49 @@ void limit_jerk(Machine& machine) {
     machine.controller.limit_jerk = true;
     for (machine::Axis& axis : machine.axes) {
         if (!std::isfinite(axis.max_jerk) && std::isfinite(axis.max_acceleration))
-            axis.max_jerk = kJerkOfAcceleration_1_s * axis.max_acceleration;
+            axis.max_jerk = kJerkPerAcceleration_1_s * axis.max_acceleration;
     }
 }
 
-double greatest_acceleration_mm_s2(const Machine& machine) {
-    double most = 0;
+double max_axis_acceleration_mm_s2(const Machine& machine) {
+    double max = 0;
     for (const machine::Axis& axis : machine.axes) {
         if (axis.kind == machine::AxisKind::linear && std::isfinite(axis.max_acceleration))
-            most = std::max(most, axis.max_acceleration);
+            max = std::max(max, axis.max_acceleration);
     }
-    return most;
+    return max;
 }
 
 /// Collector of possible refinements of a candidate.
 class Refiner {
   public:
-    explicit Refiner(const Candidate& from) : from_(from) {}
+    explicit Refiner(const Candidate& from) : base_(from) {}
 
     void add(const std::string& what, const std::function<void(Candidate&)>& change) {
-        Candidate& refined = found_.emplace_back(from_);
+        Candidate& refined = found_.emplace_back(base_);
         refined.name += ", " + what;
         change(refined);
     }
-    std::vector<Candidate> take() { return std::move(found_); }
+    std::vector<Candidate> release_candidates() { return std::move(found_); }
 
   private:
-    const Candidate& from_;
+    const Candidate& base_;
     std::vector<Candidate> found_;
 };
 
 void refine_path(const Machine& machine, Refiner& refiner) {
-    const double first_mm_s2 = greatest_acceleration_mm_s2(machine);
+    const double initial_mm_s2 = max_axis_acceleration_mm_s2(machine);
     if (std::isfinite(machine.path.max_acceleration_mm_s2)) return;
     refiner.add("an acceleration along the path",
-                [&](Candidate& to) { to.machine.path.max_acceleration_mm_s2 = first_mm_s2; });
+                [&](Candidate& to) { to.machine.path.max_acceleration_mm_s2 = initial_mm_s2; });
     refiner.add("one along the path of rapids, too", [&](Candidate& to) {
-        to.machine.path.max_acceleration_mm_s2 = first_mm_s2;
-        to.machine.path.max_rapid_acceleration_mm_s2 = first_mm_s2;
+        to.machine.path.max_acceleration_mm_s2 = initial_mm_s2;
+        to.machine.path.max_rapid_acceleration_mm_s2 = initial_mm_s2;
     });
 }
 
 void refine_look_ahead(const ControllerRules& rules, Refiner& refiner) {
-    if (rules.look_ahead_blocks != kFarAhead) return;
+    if (rules.look_ahead_blocks != kUnlimitedLookAhead) return;
     for (const std::size_t blocks : {16U, 64U}) {
         refiner.add(fmt::format("{} blocks ahead", blocks),
                     [&](Candidate& to) { to.machine.controller.look_ahead_blocks = blocks; });
@@ -117,9 +117,9 @@ void refine_look_ahead(const ControllerRules& rules, Refiner& refiner) {
 }
 
 void refine_words(const Machine& machine, std::span<const std::string> words, Refiner& refiner) {
-    if (words.empty() || !machine::timed_keys(machine.times).empty()) return;
+    if (words.empty() || !machine::nonzero_time_keys(machine.times).empty()) return;
     refiner.add("words that take time", [&](Candidate& to) {
-        for (const std::string& key : words) machine::set_value({"times", key}, kFirstWord_s, to.machine);
+        for (const std::string& key : words) machine::set_value({"times", key}, kInitialWord_s, to.machine);
     });
 }
 
@@ -141,7 +141,7 @@ void refine_curves(const ControllerRules& rules, Refiner& refiner) {
 
 }  // namespace
 
-std::vector<Candidate> generic_candidates(const Machine& machine, const OpenFigures& open) {
+std::vector<Candidate> generic_candidates(const Machine& machine, const OpenParameters& open) {
     std::vector<Candidate> candidates;
     const auto add = [&](const std::string& name, const ControllerRules& rules) {
         Machine straight = machine;
@@ -151,12 +151,12 @@ std::vector<Candidate> generic_candidates(const Machine& machine, const OpenFigu
         limit_jerk(straight);
         candidates.push_back({name + ", limited jerk", std::move(straight), open});
     };
-    ControllerRules rests = machine.controller;
-    rests.model = "exact-stop";
-    rests.planner = PlannerKind::rest_to_rest;
-    add("rest-to-rest", rests);
-    for (const Corners& corners : kCorners) add(corners.name, rules_of(machine.controller, corners));
-    add("overlaid moves", overlaying(machine.controller));
+    ControllerRules exact_stop_rules = machine.controller;
+    exact_stop_rules.model = "exact-stop";
+    exact_stop_rules.planner = PlannerKind::rest_to_rest;
+    add("rest-to-rest", exact_stop_rules);
+    for (const Corners& corners : kCorners) add(corners.name, generic_rules(machine.controller, corners));
+    add("overlaid moves", overlay_rules(machine.controller));
     return candidates;
 }
 
@@ -169,16 +169,17 @@ std::vector<Candidate> refinements(const Candidate& candidate, std::span<const s
         refiner.add("speeds that are not known", [](Candidate& to) { to.open.speeds = true; });
     refine_path(candidate.machine, refiner);
     refine_words(candidate.machine, words, refiner);
-    if (rules.planner != PlannerKind::look_ahead) return refiner.take();
+    if (rules.planner != PlannerKind::look_ahead) return refiner.release_candidates();
     refine_look_ahead(rules, refiner);
     refine_curves(rules, refiner);
     if (rules.continuous_acceleration_share >= 1) {
-        refiner.add("a part of the acceleration in continuous mode",
-                    [](Candidate& to) { to.machine.controller.continuous_acceleration_share = kFirstPart; });
+        refiner.add("a part of the acceleration in continuous mode", [](Candidate& to) {
+            to.machine.controller.continuous_acceleration_share = kInitialShare;
+        });
     }
     if (rules.block_time_s <= 0) {
         refiner.add("a time for each block",
-                    [](Candidate& to) { to.machine.controller.block_time_s = kFirstBlock_s; });
+                    [](Candidate& to) { to.machine.controller.block_time_s = kInitialBlock_s; });
     }
     if (rules.exact_path_corner != CornerRule::stop) {
         refiner.add("stops at corners in exact path mode",
@@ -188,7 +189,7 @@ std::vector<Candidate> refinements(const Candidate& candidate, std::span<const s
         refiner.add("a stop between rapid and feed",
                     [](Candidate& to) { to.machine.controller.stop_between_rapid_and_feed = true; });
     }
-    return refiner.take();
+    return refiner.release_candidates();
 }
 
 }  // namespace gsim::calibrate

@@ -16,7 +16,7 @@ struct MotionSample {
 };
 
 /// Meaning of the columns of a recording that does not define them itself.
-struct RecordForm {
+struct RecordFormat {
     double period_s = 0;          ///< Between samples if they have no times; 0: unknown.
     std::string columns = "xyz";  ///< Meaning of the columns of numbers, in order; '-' is skipped.
 };
@@ -32,6 +32,6 @@ struct RecordForm {
 ///   names (or items) Xact, Xabs, Xpos, X and so on.
 /// Times rise; samples with a time that does not are left out. The error names the line and what it lacks.
 tl::expected<std::vector<MotionSample>, std::string> read_motion_record(std::string_view text,
-                                                                        const RecordForm& form);
+                                                                        const RecordFormat& record_format);
 
 }  // namespace gsim::calibrate

@@ -14,16 +14,16 @@ namespace {
 
 using machine::Axis;
 using machine::AxisKind;
-using machine::Figure;
 using machine::Machine;
+using machine::MachineParameter;
 using rrs::ControllerRules;
 using rrs::CornerRule;
 
-constexpr double kFactor = 100;
-constexpr double kFirstWait_s = 0.01;
-constexpr double kLeastWait_s = 1e-5;
-constexpr double kLongestWait_s = 1;
-constexpr double kLongestWord_s = 600;
+constexpr double kBoundFactor = 100;
+constexpr double kInitialWait_s = 0.01;
+constexpr double kMinWait_s = 1e-5;
+constexpr double kMaxWait_s = 1;
+constexpr double kMaxWord_s = 600;
 
 /// Collector of open parameters.
 class Parameters {
@@ -31,66 +31,68 @@ class Parameters {
     explicit Parameters(const Machine& machine) : machine_(machine) {}
 
     /// Adds a parameter within a factor of the machine's value, if it has one.
-    void add_scaled(Figure figure) {
-        const double now = value_of(figure);
+    void add_scaled(MachineParameter parameter_id) {
+        const double now = parameter_value(parameter_id);
         if (now > 0 && std::isfinite(now))
-            found_.push_back({std::move(figure), now, now / kFactor, now * kFactor});
+            found_.push_back({std::move(parameter_id), now, now / kBoundFactor, now * kBoundFactor});
     }
-    void add(Figure figure, double least, double most) {
-        const double now = value_of(figure);
-        found_.push_back({std::move(figure), std::clamp(now, least, most), least, most});
+    void add(MachineParameter parameter_id, double min, double max) {
+        const double now = parameter_value(parameter_id);
+        found_.push_back({std::move(parameter_id), std::clamp(now, min, max), min, max});
     }
     void add_wait(const char* key) {
-        const double now = value_of({"controller", key});
+        const double now = parameter_value({"controller", key});
         found_.push_back({{"controller", key},
-                          now > 0 ? std::max(now, kLeastWait_s) : kFirstWait_s,
-                          kLeastWait_s,
-                          std::max(kLongestWait_s, now)});
+                          now > 0 ? std::max(now, kMinWait_s) : kInitialWait_s,
+                          kMinWait_s,
+                          std::max(kMaxWait_s, now)});
     }
     void add_word(const std::string& key) {
-        const double now = value_of({"times", key});
-        found_.push_back({{"times", key}, now, kLeastWait_s, std::max(kLongestWord_s, now)});
+        const double now = parameter_value({"times", key});
+        found_.push_back({{"times", key}, now, kMinWait_s, std::max(kMaxWord_s, now)});
     }
-    std::vector<Parameter> take() { return std::move(found_); }
+    std::vector<Parameter> release_parameters() { return std::move(found_); }
 
   private:
-    double value_of(const Figure& figure) const { return machine::value_of(figure, machine_).value_or(0); }
+    double parameter_value(const MachineParameter& parameter_id) const {
+        return machine::parameter_value(parameter_id, machine_).value_or(0);
+    }
 
     const Machine& machine_;
     std::vector<Parameter> found_;
 };
 
 /// Returns letters of axes that share one parameter.
-std::vector<std::string> axes_together(const Machine& machine, double Axis::*figure, AxisKind kind,
-                                       bool each_axis) {
+std::vector<std::string> group_axes(const Machine& machine, double Axis::*parameter_id, AxisKind kind,
+                                    bool each_axis) {
     std::map<double, std::string> same;
     std::vector<std::string> groups;
     for (const Axis& axis : machine.axes) {
-        if (axis.kind != kind || !std::isfinite(axis.*figure)) continue;
+        if (axis.kind != kind || !std::isfinite(axis.*parameter_id)) continue;
         if (each_axis) {
             groups.emplace_back(1, axis.letter);
         } else {
-            same[axis.*figure] += axis.letter;
+            same[axis.*parameter_id] += axis.letter;
         }
     }
     for (auto& [value, group] : same) groups.push_back(std::move(group));
     return groups;
 }
 
-void add_axes(const Machine& machine, double Axis::*figure, const char* linear, const char* rotary,
+void add_axes(const Machine& machine, double Axis::*parameter_id, const char* linear, const char* rotary,
               bool each_axis, Parameters& parameters) {
-    for (std::string& group : axes_together(machine, figure, AxisKind::linear, each_axis))
+    for (std::string& group : group_axes(machine, parameter_id, AxisKind::linear, each_axis))
         parameters.add_scaled({std::move(group), linear});
-    for (std::string& group : axes_together(machine, figure, AxisKind::rotary, each_axis))
+    for (std::string& group : group_axes(machine, parameter_id, AxisKind::rotary, each_axis))
         parameters.add_scaled({std::move(group), rotary});
 }
 
 void add_curves(const ControllerRules& rules, Parameters& parameters) {
-    const Figure share{"controller", "centripetal_share"};
+    const MachineParameter share{"controller", "centripetal_share"};
     if (rules.centripetal_share < 1) {
         parameters.add(share, 0.05, 0.999);
     } else if (std::isfinite(rules.centripetal_share)) {
-        parameters.add(share, 1, kFactor);
+        parameters.add(share, 1, kBoundFactor);
     }
 }
 
@@ -107,7 +109,7 @@ void add_corners(const ControllerRules& rules, Parameters& parameters) {
 
 }  // namespace
 
-std::vector<Parameter> open_parameters(const Machine& machine, const OpenFigures& open) {
+std::vector<Parameter> open_parameters(const Machine& machine, const OpenParameters& open) {
     Parameters parameters(machine);
     add_axes(machine, &Axis::max_acceleration, "max_acceleration_mm_s2", "max_acceleration_deg_s2",
              open.each_axis, parameters);
@@ -127,14 +129,14 @@ std::vector<Parameter> open_parameters(const Machine& machine, const OpenFigures
     if (machine.controller.planner == rrs::PlannerKind::linuxcnc)
         parameters.add_scaled({"controller", "servo_period_s"});
     parameters.add_wait("rest_s");
-    for (const std::string& key : machine::timed_keys(machine.times)) parameters.add_word(key);
-    return parameters.take();
+    for (const std::string& key : machine::nonzero_time_keys(machine.times)) parameters.add_word(key);
+    return parameters.release_parameters();
 }
 
 Machine with_values(Machine machine, const std::vector<Parameter>& parameters,
                     const std::vector<double>& values) {
     for (std::size_t i = 0; i < parameters.size(); ++i)
-        machine::set_value(parameters[i].figure, values[i], machine);
+        machine::set_value(parameters[i].parameter_id, values[i], machine);
     return machine;
 }
 

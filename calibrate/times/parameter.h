@@ -2,24 +2,24 @@
 
 #include <vector>
 
-#include "machine/model/figure.h"
+#include "machine/model/machine_parameter.h"
 
 namespace gsim::calibrate {
 
 /// Fitted parameter of a machine file. Its logarithm is fitted: all are above 0.
 struct Parameter {
-    machine::Figure figure;
+    machine::MachineParameter parameter_id;
     double first = 0;  ///< Start value of the fit.
-    double least = 0;
-    double most = 0;
+    double min = 0;
+    double max = 0;
 };
 
 /// Open parameters of a machine in addition to those of its controller's rules.
-struct OpenFigures {
+struct OpenParameters {
     bool each_axis = false;  ///< Separate parameters for each axis, if axes begin with equal values.
     bool speeds = false;     ///< Speeds of axes and of the path.
 
-    bool operator==(const OpenFigures&) const = default;
+    bool operator==(const OpenParameters&) const = default;
 };
 
 /// Returns the open parameters of a machine, by its controller's rules:
@@ -29,7 +29,7 @@ struct OpenFigures {
 /// - waits at stops, and times of words if they take some.
 /// Bounds are factors of 100 around the machine's values; waits that it lacks begin at 10 ms. Unlimited
 /// values (inf) are not fitted.
-std::vector<Parameter> open_parameters(const machine::Machine& machine, const OpenFigures& open);
+std::vector<Parameter> open_parameters(const machine::Machine& machine, const OpenParameters& open);
 
 /// Returns the machine with these values of parameters, in their order.
 machine::Machine with_values(machine::Machine machine, const std::vector<Parameter>& parameters,

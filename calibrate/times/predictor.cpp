@@ -18,37 +18,37 @@
 #include "machine/file/machine_file.h"
 #include "machine/file/times_section.h"
 #include "runtime/motion_sources/motion_replay.h"
-#include "runtime/simulator/setup_of_machine.h"
+#include "runtime/simulator/make_planner_setup.h"
 
 namespace gsim::calibrate {
 
 namespace {
 
-constexpr double kAnyTime_s = 0.01;
-constexpr const char* kMachine = "calibrated machine.toml";
+constexpr double kPlaceholderTime_s = 0.01;
+constexpr const char* kMachineFile = "calibrated machine.toml";
 
-std::optional<std::string> bytes_of(const std::string& file) {
+std::optional<std::string> read_bytes(const std::string& file) {
     std::ifstream in(file, std::ios::binary);
     if (!in) return std::nullopt;
     return std::string(std::istreambuf_iterator<char>(in), {});
 }
 
-engine::Files files_with(const std::string& machine) {
+engine::Files files_with_machine(const std::string& machine) {
     return engine::Files::given([machine](const std::string& name) -> std::optional<std::string> {
-        return name == kMachine ? machine : bytes_of(name);
+        return name == kMachineFile ? machine : read_bytes(name);
     });
 }
 
-std::string why(const engine::Report& report) {
+std::string failure_text(const engine::Report& report) {
     if (report.alarm) return report.alarm->message;
     if (!report.violations.empty()) return report.violations.front().message;
     return "it did not come to its end";
 }
 
-void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& make) {
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
-        for (std::size_t i = next++; i < count; i = next++) make(i);
+        for (std::size_t i = next++; i < count; i = next++) body(i);
     };
     std::vector<std::jthread> threads;
     for (unsigned i = 1; i < std::max(std::thread::hardware_concurrency(), 1U); ++i)
@@ -56,10 +56,10 @@ void on_all_cores(std::size_t count, const std::function<void(std::size_t)>& mak
     work();
 }
 
-tl::expected<double, std::string> whole_s(
+tl::expected<double, std::string> total_time_s(
     const tl::expected<std::vector<simulation::ReplayedMove>, std::string>& moves) {
     if (!moves) return tl::unexpected(moves.error());
-    const auto span = span_of(*moves);
+    const auto span = replay_span(*moves);
     if (!span) return tl::unexpected<std::string>("nothing moves");
     return span->end_s - span->start_s;
 }
@@ -68,8 +68,8 @@ tl::expected<double, std::string> whole_s(
 machine::Machine with_all_times(machine::Machine machine) {
     machine.times.before_first_move = true;
     for (const std::string& key : machine::named_time_keys()) {
-        double& time_s = *machine::time_at(key, machine.times);
-        if (time_s <= 0) time_s = kAnyTime_s;
+        double& time_s = *machine::word_time(key, machine.times);
+        if (time_s <= 0) time_s = kPlaceholderTime_s;
     }
     return machine;
 }
@@ -77,38 +77,39 @@ machine::Machine with_all_times(machine::Machine machine) {
 /// Adds the keys of dwells between moves.
 void add_words(const simulation::MotionLog& log, std::set<std::string>& keys) {
     bool has_moved = false;
-    std::vector<std::string> since;
-    for (const simulation::MotionAsk& ask : log.asks()) {
-        const auto* rest = std::get_if<simulation::AskedRest>(&ask);
-        if (rest != nullptr && !rest->time_key.empty()) {
-            if (has_moved) since.push_back(rest->time_key);
-        } else if (!std::holds_alternative<simulation::AskedStop>(ask)) {
+    std::vector<std::string> pending_keys;
+    for (const simulation::MotionRequest& motion_request : log.requests()) {
+        const auto* dwell = std::get_if<simulation::DwellRequest>(&motion_request);
+        if (dwell != nullptr && !dwell->time_key.empty()) {
+            if (has_moved) pending_keys.push_back(dwell->time_key);
+        } else if (!std::holds_alternative<simulation::StopRequest>(motion_request)) {
             has_moved = true;
-            keys.insert(since.begin(), since.end());
-            since.clear();
+            keys.insert(pending_keys.begin(), pending_keys.end());
+            pending_keys.clear();
         }
     }
 }
 
 }  // namespace
 
-tl::expected<Predictor, std::string> Predictor::of(std::span<const RecordedRun> runs, const Reading& reading,
+tl::expected<Predictor, std::string> Predictor::of(std::span<const RecordedRun> runs,
+                                                   const ReadingOptions& reading_options,
                                                    const machine::Machine& machine) {
     Predictor predictor;
-    predictor.reading_ = reading;
+    predictor.reading_options_ = reading_options;
     std::vector<std::shared_ptr<Program>> programs;
     for (const RecordedRun& run : runs) {
-        if (!bytes_of(run.program)) return tl::unexpected(fmt::format("cannot read {}", run.program));
+        if (!read_bytes(run.program)) return tl::unexpected(fmt::format("cannot read {}", run.program));
         programs.push_back(std::make_shared<Program>());
         programs.back()->file = run.program;
     }
     const std::string text = machine::print_machine(with_all_times(machine));
-    on_all_cores(programs.size(), [&](std::size_t i) {
+    parallel_for(programs.size(), [&](std::size_t i) {
         Program& program = *programs[i];
         predictor.run(program, text);
-        const bool whole = runs[i].samples.empty() || !program.log.gap().empty();
-        program.data =
-            whole ? std::vector<Datum>{{.time_s = runs[i].time_s}} : data_of(runs[i], program.log, machine);
+        const bool is_total = runs[i].samples.empty() || !program.log.incomplete_reason().empty();
+        program.data = is_total ? std::vector<Datum>{{.time_s = runs[i].time_s}}
+                                : timing_data(runs[i], program.log, machine);
     });
     predictor.programs_.assign(programs.begin(), programs.end());
     return predictor;
@@ -116,7 +117,7 @@ tl::expected<Predictor, std::string> Predictor::of(std::span<const RecordedRun> 
 
 void Predictor::run(Program& program, const std::string& machine) const {
     if (const auto time_s = run_time_s(program.file, machine, &program.log); !time_s)
-        program.refused = time_s.error();
+        program.error_text = time_s.error();
 }
 
 std::vector<std::string> Predictor::words() const {
@@ -125,11 +126,11 @@ std::vector<std::string> Predictor::words() const {
     return {keys.begin(), keys.end()};
 }
 
-Predictor Predictor::part(std::span<const std::size_t> places) const {
-    Predictor chosen;
-    chosen.reading_ = reading_;
-    for (const std::size_t place : places) chosen.programs_.push_back(programs_[place]);
-    return chosen;
+Predictor Predictor::part(std::span<const std::size_t> indices) const {
+    Predictor selected;
+    selected.reading_options_ = reading_options_;
+    for (const std::size_t index : indices) selected.programs_.push_back(programs_[index]);
+    return selected;
 }
 
 tl::expected<double, std::string> Predictor::run_time_s(const std::string& program,
@@ -137,36 +138,36 @@ tl::expected<double, std::string> Predictor::run_time_s(const std::string& progr
                                                         simulation::MotionLog* log) const {
     engine::Request request;
     request.program = program;
-    request.machine = kMachine;
-    request.language.dialect = reading_.dialect;
-    request.machine_data = reading_.machine_data;
+    request.machine = kMachineFile;
+    request.language.dialect = reading_options_.dialect;
+    request.machine_data = reading_options_.machine_data;
     request.collisions = false;
-    request.host.files = files_with(machine);
+    request.host.files = files_with_machine(machine);
     auto run = engine::Run::open(std::move(request));
     if (!run) return tl::unexpected(run.error().message);
     if (const auto ready = run->prepare(); !ready) return tl::unexpected(ready.error().message);
     if (log != nullptr) run->observe_motion(*log);
     double first_s = std::numeric_limits<double>::infinity();
-    run->take_moves([&](std::span<const engine::Move> moves) {
+    run->on_moves([&](std::span<const engine::Move> moves) {
         for (const engine::Move& move : moves) first_s = std::min(first_s, move.start_s);
     });
     const auto report = run->go();
     if (!report) return tl::unexpected(report.error().message);
-    if (report->status != engine::RunStatus::completed) return tl::unexpected(why(*report));
+    if (report->status != engine::RunStatus::completed) return tl::unexpected(failure_text(*report));
     if (!(report->cycle_time_s > first_s)) return tl::unexpected<std::string>("nothing moves");
     return report->cycle_time_s - first_s;
 }
 
 std::vector<tl::expected<Predictor::Moves, std::string>> Predictor::moves(
     const machine::Machine& machine) const {
-    motion::PlannerSetup setup = simulation::setup_of_machine(machine);
-    setup.range_notes.reset();
+    motion::PlannerSetup setup = simulation::make_planner_setup(machine);
+    setup.overtravel_log.reset();
     std::vector<tl::expected<Moves, std::string>> moves(programs_.size());
-    on_all_cores(programs_.size(), [&](std::size_t i) {
+    parallel_for(programs_.size(), [&](std::size_t i) {
         const Program& program = *programs_[i];
-        if (!program.refused.empty()) {
-            moves[i] = tl::unexpected(program.refused);
-        } else if (program.log.gap().empty()) {
+        if (!program.error_text.empty()) {
+            moves[i] = tl::unexpected(program.error_text);
+        } else if (program.log.incomplete_reason().empty()) {
             moves[i] = simulation::replay(program.log, setup, machine.times);
         } else {
             moves[i] =
@@ -180,7 +181,7 @@ std::vector<tl::expected<Predictor::Moves, std::string>> Predictor::moves(
 
 std::vector<tl::expected<double, std::string>> Predictor::times_s(const machine::Machine& machine) const {
     std::vector<tl::expected<double, std::string>> times;
-    for (const auto& each : moves(machine)) times.push_back(whole_s(each));
+    for (const auto& each : moves(machine)) times.push_back(total_time_s(each));
     return times;
 }
 
@@ -199,12 +200,12 @@ tl::expected<std::vector<double>, std::string> Predictor::times_s(std::span<cons
                                                                   const machine::Machine& machine) const {
     const auto all = moves(machine);
     for (std::size_t i = 0; i < all.size(); ++i) {
-        if (const auto whole = whole_s(all[i]); !whole)
-            return tl::unexpected(fmt::format("{}: {}", programs_[i]->file, whole.error()));
+        if (const auto is_total = total_time_s(all[i]); !is_total)
+            return tl::unexpected(fmt::format("{}: {}", programs_[i]->file, is_total.error()));
     }
     std::vector<double> times;
     for (const Datum& datum : data)
-        times.push_back(time_of(datum, programs_[datum.run]->log, *all[datum.run]));
+        times.push_back(datum_time_s(datum, programs_[datum.run]->log, *all[datum.run]));
     return times;
 }
 

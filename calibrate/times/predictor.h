@@ -15,7 +15,7 @@
 namespace gsim::calibrate {
 
 /// Settings for reading programs, as in gsim-run.
-struct Reading {
+struct ReadingOptions {
     std::string dialect = {};       ///< Empty: as the machine says.
     std::string machine_data = {};  ///< File of tools and offsets; empty: none.
 };
@@ -26,14 +26,15 @@ class Predictor {
   public:
     /// Runs the programs on `machine`, with called programs from their folders. The error names the file that
     /// cannot be read.
-    static tl::expected<Predictor, std::string> of(std::span<const RecordedRun> runs, const Reading& reading,
+    static tl::expected<Predictor, std::string> of(std::span<const RecordedRun> runs,
+                                                   const ReadingOptions& reading_options,
                                                    const machine::Machine& machine);
 
     /// Returns the same for some of its runs, by their indices.
-    Predictor part(std::span<const std::size_t> places) const;
+    Predictor part(std::span<const std::size_t> indices) const;
 
     /// Returns the number of a run's requests to its controller.
-    std::size_t moves_of(std::size_t place) const { return programs_[place]->log.asks().size(); }
+    std::size_t request_count(std::size_t index) const { return programs_[index]->log.requests().size(); }
     /// Returns keys of [times] in the machine file for which these programs have words between their moves.
     std::vector<std::string> words() const;
     /// Returns the time of each run, s, from its first move or dwell to its last, without times of words
@@ -52,7 +53,7 @@ class Predictor {
     struct Program {
         std::string file;
         simulation::MotionLog log;
-        std::string refused;      ///< Reason why it does not reach its end; empty: it does.
+        std::string error_text;   ///< Reason why it does not reach its end; empty: it does.
         std::vector<Datum> data;  ///< Their run is set by data().
     };
 
@@ -65,7 +66,7 @@ class Predictor {
     std::vector<tl::expected<Moves, std::string>> moves(const machine::Machine& machine) const;
 
     std::vector<std::shared_ptr<const Program>> programs_;
-    Reading reading_;
+    ReadingOptions reading_options_;
 };
 
 }  // namespace gsim::calibrate

@@ -8,7 +8,7 @@ namespace gsim::calibrate {
 
 namespace {
 
-std::optional<double> take_number(std::string_view& text) {
+std::optional<double> consume_number(std::string_view& text) {
     double value = 0;
     const auto read = text::read_number(text.data(), text.data() + text.size(), value);
     if (read.ec != std::errc()) return std::nullopt;
@@ -16,30 +16,30 @@ std::optional<double> take_number(std::string_view& text) {
     return value;
 }
 
-std::optional<int> take_digits(std::string_view& text, std::size_t least, std::size_t most) {
+std::optional<int> consume_digits(std::string_view& text, std::size_t min, std::size_t max) {
     std::size_t count = 0;
     int value = 0;
-    while (count < most && count < text.size() && text[count] >= '0' && text[count] <= '9')
+    while (count < max && count < text.size() && text[count] >= '0' && text[count] <= '9')
         value = 10 * value + (text[count++] - '0');
-    if (count < least) return std::nullopt;
+    if (count < min) return std::nullopt;
     text.remove_prefix(count);
     return value;
 }
 
-bool take(std::string_view& text, char c) {
+bool consume_character(std::string_view& text, char c) {
     if (text.empty() || text.front() != c) return false;
     text.remove_prefix(1);
     return true;
 }
 
 /// Returns the days since 1970.
-std::optional<double> take_date(std::string_view& text) {
-    const auto year = take_digits(text, 4, 4);
-    if (!year || !take(text, '-')) return std::nullopt;
-    const auto month = take_digits(text, 2, 2);
-    if (!month || !take(text, '-')) return std::nullopt;
-    const auto day = take_digits(text, 2, 2);
-    if (!day || !(take(text, 'T') || take(text, ' '))) return std::nullopt;
+std::optional<double> consume_date(std::string_view& text) {
+    const auto year = consume_digits(text, 4, 4);
+    if (!year || !consume_character(text, '-')) return std::nullopt;
+    const auto month = consume_digits(text, 2, 2);
+    if (!month || !consume_character(text, '-')) return std::nullopt;
+    const auto day = consume_digits(text, 2, 2);
+    if (!day || !(consume_character(text, 'T') || consume_character(text, ' '))) return std::nullopt;
     using namespace std::chrono;
     const year_month_day date{std::chrono::year(*year), std::chrono::month(static_cast<unsigned>(*month)),
                               std::chrono::day(static_cast<unsigned>(*day))};
@@ -47,37 +47,37 @@ std::optional<double> take_date(std::string_view& text) {
     return static_cast<double>(sys_days(date).time_since_epoch().count());
 }
 
-std::optional<double> take_time_of_day(std::string_view& text) {
-    const auto hours = take_digits(text, 1, 2);
-    if (!hours || !take(text, ':')) return std::nullopt;
-    const auto minutes = take_digits(text, 2, 2);
-    if (!minutes || !take(text, ':')) return std::nullopt;
-    const auto seconds = take_number(text);
+std::optional<double> consume_time_of_day(std::string_view& text) {
+    const auto hours = consume_digits(text, 1, 2);
+    if (!hours || !consume_character(text, ':')) return std::nullopt;
+    const auto minutes = consume_digits(text, 2, 2);
+    if (!minutes || !consume_character(text, ':')) return std::nullopt;
+    const auto seconds = consume_number(text);
     if (!seconds || *seconds < 0 || *seconds >= 61) return std::nullopt;
     return 3600.0 * *hours + 60.0 * *minutes + *seconds;
 }
 
-template <typename Take>
-auto attempt(std::string_view& text, const Take& take_it) {
-    std::string_view rest = text;
-    auto found = take_it(rest);
-    if (found) text = rest;
+template <typename Parse>
+auto try_consume(std::string_view& text, const Parse& consume) {
+    std::string_view remaining = text;
+    auto found = consume(remaining);
+    if (found) text = remaining;
     return found;
 }
 
 }  // namespace
 
-std::optional<double> take_time_s(std::string_view& line) {
+std::optional<double> consume_time_s(std::string_view& line) {
     constexpr double kDay_s = 86400;
-    std::string_view rest = line;
-    const bool bracket = take(rest, '[');
-    const auto days = attempt(rest, take_date);
-    auto time_s = attempt(rest, take_time_of_day);
-    if (!time_s && !days) time_s = attempt(rest, take_number);
+    std::string_view remaining = line;
+    const bool bracket = consume_character(remaining, '[');
+    const auto days = try_consume(remaining, consume_date);
+    auto time_s = try_consume(remaining, consume_time_of_day);
+    if (!time_s && !days) time_s = try_consume(remaining, consume_number);
     if (!time_s) return std::nullopt;
-    take(rest, 'Z');
-    if (bracket && !take(rest, ']')) return std::nullopt;
-    line = rest;
+    consume_character(remaining, 'Z');
+    if (bracket && !consume_character(remaining, ']')) return std::nullopt;
+    line = remaining;
     return *time_s + days.value_or(0) * kDay_s;
 }
 

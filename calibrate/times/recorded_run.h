@@ -23,7 +23,7 @@ struct RecordedRun {
 };
 
 /// Returns some of the runs, by their indices.
-std::vector<RecordedRun> runs_at(std::span<const RecordedRun> runs, std::span<const std::size_t> places);
+std::vector<RecordedRun> select_runs(std::span<const RecordedRun> runs, std::span<const std::size_t> indices);
 
 /// Reads the runs that a list names, one a line: a program's file, relative to `folder` if it is not
 /// absolute, and its time in s. Commas or tabs separate them, and a first line names the columns: `program`
@@ -35,6 +35,7 @@ tl::expected<std::vector<RecordedRun>, std::string> read_recorded_runs(std::stri
 
 /// Adds the positions of a recording to a run, and their time, if the run has none. The error describes the
 /// problem.
-tl::expected<void, std::string> add_record(std::string_view text, const RecordForm& form, RecordedRun& run);
+tl::expected<void, std::string> add_record(std::string_view text, const RecordFormat& record_format,
+                                           RecordedRun& run);
 
 }  // namespace gsim::calibrate

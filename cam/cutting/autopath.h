@@ -27,11 +27,11 @@ struct CutSummary {
     double travel_mm = 0;  ///< Between the cuts, over the material.
     /// Time at the feeds of the path, without pierces and without acceleration of the machine.
     double cut_s = 0;
-    double slower_s =
+    double slowdown_s =
         0;  ///< Part of it: extra time of curves and corners over straight lines of their length.
-    double turning_s = 0;        ///< Part of it: turning at a fixed position.
-    double straightening_s = 0;  ///< Part of it: extra time for taper compensation.
-    std::size_t moving_pierces = 0;
+    double reorientation_s = 0;       ///< Part of it: turning at a fixed position.
+    double taper_compensation_s = 0;  ///< Part of it: extra time for taper compensation.
+    std::size_t dynamic_pierces = 0;
 };
 
 struct Autopath {

@@ -30,8 +30,8 @@ struct ProgramOptions {
 /// A program that makes cuts.
 struct CutProgram {
     path::Program program;
-    double turning_s = 0;  ///< With the jet on, while the tool turns at a fixed position.
-    std::size_t moving_pierces = 0;
+    double reorientation_s = 0;  ///< With the jet on, while the tool turns at a fixed position.
+    std::size_t dynamic_pierces = 0;
 };
 
 /// Returns the program that makes the cuts in that order, with a path for each: rapid to its pierce at the

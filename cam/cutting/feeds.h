@@ -8,7 +8,7 @@
 namespace gsim::cutting {
 
 /// A part of a cut at one feed.
-struct FedEdge {
+struct FeedSegment {
     geometry::Edge edge;
     double feed_mm_min = 0;
     std::uint32_t source = 0;  ///< geometry::Vertex::source
@@ -16,9 +16,9 @@ struct FedEdge {
 
 /// Returns the edges of a closed loop in order, each with its feed: slower on arcs, and before and after
 /// corners. Edges are divided for that.
-std::vector<FedEdge> with_feeds(const geometry::Contour& loop, const CutRules& rules);
+std::vector<FeedSegment> assign_feeds(const geometry::Contour& loop, const CutRules& rules);
 
 /// Returns the feed on a single edge.
-double feed_on_mm_min(const geometry::Edge& edge, const CutRules& rules);
+double edge_feed_mm_min(const geometry::Edge& edge, const CutRules& rules);
 
 }  // namespace gsim::cutting

@@ -19,45 +19,45 @@ using geometry::Point;
 
 namespace {
 
-constexpr std::size_t kShownFaults = 5;
-constexpr double kLeastArea_mm2 = 1e-6;
+constexpr std::size_t kMaxListedErrors = 5;
+constexpr double kMinArea_mm2 = 1e-6;
 
-using Fault = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
-std::string place(Point point) {
+std::string location(Point point) {
     return fmt::format("({:.6g}, {:.6g})", text::unsigned_zero(point.x), text::unsigned_zero(point.y));
 }
 
-std::string named(const Drawing& drawing, const Contour& contour, std::size_t edge) {
-    return shown(drawing.entities[contour.vertices[edge].source]);
+std::string edge_label(const Drawing& drawing, const Contour& contour, std::size_t edge) {
+    return display_text(drawing.entities[contour.vertices[edge].source]);
 }
 
-std::string open_ends(const Drawing& drawing, const std::vector<Contour>& open, double gap_mm) {
+std::string open_ends_message(const Drawing& drawing, const std::vector<Contour>& open, double gap_mm) {
     std::string text =
         fmt::format("{} not closed within {} mm:",
                     open.size() == 1 ? "a contour is" : fmt::format("{} contours are", open.size()), gap_mm);
-    for (std::size_t i = 0; i < std::min(open.size(), kShownFaults); ++i) {
+    for (std::size_t i = 0; i < std::min(open.size(), kMaxListedErrors); ++i) {
         const Contour& contour = open[i];
         const std::size_t last = contour.vertices.size() - 2;
         const Point from = contour.vertices.front().position;
         const Point to = contour.vertices.back().position;
-        text += fmt::format("\n  from {} ({}) to {} ({}), {:.4g} mm apart", place(from),
-                            named(drawing, contour, 0), place(to), named(drawing, contour, last),
+        text += fmt::format("\n  from {} ({}) to {} ({}), {:.4g} mm apart", location(from),
+                            edge_label(drawing, contour, 0), location(to), edge_label(drawing, contour, last),
                             distance(from, to));
     }
-    if (open.size() > kShownFaults) text += "\n  ...";
+    if (open.size() > kMaxListedErrors) text += "\n  ...";
     return text;
 }
 
-class LayoutMaker {
+class LayoutBuilder {
   public:
-    LayoutMaker(Drawing drawing, const LayoutOptions& options)
+    LayoutBuilder(Drawing drawing, const LayoutOptions& options)
         : drawing_(std::move(drawing)), options_(options) {}
 
     tl::expected<Layout, std::string> run() {
-        for (const auto step : {&LayoutMaker::close, &LayoutMaker::check, &LayoutMaker::nest_outlines,
-                                &LayoutMaker::offset_outlines}) {
-            if (auto done = (this->*step)(); !done) return Fault(std::move(done.error()));
+        for (const auto step : {&LayoutBuilder::close, &LayoutBuilder::check,
+                                &LayoutBuilder::find_outline_nesting, &LayoutBuilder::offset_outlines}) {
+            if (auto done = (this->*step)(); !done) return Unexpected(std::move(done.error()));
         }
         layout_.notes = std::move(drawing_.notes);
         layout_.notes.insert(layout_.notes.end(), notes_.begin(), notes_.end());
@@ -65,51 +65,54 @@ class LayoutMaker {
     }
 
   private:
-    using Done = tl::expected<void, std::string>;
+    using VoidResult = tl::expected<void, std::string>;
 
-    Done close() {
-        geometry::Chained chained = geometry::chain(std::move(drawing_.pieces), options_.gap_mm);
-        if (chained.crowded)
-            return Fault("the ends of too many lines lie in one place: no contour can be seen in them");
-        if (!chained.open.empty()) return Fault(open_ends(drawing_, chained.open, options_.gap_mm));
-        contours_ = std::move(chained.closed);
-        if (contours_.empty()) return Fault("there is no contour in the drawing");
+    VoidResult close() {
+        geometry::ChainResult chains = geometry::chain(std::move(drawing_.drawn_contours), options_.gap_mm);
+        if (chains.is_ambiguous)
+            return Unexpected("the ends of too many lines lie in one place: no contour can be seen in them");
+        if (!chains.open.empty())
+            return Unexpected(open_ends_message(drawing_, chains.open, options_.gap_mm));
+        contours_ = std::move(chains.closed);
+        if (contours_.empty()) return Unexpected("there is no contour in the drawing");
         const auto is_empty = [](const Contour& contour) { return contour.vertices.empty(); };
         if (std::any_of(contours_.begin(), contours_.end(), is_empty)) {
-            return Fault(fmt::format("a contour is smaller than {} mm", options_.gap_mm));
+            return Unexpected(fmt::format("a contour is smaller than {} mm", options_.gap_mm));
         }
         return {};
     }
 
-    Done check() {
+    VoidResult check() {
         const std::optional<Crossing> crossing = geometry::find_crossing(contours_, options_.gap_mm / 10);
         if (crossing) {
-            return Fault(fmt::format(
+            return Unexpected(fmt::format(
                 "{} and {} meet at {}; a contour may neither cross nor touch itself or another one",
-                named(drawing_, contours_[crossing->contour_a], crossing->edge_a),
-                named(drawing_, contours_[crossing->contour_b], crossing->edge_b), place(crossing->place)));
+                edge_label(drawing_, contours_[crossing->contour_a], crossing->edge_a),
+                edge_label(drawing_, contours_[crossing->contour_b], crossing->edge_b),
+                location(crossing->location)));
         }
         for (const Contour& contour : contours_) {
-            if (contour.vertices.size() > 1 && std::abs(area_mm2(contour)) > kLeastArea_mm2) continue;
-            return Fault(fmt::format("the contour at {} ({}) encloses nothing",
-                                     place(contour.vertices.front().position), named(drawing_, contour, 0)));
+            if (contour.vertices.size() > 1 && std::abs(area_mm2(contour)) > kMinArea_mm2) continue;
+            return Unexpected(fmt::format("the contour at {} ({}) encloses nothing",
+                                          location(contour.vertices.front().position),
+                                          edge_label(drawing_, contour, 0)));
         }
         return {};
     }
 
-    Done nest_outlines() {
-        const std::vector<geometry::Nest> nests = geometry::nest(contours_);
+    VoidResult find_outline_nesting() {
+        const std::vector<geometry::NestingLevel> nestings = geometry::find_nesting(contours_);
         layout_.outlines.reserve(contours_.size());
         for (std::size_t i = 0; i < contours_.size(); ++i) {
             Contour& contour = contours_[i];
-            const bool outside = nests[i].depth % 2 == 0;
+            const bool outside = nestings[i].depth % 2 == 0;
             if ((area_mm2(contour) > 0) != outside) reverse(contour);
-            layout_.outlines.push_back({std::move(contour), nests[i].parent, nests[i].depth});
+            layout_.outlines.push_back({std::move(contour), nestings[i].parent, nestings[i].depth});
         }
         return {};
     }
 
-    Done offset_outlines() {
+    VoidResult offset_outlines() {
         for (std::size_t i = 0; i < layout_.outlines.size(); ++i) {
             if (auto done = offset_outline(i); !done) return done;
         }
@@ -123,24 +126,25 @@ class LayoutMaker {
         }
         const std::optional<Crossing> crossing = geometry::find_crossing_between(contours, groups);
         if (!crossing) return {};
-        return Fault(fmt::format("{} and {} are nearer to each other than the kerf of {:.4g} mm at {}",
-                                 named(drawing_, contours[crossing->contour_a], crossing->edge_a),
-                                 named(drawing_, contours[crossing->contour_b], crossing->edge_b),
-                                 options_.kerf_mm, place(crossing->place)));
+        return Unexpected(fmt::format("{} and {} are nearer to each other than the kerf of {:.4g} mm at {}",
+                                      edge_label(drawing_, contours[crossing->contour_a], crossing->edge_a),
+                                      edge_label(drawing_, contours[crossing->contour_b], crossing->edge_b),
+                                      options_.kerf_mm, location(crossing->location)));
     }
 
-    Done offset_outline(std::size_t outline) {
+    VoidResult offset_outline(std::size_t outline) {
         const Contour& contour = layout_.outlines[outline].contour;
         auto loops = geometry::offset(contour, options_.kerf_mm / 2);
         const auto where = [&] {
-            return fmt::format("the contour at {} ({})", place(contour.vertices.front().position),
-                               named(drawing_, contour, 0));
+            return fmt::format("the contour at {} ({})", location(contour.vertices.front().position),
+                               edge_label(drawing_, contour, 0));
         };
         if (!loops)
-            return Fault(
-                fmt::format("{}: {} at {}", where(), loops.error().sentence, place(loops.error().place)));
+            return Unexpected(fmt::format("{}: {} at {}", where(), loops.error().message,
+                                          location(loops.error().location)));
         if (loops->empty())
-            return Fault(fmt::format("{} is narrower than the kerf of {:.4g} mm", where(), options_.kerf_mm));
+            return Unexpected(
+                fmt::format("{} is narrower than the kerf of {:.4g} mm", where(), options_.kerf_mm));
         if (loops->size() > 1) {
             notes_.push_back(
                 fmt::format("{} has places that are narrower than the kerf; it is cut in {} loops", where(),
@@ -162,8 +166,8 @@ class LayoutMaker {
 
 }  // namespace
 
-tl::expected<Layout, std::string> lay_out(Drawing drawing, const LayoutOptions& options) {
-    return LayoutMaker(std::move(drawing), options).run();
+tl::expected<Layout, std::string> make_layout(Drawing drawing, const LayoutOptions& options) {
+    return LayoutBuilder(std::move(drawing), options).run();
 }
 
 }  // namespace gsim::cutting

@@ -12,27 +12,27 @@ class NearestGrid {
   public:
     explicit NearestGrid(std::vector<geometry::Point> points);
 
-    std::size_t left() const { return left_; }
+    std::size_t remaining() const { return remaining_; }
     /// Removes the nearest of the remaining points and returns its number; the set must not be empty.
-    std::size_t take_nearest(geometry::Point to);
+    std::size_t pop_nearest(geometry::Point to);
 
   private:
-    struct Found {
+    struct NearestEntry {
         double mm;
         std::size_t cell, slot;
     };
 
-    std::size_t column_of(double x) const;
-    std::size_t row_of(double y) const;
-    void look_in(std::size_t column, std::size_t row, geometry::Point to, Found& best) const;
-    void look_around(std::size_t column, std::size_t row, std::size_t ring, geometry::Point to,
-                     Found& best) const;
+    std::size_t column_index(double x) const;
+    std::size_t row_index(double y) const;
+    void search_cell(std::size_t column, std::size_t row, geometry::Point to, NearestEntry& best) const;
+    void search_ring(std::size_t column, std::size_t row, std::size_t ring, geometry::Point to,
+                     NearestEntry& best) const;
 
     std::vector<geometry::Point> points_;
     geometry::Box box_;
     double cell_mm_ = 1;
     std::size_t columns_ = 1, rows_ = 1;
-    std::size_t left_ = 0;
+    std::size_t remaining_ = 0;
     std::vector<std::vector<std::size_t>> cells_;
 };
 

@@ -20,18 +20,18 @@ struct Group {
 class Grouping {
   public:
     Grouping(const Layout& layout, const std::vector<Cut>& cuts)
-        : cuts_(cuts), own_(layout.outlines.size()), within_(layout.outlines.size()) {
-        for (std::size_t i = 0; i < cuts.size(); ++i) own_[cuts[i].outline].push_back(i);
+        : cuts_(cuts), cuts_by_outline_(layout.outlines.size()), children_(layout.outlines.size()) {
+        for (std::size_t i = 0; i < cuts.size(); ++i) cuts_by_outline_[cuts[i].outline].push_back(i);
         // The innermost outlines come first, so that each finds its children grouped.
-        std::vector<std::size_t> inward(layout.outlines.size());
-        std::iota(inward.begin(), inward.end(), 0U);
-        std::stable_sort(inward.begin(), inward.end(), [&](std::size_t a, std::size_t b) {
+        std::vector<std::size_t> innermost_first(layout.outlines.size());
+        std::iota(innermost_first.begin(), innermost_first.end(), 0U);
+        std::stable_sort(innermost_first.begin(), innermost_first.end(), [&](std::size_t a, std::size_t b) {
             return layout.outlines[a].depth > layout.outlines[b].depth;
         });
-        for (const std::size_t outline : inward) {
-            Group group = grouped(outline);
+        for (const std::size_t outline : innermost_first) {
+            Group group = make_group(outline);
             const auto& parent = layout.outlines[outline].parent;
-            (parent ? within_[*parent] : outermost_).push_back(std::move(group));
+            (parent ? children_[*parent] : outermost_).push_back(std::move(group));
         }
     }
 
@@ -49,24 +49,25 @@ class Grouping {
         return cuts;
     }
 
-    Group grouped(std::size_t outline) {
-        std::vector<Group> inner = std::move(within_[outline]);
+    Group make_group(std::size_t outline) {
+        std::vector<Group> inner = std::move(children_[outline]);
         // Smaller loops of the outline itself count as inner ones.
-        const std::vector<std::size_t>& own = own_[outline];
-        for (std::size_t i = 0; i + 1 < own.size(); ++i) inner.push_back({{own[i]}, stop_of(own[i])});
-        const Stop last = stop_of(own.back());
+        const std::vector<std::size_t>& contours_of_outline = cuts_by_outline_[outline];
+        for (std::size_t i = 0; i + 1 < contours_of_outline.size(); ++i)
+            inner.push_back({{contours_of_outline[i]}, cut_stop(contours_of_outline[i])});
+        const Stop last = cut_stop(contours_of_outline.back());
         // The tour starts near the outline's own pierce, because it also ends there.
         Group group{joined(std::move(inner), last.entry, last.entry), {}};
-        group.cuts.push_back(own.back());
+        group.cuts.push_back(contours_of_outline.back());
         group.stop = {cuts_[group.cuts.front()].pierce(), last.exit};
         return group;
     }
 
-    Stop stop_of(std::size_t cut) const { return {cuts_[cut].pierce(), cuts_[cut].end()}; }
+    Stop cut_stop(std::size_t cut) const { return {cuts_[cut].pierce(), cuts_[cut].end()}; }
 
     const std::vector<Cut>& cuts_;
-    std::vector<std::vector<std::size_t>> own_;  // cuts of an outline, the largest last
-    std::vector<std::vector<Group>> within_;
+    std::vector<std::vector<std::size_t>> cuts_by_outline_;  // cuts of an outline, the largest last
+    std::vector<std::vector<Group>> children_;
     std::vector<Group> outermost_;
 };
 

@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::size_t kMaxPasses = 30;
 constexpr std::size_t kMaxSteps = 60'000'000;  // comparisons in all
-constexpr std::size_t kMaxMoved = 3;           // stops moved together (Or)
-constexpr double kGain_mm = 1e-7;
+constexpr std::size_t kMaxMovedStops = 3;      // stops moved together (Or)
+constexpr double kMinGain_mm = 1e-7;
 
-double way(Point a, Point b) {
+double cut_distance(Point a, Point b) {
     return std::sqrt(dot(b - a, b - a));
 }
 
@@ -28,21 +28,21 @@ class Tour {
         for (const Stop& stop : stops) entries.push_back(stop.entry);
         NearestGrid grid(std::move(entries));
         order_.reserve(stops.size());
-        Point here = start;
-        while (grid.left() > 0) {
-            order_.push_back(grid.take_nearest(here));
-            here = stops[order_.back()].exit;
+        Point current = start;
+        while (grid.remaining() > 0) {
+            order_.push_back(grid.pop_nearest(current));
+            current = stops[order_.back()].exit;
         }
-        const std::size_t per_pass = kMaxSteps / kMaxPasses;
-        window_ = std::clamp<std::size_t>(per_pass / std::max<std::size_t>(1, stops.size()), 10, 1000);
+        const std::size_t steps_per_pass = kMaxSteps / kMaxPasses;
+        window_ = std::clamp<std::size_t>(steps_per_pass / std::max<std::size_t>(1, stops.size()), 10, 1000);
     }
 
-    std::vector<std::size_t> improved() {
+    std::vector<std::size_t> optimize() {
         bool better = order_.size() > 1;
         for (std::size_t pass = 0; better && pass < kMaxPasses; ++pass) {
             better = false;
-            for (std::size_t i = 0; i < order_.size(); ++i) better = turn_round(i) || better;
-            for (std::size_t i = 0; i < order_.size(); ++i) better = move_from(i) || better;
+            for (std::size_t i = 0; i < order_.size(); ++i) better = reverse_segment(i) || better;
+            for (std::size_t i = 0; i < order_.size(); ++i) better = relocate(i) || better;
         }
         return std::move(order_);
     }
@@ -52,47 +52,49 @@ class Tour {
     Point exit(std::size_t i) const { return stops_[order_[i]].exit; }
     Point entry(std::size_t i) const { return stops_[order_[i]].entry; }
     // Returns the distance from a point to the stop after index i.
-    double way_on(Point from, std::size_t i) const {
-        if (i + 1 < order_.size()) return way(from, entry(i + 1));
-        return end_ ? way(from, *end_) : 0;
+    double distance_to_next(Point from, std::size_t i) const {
+        if (i + 1 < order_.size()) return cut_distance(from, entry(i + 1));
+        return end_ ? cut_distance(from, *end_) : 0;
     }
 
     // Reverses the best part that begins at index i, if that is shorter.
-    bool turn_round(std::size_t i) {
+    bool reverse_segment(std::size_t i) {
         const Point before = exit_before(i);
-        double there = 0;  // within the part, as it is and turned round
+        double forward_length = 0;  // within the part, as it is and turned round
         double back = 0;
-        double best = -kGain_mm;
+        double best = -kMinGain_mm;
         std::size_t best_end = i;
         const std::size_t last = std::min(order_.size(), i + window_);
         for (std::size_t j = i + 1; j < last; ++j) {
-            there += way(exit(j - 1), entry(j));
-            back += way(exit(j), entry(j - 1));
-            const double old_ways = way(before, entry(i)) + there + way_on(exit(j), j);
-            const double new_ways = way(before, entry(j)) + back + way_on(exit(i), j);
-            if (new_ways - old_ways < best) {
-                best = new_ways - old_ways;
+            forward_length += cut_distance(exit(j - 1), entry(j));
+            back += cut_distance(exit(j), entry(j - 1));
+            const double old_length =
+                cut_distance(before, entry(i)) + forward_length + distance_to_next(exit(j), j);
+            const double new_length = cut_distance(before, entry(j)) + back + distance_to_next(exit(i), j);
+            if (new_length - old_length < best) {
+                best = new_length - old_length;
                 best_end = j;
             }
         }
         if (best_end == i) return false;
-        std::reverse(place(i), place(best_end + 1));
+        std::reverse(iterator_at(i), iterator_at(best_end + 1));
         return true;
     }
 
     // Moves up to three stops from index i to the position with the lowest cost.
-    bool move_from(std::size_t i) {
-        for (std::size_t count = 1; count <= kMaxMoved && i + count <= order_.size(); ++count) {
+    bool relocate(std::size_t i) {
+        for (std::size_t count = 1; count <= kMaxMovedStops && i + count <= order_.size(); ++count) {
             const std::size_t last = i + count - 1;
-            const double saved =
-                way(exit_before(i), entry(i)) + way_on(exit(last), last) - way_on(exit_before(i), last);
-            if (saved <= kGain_mm) continue;
-            const std::size_t target = cheapest_place(i, count, saved);
+            const double saved_mm = cut_distance(exit_before(i), entry(i)) +
+                                    distance_to_next(exit(last), last) -
+                                    distance_to_next(exit_before(i), last);
+            if (saved_mm <= kMinGain_mm) continue;
+            const std::size_t target = cheapest_position(i, count, saved_mm);
             if (target == i) continue;
             if (target < i) {
-                std::rotate(place(target), place(i), place(i + count));
+                std::rotate(iterator_at(target), iterator_at(i), iterator_at(i + count));
             } else {
-                std::rotate(place(i), place(i + count), place(target));
+                std::rotate(iterator_at(i), iterator_at(i + count), iterator_at(target));
             }
             return true;
         }
@@ -100,28 +102,29 @@ class Tour {
     }
 
     // Returns the index before which the stops cost less than now; i if none is found.
-    std::size_t cheapest_place(std::size_t i, std::size_t count, double saved) const {
+    std::size_t cheapest_position(std::size_t i, std::size_t count, double saved_mm) const {
         const std::size_t last = i + count - 1;
-        double best = saved - kGain_mm;
-        std::size_t best_place = i;
-        const auto consider = [&](std::size_t target) {
+        double best = saved_mm - kMinGain_mm;
+        std::size_t best_position = i;
+        const auto try_target = [&](std::size_t target) {
             const Point from = exit_before(target);
-            const double on = target == 0 ? way_to(exit(last), 0) : way_on(exit(last), target - 1);
-            const double direct = target == 0 ? way_to(from, 0) : way_on(from, target - 1);
-            const double cost = way(from, entry(i)) + on - direct;
+            const double on =
+                target == 0 ? distance_to(exit(last), 0) : distance_to_next(exit(last), target - 1);
+            const double direct = target == 0 ? distance_to(from, 0) : distance_to_next(from, target - 1);
+            const double cost = cut_distance(from, entry(i)) + on - direct;
             if (cost < best) {
                 best = cost;
-                best_place = target;
+                best_position = target;
             }
         };
-        for (std::size_t target = i - std::min(i, window_); target < i; ++target) consider(target);
-        const std::size_t furthest = std::min(order_.size(), last + window_);
-        for (std::size_t target = last + 2; target <= furthest; ++target) consider(target);
-        return best_place;
+        for (std::size_t target = i - std::min(i, window_); target < i; ++target) try_target(target);
+        const std::size_t last_target = std::min(order_.size(), last + window_);
+        for (std::size_t target = last + 2; target <= last_target; ++target) try_target(target);
+        return best_position;
     }
 
-    double way_to(Point from, std::size_t i) const { return way(from, entry(i)); }
-    std::vector<std::size_t>::iterator place(std::size_t i) {
+    double distance_to(Point from, std::size_t i) const { return cut_distance(from, entry(i)); }
+    std::vector<std::size_t>::iterator iterator_at(std::size_t i) {
         return order_.begin() + static_cast<std::ptrdiff_t>(i);
     }
 
@@ -135,18 +138,18 @@ class Tour {
 }  // namespace
 
 std::vector<std::size_t> short_tour(std::span<const Stop> stops, Point start, std::optional<Point> end) {
-    return Tour(stops, start, end).improved();
+    return Tour(stops, start, end).optimize();
 }
 
 double tour_length_mm(std::span<const Stop> stops, std::span<const std::size_t> order, Point start,
                       std::optional<Point> end) {
     double sum = 0;
-    Point here = start;
+    Point current = start;
     for (const std::size_t i : order) {
-        sum += way(here, stops[i].entry);
-        here = stops[i].exit;
+        sum += cut_distance(current, stops[i].entry);
+        current = stops[i].exit;
     }
-    return end ? sum + way(here, *end) : sum;
+    return end ? sum + cut_distance(current, *end) : sum;
 }
 
 }  // namespace gsim::cutting

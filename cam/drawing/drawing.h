@@ -18,13 +18,13 @@ struct Entity {
 };
 
 /// Returns "LINE 2F at line 120", or the text without the line.
-std::string shown(const Entity& entity);
+std::string display_text(const Entity& entity);
 
 /// The contours of a drawing, in mm, y upwards.
 struct Drawing {
-    std::vector<Entity> entities;           ///< Vertex::source is an index into it.
-    std::vector<geometry::Contour> pieces;  ///< As drawn: in any order, closed or not.
-    std::vector<std::string> notes;         ///< Elements left out.
+    std::vector<Entity> entities;                   ///< Vertex::source is an index into it.
+    std::vector<geometry::Contour> drawn_contours;  ///< As drawn: in any order, closed or not.
+    std::vector<std::string> notes;                 ///< Elements left out.
 };
 
 struct ReadOptions {

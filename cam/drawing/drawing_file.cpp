@@ -15,14 +15,14 @@ constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
 }  // namespace
 
 tl::expected<Drawing, std::string> read_drawing(const std::filesystem::path& path, const ReadOptions& options,
-                                                os::NamedBy named_by, const os::Files& files) {
-    const std::string ending = text::lower(path.extension().string());
-    if (ending != ".dxf" && ending != ".svg") {
+                                                os::NameSource name_source, const os::Files& files) {
+    const std::string extension = text::lower(path.extension().string());
+    if (extension != ".dxf" && extension != ".svg") {
         return tl::unexpected(fmt::format("'{}' is neither a .dxf nor an .svg file", path.string()));
     }
-    const tl::expected<std::string, std::string> text = files.read(path, named_by, kMaxBytes);
+    const tl::expected<std::string, std::string> text = files.read(path, name_source, kMaxBytes);
     if (!text) return tl::unexpected(text.error());
-    auto drawing = ending == ".dxf" ? read_dxf(*text, options) : read_svg(*text, options);
+    auto drawing = extension == ".dxf" ? read_dxf(*text, options) : read_svg(*text, options);
     if (!drawing) return tl::unexpected(fmt::format("{}: {}", path.string(), drawing.error()));
     return drawing;
 }

@@ -12,7 +12,7 @@ namespace gsim::drawing {
 
 /// Reads a drawing by its file name extension, .dxf or .svg. The error names the file.
 tl::expected<Drawing, std::string> read_drawing(const std::filesystem::path& path, const ReadOptions& options,
-                                                os::NamedBy named_by = os::NamedBy::a_file,
+                                                os::NameSource name_source = os::NameSource::in_file,
                                                 const os::Files& files = os::disk());
 
 }  // namespace gsim::drawing

@@ -12,11 +12,11 @@ namespace gsim::drawing {
 
 namespace {
 
-constexpr int kMaxCode = 1071;  // of extended data, the highest there is
-constexpr std::size_t kShownOfText = 40;
+constexpr int kMaxGroupCode = 1071;  // of extended data, the highest there is
+constexpr std::size_t kMaxShownLength = 40;
 
-std::string shown_text(std::string_view text) {
-    std::string result(text.substr(0, kShownOfText));
+std::string printable_text(std::string_view text) {
+    std::string result(text.substr(0, kMaxShownLength));
     for (char& c : result) {
         if (static_cast<unsigned char>(c) < ' ') c = '?';
     }
@@ -25,7 +25,7 @@ std::string shown_text(std::string_view text) {
 
 }  // namespace
 
-std::string_view GroupReader::take_line() {
+std::string_view GroupReader::read_line() {
     const std::size_t end = std::min(text_.find('\n', offset_), text_.size());
     const std::string_view line = text_.substr(offset_, end - offset_);
     offset_ = std::min(end + 1, text_.size());
@@ -36,27 +36,27 @@ std::string_view GroupReader::take_line() {
 std::optional<Group> GroupReader::next() {
     if (offset_ >= text_.size()) return {};
     Group group;
-    const std::string_view code = take_line();
+    const std::string_view code = read_line();
     const auto [end, error] = std::from_chars(code.data(), code.data() + code.size(), group.code);
-    const bool whole = error == std::errc{} && end == code.data() + code.size();
-    if (!whole || group.code < -5 || group.code > kMaxCode) {
+    const bool is_complete = error == std::errc{} && end == code.data() + code.size();
+    if (!is_complete || group.code < -5 || group.code > kMaxGroupCode) {
         if (code.empty() && offset_ >= text_.size()) return {};  // an empty last line
-        throw DrawingFault{line_, fmt::format("'{}' is no group code of DXF", shown_text(code))};
+        throw DrawingError{line_, fmt::format("'{}' is no group code of DXF", printable_text(code))};
     }
     if (offset_ >= text_.size()) {
-        throw DrawingFault{line_,
+        throw DrawingError{line_,
                            fmt::format("the file ends behind group code {}: it was cut off", group.code)};
     }
-    group.value = take_line();
+    group.value = read_line();
     group.line = line_;
     return group;
 }
 
-double number_of(const Group& group) {
-    const std::optional<double> value = text::number_of(group.value);
+double parse_number(const Group& group) {
+    const std::optional<double> value = text::parse_number(group.value);
     if (!value) {
-        throw DrawingFault{group.line, fmt::format("'{}' (group code {}) is no finite number",
-                                                   shown_text(group.value), group.code)};
+        throw DrawingError{group.line, fmt::format("'{}' (group code {}) is no finite number",
+                                                   printable_text(group.value), group.code)};
     }
     return *value;
 }
@@ -77,24 +77,24 @@ std::optional<std::string_view> GroupList::text(int code) const {
     return {};
 }
 
-double GroupList::number(int code, double otherwise) const {
+double GroupList::number(int code, double fallback) const {
     for (const Group& group : groups_) {
-        if (group.code == code) return number_of(group);
+        if (group.code == code) return parse_number(group);
     }
-    return otherwise;
+    return fallback;
 }
 
 double GroupList::number(int code) const {
     for (const Group& group : groups_) {
-        if (group.code == code) return number_of(group);
+        if (group.code == code) return parse_number(group);
     }
-    throw DrawingFault{line(), fmt::format("{} has no value of group code {}", kind(), code)};
+    throw DrawingError{line(), fmt::format("{} has no value of group code {}", kind(), code)};
 }
 
-int GroupList::whole(int code, int otherwise) const {
-    const double value = number(code, otherwise);
+int GroupList::integer_or(int code, int fallback) const {
+    const double value = number(code, fallback);
     if (std::abs(value) > 1e9 || value != std::trunc(value)) {
-        throw DrawingFault{
+        throw DrawingError{
             line(), fmt::format("{}: group code {} has {}, which is no whole number", kind(), code, value)};
     }
     return static_cast<int>(value);

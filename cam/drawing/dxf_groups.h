@@ -17,9 +17,9 @@ struct Group {
 };
 
 /// An error in a file; thrown only within the readers.
-struct DrawingFault {
+struct DrawingError {
     std::size_t line = 0;
-    std::string sentence;
+    std::string message;
 };
 
 /// Reads the groups of a DXF file in sequence; a copy continues from the same position.
@@ -27,14 +27,14 @@ class GroupReader {
   public:
     explicit GroupReader(std::string_view text) : text_(text) {}
 
-    /// Returns the next group, nothing at the end of the text. Throws DrawingFault for an invalid group.
+    /// Returns the next group, nothing at the end of the text. Throws DrawingError for an invalid group.
     std::optional<Group> next();
     /// Returns the next group without consuming it.
     std::optional<Group> peek() const { return GroupReader(*this).next(); }
     std::size_t line() const { return line_; }
 
   private:
-    std::string_view take_line();
+    std::string_view read_line();
 
     std::string_view text_;
     std::size_t offset_ = 0;
@@ -51,10 +51,10 @@ class GroupList {
     std::size_t line() const { return kind_.line; }
     const std::vector<Group>& groups() const { return groups_; }
     std::optional<std::string_view> text(int code) const;
-    /// Throws DrawingFault if the value is not a finite number.
-    double number(int code, double otherwise) const;
+    /// Throws DrawingError if the value is not a finite number.
+    double number(int code, double fallback) const;
     double number(int code) const;  ///< Throws also if it is missing.
-    int whole(int code, int otherwise) const;
+    int integer_or(int code, int fallback) const;
     geometry::Point point(int code) const;  ///< x at `code`, y ten above.
 
   private:
@@ -62,7 +62,7 @@ class GroupList {
     std::vector<Group> groups_;
 };
 
-/// Throws DrawingFault if the value is not a finite number.
-double number_of(const Group& group);
+/// Throws DrawingError if the value is not a finite number.
+double parse_number(const Group& group);
 
 }  // namespace gsim::drawing

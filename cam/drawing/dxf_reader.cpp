@@ -17,8 +17,8 @@ using geometry::Point;
 
 namespace {
 
-constexpr int kMaxBlockDepth = 16;               // of blocks in blocks
-constexpr std::size_t kMaxInserted = 1'000'000;  // entities, in all
+constexpr int kMaxBlockDepth = 16;                       // of blocks in blocks
+constexpr std::size_t kMaxInsertedEntities = 1'000'000;  // entities, in all
 
 struct Block {
     Point base;
@@ -35,11 +35,11 @@ struct Placement {
 class DxfReader {
   public:
     DxfReader(std::string_view text, const ReadOptions& options)
-        : text_(text), options_(options), pen_(drawing_.pieces, options.tolerance_mm) {}
+        : text_(text), options_(options), pen_(drawing_.drawn_contours, options.tolerance_mm) {}
 
     Drawing run() {
         if (text_.starts_with("AutoCAD Binary DXF")) {
-            throw DrawingFault{1, "this is a DXF file in binary form; save it as text (ASCII)"};
+            throw DrawingError{1, "this is a DXF file in binary form; save it as text (ASCII)"};
         }
         GroupReader reader(text_);
         bool ended = false;
@@ -49,12 +49,12 @@ class DxfReader {
             if (group->code == 0 && group->value == "SECTION") read_section(reader);
         }
         if (!ended)
-            throw DrawingFault{reader.line(), "the file ends without EOF: it was cut off, or is no DXF file"};
-        if (!entities_) throw DrawingFault{reader.line(), "there is no section ENTITIES"};
+            throw DrawingError{reader.line(), "the file ends without EOF: it was cut off, or is no DXF file"};
+        if (!entities_) throw DrawingError{reader.line(), "there is no section ENTITIES"};
         // Units, layers and blocks may be anywhere in the file, so the entities are drawn last.
         const double unit_mm = options_.unit_mm > 0 ? options_.unit_mm : dxf_unit_mm(unit_code_);
         read_entities(*entities_, {scaled(unit_mm, unit_mm), "", 0});
-        for (const auto& [kind, count] : left_out_) {
+        for (const auto& [kind, count] : skipped_) {
             drawing_.notes.push_back(fmt::format("not cut: {} {}", count, kind));
         }
         return std::move(drawing_);
@@ -63,7 +63,7 @@ class DxfReader {
   private:
     void read_section(GroupReader& reader) {
         const auto name = reader.next();
-        if (!name || name->code != 2) throw DrawingFault{reader.line(), "a section has no name"};
+        if (!name || name->code != 2) throw DrawingError{reader.line(), "a section has no name"};
         if (name->value == "ENTITIES") entities_ = reader;
         const bool has_tables = name->value == "TABLES";
         const bool has_blocks = name->value == "BLOCKS";
@@ -83,20 +83,20 @@ class DxfReader {
                 blocks_.insert_or_assign(std::string(list.text(2).value_or("")), Block{base, reader});
             }
         }
-        throw DrawingFault{reader.line(),
+        throw DrawingError{reader.line(),
                            fmt::format("section {} does not end: the file was cut off", name->value)};
     }
 
     void read_unit(GroupReader& reader) {
         if (const auto value = reader.next(); value && value->code == 70) {
-            unit_code_ = static_cast<int>(std::clamp(number_of(*value), -1.0, 1000.0));
+            unit_code_ = static_cast<int>(std::clamp(parse_number(*value), -1.0, 1000.0));
         }
     }
 
     void read_layer(const GroupList& layer) {
-        const bool frozen = (layer.whole(70, 0) & 1) != 0;
-        const bool off = layer.whole(62, 7) < 0;
-        if (frozen || off) hidden_.emplace(layer.text(2).value_or(""));
+        const bool is_frozen = (layer.integer_or(70, 0) & 1) != 0;
+        const bool is_off = layer.integer_or(62, 7) < 0;
+        if (is_frozen || is_off) hidden_layers_.emplace(layer.text(2).value_or(""));
     }
 
     // Reads until the end of the section or block.
@@ -108,13 +108,13 @@ class DxfReader {
             entity.read(*group, reader);
             std::vector<GroupList> vertices;
             if (entity.kind() == "POLYLINE") vertices = read_vertices(reader);
-            if (++entities_read_ > kMaxInserted) {
-                throw DrawingFault{
+            if (++entity_count_ > kMaxInsertedEntities) {
+                throw DrawingError{
                     entity.line(),
                     fmt::format("more than {} entities, counted as often as blocks are inserted",
-                                kMaxInserted)};
+                                kMaxInsertedEntities)};
             }
-            if (is_wanted(entity, placement)) read_entity(entity, vertices, placement);
+            if (is_selected(entity, placement)) read_entity(entity, vertices, placement);
         }
     }
 
@@ -128,17 +128,17 @@ class DxfReader {
         return vertices;
     }
 
-    std::string_view layer_of(const GroupList& entity, const Placement& placement) const {
+    std::string_view entity_layer(const GroupList& entity, const Placement& placement) const {
         const std::string_view layer = entity.text(8).value_or("0");
         return layer == "0" && !placement.layer.empty() ? placement.layer : layer;
     }
 
-    bool is_wanted(const GroupList& entity, const Placement& placement) const {
-        const bool in_paper_space = entity.whole(67, 0) == 1;
-        const bool invisible = entity.whole(60, 0) == 1;
-        if (in_paper_space || invisible) return false;
-        const std::string_view layer = layer_of(entity, placement);
-        if (hidden_.contains(layer) || layer == "DEFPOINTS" || layer == "Defpoints") return false;
+    bool is_selected(const GroupList& entity, const Placement& placement) const {
+        const bool in_paper_space = entity.integer_or(67, 0) == 1;
+        const bool is_invisible = entity.integer_or(60, 0) == 1;
+        if (in_paper_space || is_invisible) return false;
+        const std::string_view layer = entity_layer(entity, placement);
+        if (hidden_layers_.contains(layer) || layer == "DEFPOINTS" || layer == "Defpoints") return false;
         // The contents of an inserted block have their own layers.
         return options_.layers.empty() || entity.kind() == "INSERT" ||
                std::find(options_.layers.begin(), options_.layers.end(), layer) != options_.layers.end();
@@ -149,15 +149,15 @@ class DxfReader {
         if (entity.kind() == "INSERT") {
             insert(entity, placement);
         } else if (entity.kind() == "POLYLINE") {
-            draw_polyline(entity, vertices, placement.map, new_source(entity), pen_);
+            draw_polyline(entity, vertices, placement.map, add_source(entity), pen_);
         } else if (is_shape(entity.kind())) {
-            draw_shape(entity, placement.map, new_source(entity), pen_);
+            draw_shape(entity, placement.map, add_source(entity), pen_);
         } else if (entity.kind() != "SEQEND" && entity.kind() != "ATTRIB" && entity.kind() != "VIEWPORT") {
-            ++left_out_[std::string(entity.kind())];
+            ++skipped_[std::string(entity.kind())];
         }
     }
 
-    std::uint32_t new_source(const GroupList& entity) {
+    std::uint32_t add_source(const GroupList& entity) {
         drawing_.entities.push_back(
             {std::string(entity.kind()), std::string(entity.text(5).value_or("")), entity.line()});
         return static_cast<std::uint32_t>(drawing_.entities.size() - 1);
@@ -167,32 +167,33 @@ class DxfReader {
         const std::string name(entity.text(2).value_or(""));
         const auto block = blocks_.find(name);
         if (block == blocks_.end()) {
-            throw DrawingFault{entity.line(),
+            throw DrawingError{entity.line(),
                                fmt::format("INSERT of block '{}', which is not in the file", name)};
         }
         if (placement.depth >= kMaxBlockDepth) {
-            throw DrawingFault{
+            throw DrawingError{
                 entity.line(),
                 fmt::format("INSERT of block '{}' is nested deeper than {} blocks; does one hold itself?",
                             name, kMaxBlockDepth)};
         }
-        const int columns = std::max(1, entity.whole(70, 1));
-        const int rows = std::max(1, entity.whole(71, 1));
-        if (static_cast<double>(columns) * rows > static_cast<double>(kMaxInserted)) {
-            throw DrawingFault{entity.line(), fmt::format("INSERT of block '{}' has {} rows of {}: too many",
+        const int columns = std::max(1, entity.integer_or(70, 1));
+        const int rows = std::max(1, entity.integer_or(71, 1));
+        if (static_cast<double>(columns) * rows > static_cast<double>(kMaxInsertedEntities)) {
+            throw DrawingError{entity.line(), fmt::format("INSERT of block '{}' has {} rows of {}: too many",
                                                           name, rows, columns)};
         }
         const Point step{entity.number(44, 0), entity.number(45, 0)};
-        const Affine place = placement.map * entity_plane(entity) * moved(entity.point(10)) *
-                             turned(entity.number(50, 0) * kRadPerDeg);
+        const Affine block_transform = placement.map * ocs_to_wcs(entity) * moved(entity.point(10)) *
+                                       turned(entity.number(50, 0) * kRadPerDeg);
         const Affine shape =
             scaled(entity.number(41, 1), entity.number(42, 1)) * moved(-1.0 * block->second.base);
         for (int row = 0; row < rows; ++row) {
             for (int column = 0; column < columns; ++column) {
-                read_entities(block->second.content, {place * moved({column * step.x, row * step.y}) * shape,
-                                                      layer_of(entity, placement), placement.depth + 1});
-                ++entities_read_;  // so that arrays of empty blocks end
-                if (entities_read_ > kMaxInserted) return;
+                read_entities(block->second.content,
+                              {block_transform * moved({column * step.x, row * step.y}) * shape,
+                               entity_layer(entity, placement), placement.depth + 1});
+                ++entity_count_;  // so that arrays of empty blocks end
+                if (entity_count_ > kMaxInsertedEntities) return;
             }
         }
     }
@@ -202,11 +203,11 @@ class DxfReader {
     Drawing drawing_;
     Pen pen_;
     int unit_code_ = 0;
-    std::set<std::string, std::less<>> hidden_;  // layers
+    std::set<std::string, std::less<>> hidden_layers_;  // layers
     std::map<std::string, Block, std::less<>> blocks_;
     std::optional<GroupReader> entities_;
-    std::map<std::string, std::size_t> left_out_;
-    std::size_t entities_read_ = 0;
+    std::map<std::string, std::size_t> skipped_;
+    std::size_t entity_count_ = 0;
 };
 
 }  // namespace
@@ -214,9 +215,9 @@ class DxfReader {
 tl::expected<Drawing, std::string> read_dxf(std::string_view text, const ReadOptions& options) {
     try {
         return DxfReader(text, options).run();
-    } catch (const DrawingFault& fault) {
-        const auto line = std::max<std::size_t>(1, fault.line);  // an empty file ends in its first
-        return tl::unexpected(fmt::format("line {}: {}", line, fault.sentence));
+    } catch (const DrawingError& error) {
+        const auto line = std::max<std::size_t>(1, error.line);  // an empty file ends in its first
+        return tl::unexpected(fmt::format("line {}: {}", line, error.message));
     }
 }
 

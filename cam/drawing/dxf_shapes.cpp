@@ -15,16 +15,16 @@ using geometry::Point;
 
 namespace {
 
-constexpr double kFlat = 1e-6;
+constexpr double kFlatTolerance = 1e-6;
 
 double radians(double degrees) {
     return degrees * kRadPerDeg;
 }
 
-[[noreturn]] void fail(const GroupList& entity, const std::string& sentence) {
+[[noreturn]] void fail(const GroupList& entity, const std::string& message) {
     const std::string_view handle = entity.text(5).value_or("");
-    throw DrawingFault{entity.line(),
-                       fmt::format("{}{}{} {}", entity.kind(), handle.empty() ? "" : " ", handle, sentence)};
+    throw DrawingError{entity.line(),
+                       fmt::format("{}{}{} {}", entity.kind(), handle.empty() ? "" : " ", handle, message)};
 }
 
 // Returns the counter-clockwise angle from one to the other, above 0 and at most a full turn.
@@ -33,7 +33,7 @@ double turn_between(double from_rad, double to_rad) {
     return turn <= 1e-12 ? turn + 2 * std::numbers::pi : turn;
 }
 
-double radius_of(const GroupList& entity) {
+double circle_radius(const GroupList& entity) {
     const double radius = entity.number(40);
     if (!(radius > 0)) fail(entity, fmt::format("has the radius {}; it must be above 0", radius));
     return radius;
@@ -43,15 +43,16 @@ void draw_line_entity(const GroupList& entity, Pen& pen) {
     const Point from = entity.point(10);
     const Point to = entity.point(11);
     const double rise = entity.number(31, 0) - entity.number(30, 0);
-    if (std::abs(rise) > kFlat) fail(entity, fmt::format("rises by {} in z; a drawing has to be flat", rise));
+    if (std::abs(rise) > kFlatTolerance)
+        fail(entity, fmt::format("rises by {} in z; a drawing has to be flat", rise));
     if (from == to) fail(entity, fmt::format("at ({}, {}) has no length", from.x, from.y));
     pen.move_to(from);
     pen.line_to(to);
 }
 
-void draw_round(const GroupList& entity, Pen& pen) {
+void draw_circle_or_arc(const GroupList& entity, Pen& pen) {
     const Point center = entity.point(10);
-    const double r = radius_of(entity);
+    const double r = circle_radius(entity);
     EllipseArc arc{center, {r, 0}, {0, r}, 0, 2 * std::numbers::pi};
     if (entity.kind() == "ARC") {
         arc.from_rad = radians(entity.number(50));
@@ -64,11 +65,12 @@ void draw_ellipse_entity(const GroupList& entity, Pen& pen) {
     const Point u = entity.point(11);
     const double ratio = entity.number(40);
     if (u == Point{} || ratio == 0) fail(entity, "has an axis without a length");
-    if (std::abs(entity.number(31, 0)) > kFlat) fail(entity, "is not level; a drawing has to be flat");
+    if (std::abs(entity.number(31, 0)) > kFlatTolerance)
+        fail(entity, "is not level; a drawing has to be flat");
     const double up = entity.number(230, 1) < 0 ? -1 : 1;
     const double from = entity.number(41, 0);
     const double to = entity.number(42, 2 * std::numbers::pi);
-    pen.arc({entity.point(10), u, (up * ratio) * left_of(u), from, turn_between(from, to)});
+    pen.arc({entity.point(10), u, (up * ratio) * left_normal(u), from, turn_between(from, to)});
 }
 
 struct Corner {
@@ -76,7 +78,7 @@ struct Corner {
     double bulge = 0;
 };
 
-void draw_corners(const GroupList& entity, const std::vector<Corner>& corners, bool closed, Pen& pen) {
+void draw_vertices(const GroupList& entity, const std::vector<Corner>& corners, bool closed, Pen& pen) {
     if (corners.size() < 2) fail(entity, fmt::format("has {} corners; 2 are the least", corners.size()));
     pen.move_to(corners.front().position);
     bool moves = false;
@@ -94,53 +96,53 @@ void draw_corners(const GroupList& entity, const std::vector<Corner>& corners, b
 void draw_lwpolyline(const GroupList& entity, Pen& pen) {
     std::vector<Corner> corners;
     for (const Group& group : entity.groups()) {
-        if (group.code == 10) corners.push_back({{number_of(group), 0}, 0});
+        if (group.code == 10) corners.push_back({{parse_number(group), 0}, 0});
         if (corners.empty()) continue;
-        if (group.code == 20) corners.back().position.y = number_of(group);
-        if (group.code == 42) corners.back().bulge = number_of(group);
+        if (group.code == 20) corners.back().position.y = parse_number(group);
+        if (group.code == 42) corners.back().bulge = parse_number(group);
     }
-    const int count = entity.whole(90, static_cast<int>(corners.size()));
+    const int count = entity.integer_or(90, static_cast<int>(corners.size()));
     if (count != static_cast<int>(corners.size())) {
         fail(entity, fmt::format("says that it has {} corners, but has {}", count, corners.size()));
     }
-    draw_corners(entity, corners, (entity.whole(70, 0) & 1) != 0, pen);
+    draw_vertices(entity, corners, (entity.integer_or(70, 0) & 1) != 0, pen);
 }
 
 void draw_fitted(const GroupList& entity, Pen& pen) {
     std::vector<Point> points;
     for (const Group& group : entity.groups()) {
-        if (group.code == 11) points.push_back({number_of(group), 0});
-        if (group.code == 21 && !points.empty()) points.back().y = number_of(group);
+        if (group.code == 11) points.push_back({parse_number(group), 0});
+        if (group.code == 21 && !points.empty()) points.back().y = parse_number(group);
     }
-    FitEnds ends;
-    ends.closed = (entity.whole(70, 0) & 1) != 0;
-    const auto along = [&entity](int code) -> std::optional<Point> {
+    SplineEnds ends;
+    ends.closed = (entity.integer_or(70, 0) & 1) != 0;
+    const auto read_direction = [&entity](int code) -> std::optional<Point> {
         const Point direction{entity.number(code, 0), entity.number(code + 10, 0)};
         if (direction == Point{}) return {};
         return direction;
     };
-    ends.start_along = along(12);
-    ends.finish_along = along(13);
-    const std::vector<Nurbs> pieces = spline_through(points, ends);
-    if (pieces.empty()) fail(entity, fmt::format("has {} fit points, which have no length", points.size()));
-    for (const Nurbs& piece : pieces) pen.nurbs(piece);
+    ends.start_direction = read_direction(12);
+    ends.end_direction = read_direction(13);
+    const std::vector<Nurbs> splines = interpolating_spline(points, ends);
+    if (splines.empty()) fail(entity, fmt::format("has {} fit points, which have no length", points.size()));
+    for (const Nurbs& spline : splines) pen.nurbs(spline);
 }
 
 // Draws a spline from its control points, or from points on the curve alone.
 void draw_spline(const GroupList& entity, Pen& pen) {
     Nurbs curve;
-    const int degree = entity.whole(71, 3);
+    const int degree = entity.integer_or(71, 3);
     curve.degree = degree > 0 ? static_cast<std::size_t>(degree) : 0;
-    bool fitted = false;
+    bool has_fit_points = false;
     for (const Group& group : entity.groups()) {
-        if (group.code == 40) curve.knots.push_back(number_of(group));
-        if (group.code == 41) curve.weights.push_back(number_of(group));
-        if (group.code == 10) curve.points.push_back({number_of(group), 0});
-        if (group.code == 20 && !curve.points.empty()) curve.points.back().y = number_of(group);
-        fitted = fitted || group.code == 11;
+        if (group.code == 40) curve.knots.push_back(parse_number(group));
+        if (group.code == 41) curve.weights.push_back(parse_number(group));
+        if (group.code == 10) curve.points.push_back({parse_number(group), 0});
+        if (group.code == 20 && !curve.points.empty()) curve.points.back().y = parse_number(group);
+        has_fit_points = has_fit_points || group.code == 11;
     }
-    if (curve.points.empty() && fitted) return draw_fitted(entity, pen);
-    if (const auto fault = fault_of(curve)) fail(entity, *fault);
+    if (curve.points.empty() && has_fit_points) return draw_fitted(entity, pen);
+    if (const auto error = curve_error(curve)) fail(entity, *error);
     pen.nurbs(curve);
 }
 
@@ -149,17 +151,17 @@ using Draw = void (*)(const GroupList&, Pen&);
 struct DxfShape {
     std::string_view kind;
     Draw draw;
-    bool own_plane;  // its coordinates are those of its extrusion direction
+    bool uses_ocs;  // its coordinates are those of its extrusion direction
 };
 
 constexpr std::array<DxfShape, 6> kDxfShapes{{{"LINE", draw_line_entity, false},
-                                              {"ARC", draw_round, true},
-                                              {"CIRCLE", draw_round, true},
+                                              {"ARC", draw_circle_or_arc, true},
+                                              {"CIRCLE", draw_circle_or_arc, true},
                                               {"ELLIPSE", draw_ellipse_entity, false},
                                               {"LWPOLYLINE", draw_lwpolyline, true},
                                               {"SPLINE", draw_spline, false}}};
 
-const DxfShape* dxf_shape_of(std::string_view kind) {
+const DxfShape* find_dxf_shape(std::string_view kind) {
     for (const DxfShape& shape : kDxfShapes) {
         if (shape.kind == kind) return &shape;
     }
@@ -167,47 +169,47 @@ const DxfShape* dxf_shape_of(std::string_view kind) {
 }
 
 void finish(const GroupList& entity, Pen& pen) {
-    if (pen.fault()) fail(entity, *pen.fault());
+    if (pen.error()) fail(entity, *pen.error());
     pen.lift();
 }
 
 }  // namespace
 
 bool is_shape(std::string_view kind) {
-    return dxf_shape_of(kind) != nullptr;
+    return find_dxf_shape(kind) != nullptr;
 }
 
 void draw_shape(const GroupList& entity, const Affine& map, std::uint32_t source, Pen& pen) {
-    const DxfShape* shape = dxf_shape_of(entity.kind());
-    const Affine plane = entity_plane(entity);
-    pen.take(shape->own_plane ? map * plane : map, source);
+    const DxfShape* shape = find_dxf_shape(entity.kind());
+    const Affine plane = ocs_to_wcs(entity);
+    pen.set_map(shape->uses_ocs ? map * plane : map, source);
     shape->draw(entity, pen);
     finish(entity, pen);
 }
 
 void draw_polyline(const GroupList& entity, const std::vector<GroupList>& vertices, const Affine& map,
                    std::uint32_t source, Pen& pen) {
-    constexpr int kClosed = 1;
-    constexpr int kMesh = 16 | 64;
-    constexpr int kControlPoint = 16;
-    const int flags = entity.whole(70, 0);
-    if ((flags & kMesh) != 0) fail(entity, "is a mesh, which has no contour");
+    constexpr int kClosedFlag = 1;
+    constexpr int kMeshFlags = 16 | 64;
+    constexpr int kControlPointFlag = 16;
+    const int flags = entity.integer_or(70, 0);
+    if ((flags & kMeshFlags) != 0) fail(entity, "is a mesh, which has no contour");
     std::vector<Corner> corners;
     corners.reserve(vertices.size());
     for (const GroupList& vertex : vertices) {
-        if ((vertex.whole(70, 0) & kControlPoint) != 0) continue;
+        if ((vertex.integer_or(70, 0) & kControlPointFlag) != 0) continue;
         corners.push_back({vertex.point(10), vertex.number(42, 0)});
     }
-    pen.take(map * entity_plane(entity), source);
-    draw_corners(entity, corners, (flags & kClosed) != 0, pen);
+    pen.set_map(map * ocs_to_wcs(entity), source);
+    draw_vertices(entity, corners, (flags & kClosedFlag) != 0, pen);
     finish(entity, pen);
 }
 
-Affine entity_plane(const GroupList& entity) {
+Affine ocs_to_wcs(const GroupList& entity) {
     const double x = entity.number(210, 0);
     const double y = entity.number(220, 0);
     const double z = entity.number(230, 1);
-    if (std::abs(x) > kFlat || std::abs(y) > kFlat || z == 0) {
+    if (std::abs(x) > kFlatTolerance || std::abs(y) > kFlatTolerance || z == 0) {
         fail(entity, fmt::format("lies in a plane across ({}, {}, {}); a drawing has to be flat", x, y, z));
     }
     return scaled(z > 0 ? 1 : -1, 1);

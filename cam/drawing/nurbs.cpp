@@ -15,18 +15,18 @@ namespace {
 constexpr std::size_t kMaxDegree = 15;
 
 // A point multiplied by its weight, and the weight.
-struct Weighted {
+struct HomogeneousPoint {
     Point point;
     double weight = 0;
 };
 
-Weighted between(const Weighted& a, const Weighted& b, double share) {
+HomogeneousPoint between(const HomogeneousPoint& a, const HomogeneousPoint& b, double share) {
     return {(1 - share) * a.point + share * b.point, (1 - share) * a.weight + share * b.weight};
 }
 
 }  // namespace
 
-std::optional<std::string> fault_of(const Nurbs& curve) {
+std::optional<std::string> curve_error(const Nurbs& curve) {
     if (curve.degree < 1 || curve.degree > kMaxDegree) {
         return fmt::format("has degree {}; 1 to {} can be read", curve.degree, kMaxDegree);
     }
@@ -51,15 +51,15 @@ std::optional<std::string> fault_of(const Nurbs& curve) {
     return {};
 }
 
-CurvePoint point_of(const Nurbs& curve, std::size_t span, double parameter) {
+CurvePoint curve_point(const Nurbs& curve, std::size_t span, double parameter) {
     const std::size_t degree = curve.degree;
-    std::array<Weighted, kMaxDegree + 1> d;
+    std::array<HomogeneousPoint, kMaxDegree + 1> d;
     for (std::size_t i = 0; i <= degree; ++i) {
         const std::size_t index = span - degree + i;
         const double weight = curve.weights.empty() ? 1 : curve.weights[index];
         d[i] = {weight * curve.points[index], weight};
     }
-    Weighted slope;
+    HomogeneousPoint slope;
     for (std::size_t level = 1; level <= degree; ++level) {
         if (level == degree) {
             slope = {d[degree].point - d[degree - 1].point, d[degree].weight - d[degree - 1].weight};
@@ -70,7 +70,7 @@ CurvePoint point_of(const Nurbs& curve, std::size_t span, double parameter) {
             d[i] = between(d[i - 1], d[i], (parameter - low) / (high - low));
         }
     }
-    const Weighted& at = d[degree];
+    const HomogeneousPoint& at = d[degree];
     const Point position = (1 / at.weight) * at.point;
     return {position, slope.point - slope.weight * position};
 }

@@ -17,11 +17,11 @@ struct Nurbs {
 };
 
 /// Returns the error of a curve, as the end of a message that begins with its name.
-std::optional<std::string> fault_of(const Nurbs& curve);
+std::optional<std::string> curve_error(const Nurbs& curve);
 
 /// Returns the point in the span of knots[span] to knots[span + 1] of a valid curve (de Boor's algorithm;
 /// Piegl and Tiller, "The NURBS Book", 1997, ch. 4).
-geometry::CurvePoint point_of(const Nurbs& curve, std::size_t span, double parameter);
+geometry::CurvePoint curve_point(const Nurbs& curve, std::size_t span, double parameter);
 
 /// Returns a cubic Bezier curve.
 Nurbs bezier(geometry::Point a, geometry::Point b, geometry::Point c, geometry::Point d);

@@ -21,11 +21,11 @@ struct EllipseArc {
 /// arcs if the map keeps them round; all other curves become arcs within a tolerance.
 class Pen {
   public:
-    Pen(std::vector<geometry::Contour>& pieces, double tolerance_mm)
-        : pieces_(pieces), tolerance_mm_(tolerance_mm) {}
+    Pen(std::vector<geometry::Contour>& drawn_contours, double tolerance_mm)
+        : drawn_contours_(drawn_contours), tolerance_mm_(tolerance_mm) {}
 
     /// Sets the map and the source of the following contours.
-    void take(const Affine& map, std::uint32_t source);
+    void set_map(const Affine& map, std::uint32_t source);
     void move_to(geometry::Point point);
     void line_to(geometry::Point point);
     /// Draws an edge with a bulge (geometry::Edge).
@@ -39,20 +39,20 @@ class Pen {
     void lift();
 
     /// Returns the error since take(), as the end of a message.
-    const std::optional<std::string>& fault() const { return fault_; }
+    const std::optional<std::string>& error() const { return error_; }
 
   private:
     void add(const geometry::Edge& edge);
     void check(geometry::Point point);
 
-    std::vector<geometry::Contour>& pieces_;
+    std::vector<geometry::Contour>& drawn_contours_;
     double tolerance_mm_;
     Affine map_;
     std::uint32_t source_ = 0;
     geometry::Contour contour_;
-    geometry::Point start_, here_;  // as the entity has them
+    geometry::Point start_, current_;  // as the entity has them
     std::size_t edges_ = 0;
-    std::optional<std::string> fault_;
+    std::optional<std::string> error_;
 };
 
 }  // namespace gsim::drawing

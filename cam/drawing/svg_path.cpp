@@ -25,13 +25,15 @@ class PathReader {
             if (letter) {
                 command_ = *letter;
             } else if (command_ == 0 || command_ == 'Z' || command_ == 'z') {
-                return wrong("a command is missing");
+                return syntax_error("a command is missing");
             }
-            if (!begun_ && command_ != 'M' && command_ != 'm') return wrong("it does not begin with M");
+            if (!begun_ && command_ != 'M' && command_ != 'm')
+                return syntax_error("it does not begin with M");
             if (!draw())
-                return wrong(fmt::format("command {} is unknown, or its numbers are not complete", command_));
-            if (pen_.fault()) return *pen_.fault();
-            before_ = static_cast<char>(std::toupper(command_));
+                return syntax_error(
+                    fmt::format("command {} is unknown, or its numbers are not complete", command_));
+            if (pen_.error()) return *pen_.error();
+            previous_command_ = static_cast<char>(std::toupper(command_));
             // Further pairs after a move are lines.
             if (command_ == 'M') command_ = 'L';
             if (command_ == 'm') command_ = 'l';
@@ -40,18 +42,18 @@ class PathReader {
     }
 
   private:
-    std::string wrong(const std::string& what) const {
+    std::string syntax_error(const std::string& what) const {
         return fmt::format("has path data that cannot be read at character {}: {}", scanner_.offset() + 1,
                            what);
     }
 
-    bool relative() const { return command_ >= 'a'; }
+    bool is_relative() const { return command_ >= 'a'; }
 
     std::optional<Point> point() {
         const std::optional<double> x = scanner_.number();
         const std::optional<double> y = scanner_.number();
         if (!x || !y) return {};
-        return relative() ? here_ + Point{*x, *y} : Point{*x, *y};
+        return is_relative() ? current_ + Point{*x, *y} : Point{*x, *y};
     }
 
     bool draw() {
@@ -59,7 +61,7 @@ class PathReader {
             case 'M': return move();
             case 'L': return line(point());
             case 'H': return level();
-            case 'V': return upright();
+            case 'V': return vertical_line();
             case 'C': return cubic(true);
             case 'S': return cubic(false);
             case 'Q': return quadratic(true);
@@ -74,42 +76,43 @@ class PathReader {
         const std::optional<Point> to = point();
         if (!to) return false;
         begun_ = true;
-        start_ = here_ = *to;
+        start_ = current_ = *to;
         pen_.move_to(*to);
         return true;
     }
 
     bool line(std::optional<Point> to) {
         if (!to) return false;
-        here_ = *to;
+        current_ = *to;
         pen_.line_to(*to);
         return true;
     }
 
     bool level() {
         const std::optional<double> x = scanner_.number();
-        return x && line(Point{relative() ? here_.x + *x : *x, here_.y});
+        return x && line(Point{is_relative() ? current_.x + *x : *x, current_.y});
     }
 
-    bool upright() {
+    bool vertical_line() {
         const std::optional<double> y = scanner_.number();
-        return y && line(Point{here_.x, relative() ? here_.y + *y : *y});
+        return y && line(Point{current_.x, is_relative() ? current_.y + *y : *y});
     }
 
     bool close() {
         pen_.close();
-        here_ = start_;
+        current_ = start_;
         return true;
     }
 
     // Returns the mirror image of the last control point if the command before was of that kind, else the
     // current point.
-    Point mirrored(char kind, char short_kind) const {
-        return before_ == kind || before_ == short_kind ? 2.0 * here_ - control_ : here_;
+    Point mirrored(char kind, char shorthand) const {
+        return previous_command_ == kind || previous_command_ == shorthand ? 2.0 * current_ - control_
+                                                                           : current_;
     }
 
-    bool cubic(bool both) {
-        const std::optional<Point> first = both ? point() : mirrored('C', 'S');
+    bool cubic(bool has_both_controls) {
+        const std::optional<Point> first = has_both_controls ? point() : mirrored('C', 'S');
         const std::optional<Point> second = point();
         const std::optional<Point> to = point();
         if (!first || !second || !to) return false;
@@ -118,19 +121,19 @@ class PathReader {
         return true;
     }
 
-    bool quadratic(bool has_control) {
-        const std::optional<Point> control = has_control ? point() : mirrored('Q', 'T');
+    bool quadratic(bool has_control_point) {
+        const std::optional<Point> control_point = has_control_point ? point() : mirrored('Q', 'T');
         const std::optional<Point> to = point();
-        if (!control || !to) return false;
-        control_ = *control;
-        const Point from = here_;
+        if (!control_point || !to) return false;
+        control_ = *control_point;
+        const Point from = current_;
         curve((1.0 / 3) * (from + 2.0 * control_), (1.0 / 3) * (*to + 2.0 * control_), *to);
         return true;
     }
 
     void curve(Point first, Point second, Point to) {
-        pen_.nurbs(bezier(here_, first, second, to));
-        here_ = to;
+        pen_.nurbs(bezier(current_, first, second, to));
+        current_ = to;
     }
 
     // Converts ends, radii and flags to the centre, after SVG 1.1, F.6.
@@ -142,26 +145,26 @@ class PathReader {
         const std::optional<bool> positive = scanner_.flag();
         const std::optional<Point> to = point();
         if (!rx || !ry || !turn_deg || !large || !positive || !to) return false;
-        if (*rx == 0 || *ry == 0 || *to == here_) return line(to);
+        if (*rx == 0 || *ry == 0 || *to == current_) return line(to);
         const Affine axes = turned(*turn_deg * kRadPerDeg) * scaled(std::abs(*rx), std::abs(*ry));
         // In the coordinates of the axes the ellipse is the unit circle.
         const double scale = cross(axes.x, axes.y);
         const auto inward = [&](Point p) {
             return Point{cross(p, axes.y) / scale, cross(axes.x, p) / scale};
         };
-        const Point half = inward(0.5 * (*to - here_));
+        const Point half = inward(0.5 * (*to - current_));
         const double reach = length(half);
         const double grow = std::max(1.0, reach);  // radii that are too small for the ends grow
         const double height = std::sqrt(std::max(0.0, grow * grow - reach * reach));
-        const Point aside = (height / reach) * left_of(half);
-        const Point middle = *large == *positive ? -1.0 * aside : aside;
+        const Point lateral = (height / reach) * left_normal(half);
+        const Point middle = *large == *positive ? -1.0 * lateral : lateral;
         const double from_rad = std::atan2(-half.y - middle.y, -half.x - middle.x);
         double sweep = std::atan2(half.y - middle.y, half.x - middle.x) - from_rad;
         if (*positive && sweep <= 0) sweep += 2 * std::numbers::pi;
         if (!*positive && sweep >= 0) sweep -= 2 * std::numbers::pi;
-        const Point center = 0.5 * (here_ + *to) + axes.direction(middle);
+        const Point center = 0.5 * (current_ + *to) + axes.direction(middle);
         pen_.arc({center, grow * axes.x, grow * axes.y, from_rad, sweep});
-        here_ = *to;
+        current_ = *to;
         pen_.line_to(*to);  // what rounding left over
         return true;
     }
@@ -169,9 +172,9 @@ class PathReader {
     SvgScanner scanner_;
     Pen& pen_;
     char command_ = 0;
-    char before_ = 0;
+    char previous_command_ = 0;
     bool begun_ = false;
-    Point start_, here_, control_;
+    Point start_, current_, control_;
 };
 
 }  // namespace

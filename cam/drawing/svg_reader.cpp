@@ -23,8 +23,8 @@ constexpr int kMaxElementDepth = 100;
 constexpr std::size_t kMaxElements = 1'000'000;  // counted as often as they are used
 
 // Thrown only within this file.
-struct SvgFault {
-    std::string sentence;
+struct SvgError {
+    std::string message;
 };
 
 struct ViewBox {
@@ -38,24 +38,24 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
 class SvgReader {
   public:
     SvgReader(std::string_view text, const ReadOptions& options)
-        : text_(text), options_(options), pen_(drawing_.pieces, options.tolerance_mm) {}
+        : text_(text), options_(options), pen_(drawing_.drawn_contours, options.tolerance_mm) {}
 
     Drawing run() {
         const pugi::xml_parse_result parsed = document_.load_buffer(text_.data(), text_.size());
         if (!parsed)
-            throw SvgFault{fmt::format("line {}: this is no sound XML: {}", line_at(parsed.offset),
+            throw SvgError{fmt::format("line {}: this is no sound XML: {}", line_at(parsed.offset),
                                        parsed.description())};
         const pugi::xml_node root = document_.document_element();
         if (local_name(root) != "svg") {
-            throw SvgFault{fmt::format("line 1: the document is not an SVG drawing, but <{}>", root.name())};
+            throw SvgError{fmt::format("line 1: the document is not an SVG drawing, but <{}>", root.name())};
         }
         collect_ids_and_styles();
-        viewport_ = inside(root, {length_or_none(root, "width"), length_or_none(root, "height")});
+        viewport_ = inside(root, {length_or_zero(root, "width"), length_or_zero(root, "height")});
         read_children(root, page(root), 0);
-        for (const auto& [name, count] : left_out_) {
+        for (const auto& [name, count] : skipped_) {
             drawing_.notes.push_back(fmt::format("not cut: {} {}", count, name));
         }
-        for (const std::string& selector : styles_.not_understood()) {
+        for (const std::string& selector : styles_.unsupported_selectors()) {
             drawing_.notes.push_back(fmt::format(
                 "the style sheet's selector '{}' is not understood: what it hides is cut", selector));
         }
@@ -66,17 +66,17 @@ class SvgReader {
     std::size_t line_at(std::ptrdiff_t offset) const {
         const auto end = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, offset));
         // Elements come in order, so no line is counted twice.
-        if (end < counted_to_) counted_to_ = counted_lines_ = 0;
-        const std::string_view part = text_.substr(0, end).substr(std::min(counted_to_, end));
+        if (end < counted_offset_) counted_offset_ = counted_lines_ = 0;
+        const std::string_view part = text_.substr(0, end).substr(std::min(counted_offset_, end));
         counted_lines_ += static_cast<std::size_t>(std::count(part.begin(), part.end(), '\n'));
-        counted_to_ = std::min(end, text_.size());
+        counted_offset_ = std::min(end, text_.size());
         return counted_lines_ + 1;
     }
 
-    [[noreturn]] void fail(const pugi::xml_node& node, const std::string& sentence) const {
+    [[noreturn]] void fail(const pugi::xml_node& node, const std::string& message) const {
         const std::string_view id = node.attribute("id").value();
-        throw SvgFault{fmt::format("line {}: {}{}{} {}", line_at(node.offset_debug()), node.name(),
-                                   id.empty() ? "" : " ", id, sentence)};
+        throw SvgError{fmt::format("line {}: {}{}{} {}", line_at(node.offset_debug()), node.name(),
+                                   id.empty() ? "" : " ", id, message)};
     }
 
     void collect_ids_and_styles() {
@@ -124,18 +124,18 @@ class SvgReader {
         if (options_.unit_mm <= 0 && (width || height)) {
             const double x = width.value_or(HUGE_VAL) / box->size.x;
             const double y = height.value_or(HUGE_VAL) / box->size.y;
-            scale = kMmPerPx * fitted(root, std::min(x, width ? x : y), std::min(y, height ? y : x));
+            scale = kMmPerPx * aspect_scale(root, std::min(x, width ? x : y), std::min(y, height ? y : x));
         }
         if (!(scale.x > 0 && scale.y > 0)) fail(root, "has a page without a size");
         return moved({0, box->size.y * scale.y}) * scaled(scale.x, -scale.y) * map;
     }
 
     // A drawing keeps its aspect ratio on a page of another shape unless the file says otherwise.
-    static Point fitted(const pugi::xml_node& node, double x, double y) {
+    static Point aspect_scale(const pugi::xml_node& node, double x, double y) {
         const std::string_view how = node.attribute("preserveAspectRatio").value();
         if (how.starts_with("none")) return {x, y};
-        const double both = std::min(x, y);
-        return {both, both};
+        const double uniform_scale = std::min(x, y);
+        return {uniform_scale, uniform_scale};
     }
 
     void read_children(const pugi::xml_node& node, const Affine& map, int depth) {
@@ -151,31 +151,31 @@ class SvgReader {
             fail(node, fmt::format("is one too many: more than {} elements", kMaxElements));
         const std::string_view name = local_name(node);
         if (styles_.property(node, "display") == "none") return;
-        const bool hidden_around = hidden_;
+        const bool was_hidden = is_hidden_;
         const std::string_view visibility = styles_.property(node, "visibility");
-        if (!visibility.empty() && visibility != "inherit") hidden_ = visibility != "visible";
-        read_visible(node, name, map * own_transform(node), depth);
-        hidden_ = hidden_around;
+        if (!visibility.empty() && visibility != "inherit") is_hidden_ = visibility != "visible";
+        read_visible(node, name, map * local_transform(node), depth);
+        is_hidden_ = was_hidden;
     }
 
     // A hidden element may contain visible ones.
-    void read_visible(const pugi::xml_node& node, std::string_view name, const Affine& own, int depth) {
+    void read_visible(const pugi::xml_node& node, std::string_view name, const Affine& local, int depth) {
         if (is_one_of(name, {"g", "a", "switch"})) {
-            read_children(node, own, depth + 1);
+            read_children(node, local, depth + 1);
         } else if (name == "svg") {
-            read_inner(node, node, own * moved({length(node, "x"), length(node, "y")}), depth);
+            read_viewport(node, node, local * moved({length(node, "x"), length(node, "y")}), depth);
         } else if (name == "use") {
-            read_use(node, own, depth);
-        } else if (hidden_) {
+            read_use(node, local, depth);
+        } else if (is_hidden_) {
             return;
         } else if (is_svg_shape(name)) {
-            draw(node, own);
+            draw(node, local);
         } else if (is_one_of(name, {"text", "image", "flowRoot", "foreignObject"})) {
-            ++left_out_[std::string(name)];
+            ++skipped_[std::string(name)];
         }
     }
 
-    Affine own_transform(const pugi::xml_node& node) const {
+    Affine local_transform(const pugi::xml_node& node) const {
         const pugi::xml_attribute attribute = node.attribute("transform");
         if (!attribute) return {};
         const std::optional<Affine> map = svg_transform(attribute.value());
@@ -192,19 +192,19 @@ class SvgReader {
         return *value;
     }
 
-    static double length_or_none(const pugi::xml_node& node, const char* name) {
+    static double length_or_zero(const pugi::xml_node& node, const char* name) {
         return svg_length_px(node.attribute(name).value()).value_or(0);
     }
 
     // Returns a side of an element within the drawing: that of the `use` element, else its own, else the full
     // side of the surrounding element.
-    double side(const pugi::xml_node& placed_by, const pugi::xml_node& node, const char* name,
-                double around) const {
-        for (const pugi::xml_node* says : {&placed_by, &node}) {
+    double side(const pugi::xml_node& referencing_node, const pugi::xml_node& node, const char* name,
+                double parent_size) const {
+        for (const pugi::xml_node* says : {&referencing_node, &node}) {
             const std::string_view text = says->attribute(name).value();
-            if (!text.empty() && text != "auto") return text == "100%" ? around : length(*says, name);
+            if (!text.empty() && text != "auto") return text == "100%" ? parent_size : length(*says, name);
         }
-        return around;
+        return parent_size;
     }
 
     // Returns the size that counts as 100 % of width and height inside a node.
@@ -214,23 +214,23 @@ class SvgReader {
     }
 
     // Reads an svg or symbol within the drawing. It keeps its size if the size of the page is not given.
-    void read_inner(const pugi::xml_node& node, const pugi::xml_node& placed_by, const Affine& map,
-                    int depth) {
+    void read_viewport(const pugi::xml_node& node, const pugi::xml_node& referencing_node, const Affine& map,
+                       int depth) {
         const std::optional<ViewBox> box = view_box(node);
-        const Point around = viewport_;
-        const Point own = box ? box->size : Point{};
-        const Point size{side(placed_by, node, "width", around.x > 0 ? around.x : own.x),
-                         side(placed_by, node, "height", around.y > 0 ? around.y : own.y)};
+        const Point parent_size = viewport_;
+        const Point local = box ? box->size : Point{};
+        const Point size{side(referencing_node, node, "width", parent_size.x > 0 ? parent_size.x : local.x),
+                         side(referencing_node, node, "height", parent_size.y > 0 ? parent_size.y : local.y)};
         viewport_ = inside(node, size);
-        read_children(node, box ? map * fitting(node, *box, size) : map, depth + 1);
-        viewport_ = around;
+        read_children(node, box ? map * viewport_transform(node, *box, size) : map, depth + 1);
+        viewport_ = parent_size;
     }
 
     // Returns the map from a view box to its size on the page.
-    static Affine fitting(const pugi::xml_node& node, const ViewBox& box, Point size) {
-        const Point scale = fitted(node, size.x / box.size.x, size.y / box.size.y);
-        const Point spare{(size.x - scale.x * box.size.x) / 2, (size.y - scale.y * box.size.y) / 2};
-        return moved(spare) * scaled(scale.x, scale.y) * moved(-1.0 * box.low);
+    static Affine viewport_transform(const pugi::xml_node& node, const ViewBox& box, Point size) {
+        const Point scale = aspect_scale(node, size.x / box.size.x, size.y / box.size.y);
+        const Point margin{(size.x - scale.x * box.size.x) / 2, (size.y - scale.y * box.size.y) / 2};
+        return moved(margin) * scaled(scale.x, scale.y) * moved(-1.0 * box.low);
     }
 
     void read_use(const pugi::xml_node& node, const Affine& map, int depth) {
@@ -240,12 +240,13 @@ class SvgReader {
         if (target.empty()) target = node.attribute("xlink:href").value();
         const auto found = target.starts_with('#') ? ids_.find(target.substr(1)) : ids_.end();
         if (found == ids_.end()) fail(node, fmt::format("uses '{:.60}', which is not in the file", target));
-        const Affine there = map * moved({length(node, "x"), length(node, "y")});
-        if (local_name(found->second) == "symbol") return read_inner(found->second, node, there, depth + 1);
-        read_node_used(found->second, there, depth + 1);
+        const Affine use_map = map * moved({length(node, "x"), length(node, "y")});
+        if (local_name(found->second) == "symbol")
+            return read_viewport(found->second, node, use_map, depth + 1);
+        read_referenced_node(found->second, use_map, depth + 1);
     }
 
-    void read_node_used(const pugi::xml_node& node, const Affine& map, int depth) {
+    void read_referenced_node(const pugi::xml_node& node, const Affine& map, int depth) {
         if (depth > kMaxElementDepth)
             fail(node, fmt::format("is nested deeper than {} elements", kMaxElementDepth));
         read_node(node, map, depth);
@@ -254,10 +255,10 @@ class SvgReader {
     void draw(const pugi::xml_node& node, const Affine& map) {
         drawing_.entities.push_back(
             {std::string(local_name(node)), node.attribute("id").value(), line_at(node.offset_debug())});
-        pen_.take(map, static_cast<std::uint32_t>(drawing_.entities.size() - 1));
-        const std::size_t before = drawing_.pieces.size();
-        if (const auto fault = draw_svg_shape(node, pen_)) fail(node, *fault);
-        if (drawing_.pieces.size() == before) fail(node, "has no length");
+        pen_.set_map(map, static_cast<std::uint32_t>(drawing_.entities.size() - 1));
+        const std::size_t before = drawing_.drawn_contours.size();
+        if (const auto error = draw_svg_shape(node, pen_)) fail(node, *error);
+        if (drawing_.drawn_contours.size() == before) fail(node, "has no length");
     }
 
     std::string_view text_;
@@ -266,12 +267,12 @@ class SvgReader {
     Pen pen_;
     pugi::xml_document document_;
     std::map<std::string, pugi::xml_node, std::less<>> ids_;
-    std::map<std::string, std::size_t> left_out_;
+    std::map<std::string, std::size_t> skipped_;
     SvgStyles styles_;
     Point viewport_;  // in units at the position of an element; 0: unknown
-    bool hidden_ = false;
+    bool is_hidden_ = false;
     std::size_t elements_ = 0;
-    mutable std::size_t counted_to_ = 0;
+    mutable std::size_t counted_offset_ = 0;
     mutable std::size_t counted_lines_ = 0;
 };
 
@@ -280,8 +281,8 @@ class SvgReader {
 tl::expected<Drawing, std::string> read_svg(std::string_view text, const ReadOptions& options) {
     try {
         return SvgReader(text, options).run();
-    } catch (const SvgFault& fault) {
-        return tl::unexpected(fault.sentence);
+    } catch (const SvgError& error) {
+        return tl::unexpected(error.message);
     }
 }
 

@@ -16,41 +16,41 @@ using geometry::Point;
 
 namespace {
 
-using ShapeFault = std::optional<std::string>;
+using ShapeError = std::optional<std::string>;
 
 // Lengths of an element, with the first one that cannot be read.
-class Lengths {
+class LengthReader {
   public:
-    explicit Lengths(const pugi::xml_node& node) : node_(node) {}
+    explicit LengthReader(const pugi::xml_node& node) : node_(node) {}
 
-    double operator()(const char* name, double otherwise = 0) {
-        const std::optional<double> value = length_attribute_px(node_, name, otherwise);
-        if (!value && !fault_) {
-            fault_ = fmt::format("has {}=\"{}\", which is no length in px, mm, cm, in, pt or pc", name,
+    double operator()(const char* name, double fallback = 0) {
+        const std::optional<double> value = length_attribute_px(node_, name, fallback);
+        if (!value && !error_) {
+            error_ = fmt::format("has {}=\"{}\", which is no length in px, mm, cm, in, pt or pc", name,
                                  node_.attribute(name).value());
         }
-        return value.value_or(otherwise);
+        return value.value_or(fallback);
     }
-    const ShapeFault& fault() const { return fault_; }
+    const ShapeError& error() const { return error_; }
 
   private:
     const pugi::xml_node& node_;
-    ShapeFault fault_;
+    ShapeError error_;
 };
 
-ShapeFault draw_path(const pugi::xml_node& node, Pen& pen) {
+ShapeError draw_path(const pugi::xml_node& node, Pen& pen) {
     return draw_path_data(node.attribute("d").value(), pen);
 }
 
-ShapeFault draw_rect(const pugi::xml_node& node, Pen& pen) {
-    Lengths lengths(node);
+ShapeError draw_rect(const pugi::xml_node& node, Pen& pen) {
+    LengthReader lengths(node);
     const Point low{lengths("x"), lengths("y")};
     const Point size{lengths("width"), lengths("height")};
     const bool has_rx = node.attribute("rx");
     const bool has_ry = node.attribute("ry");
     double rx = lengths(has_rx ? "rx" : "ry");
     double ry = lengths(has_ry ? "ry" : "rx");
-    if (lengths.fault()) return lengths.fault();
+    if (lengths.error()) return lengths.error();
     if (!(size.x > 0 && size.y > 0))
         return fmt::format("has the size {} x {}; both must be above 0", size.x, size.y);
     rx = std::clamp(rx, 0.0, size.x / 2);
@@ -74,30 +74,30 @@ ShapeFault draw_rect(const pugi::xml_node& node, Pen& pen) {
     return {};
 }
 
-ShapeFault draw_ellipse_element(const pugi::xml_node& node, Pen& pen) {
-    Lengths lengths(node);
+ShapeError draw_ellipse_element(const pugi::xml_node& node, Pen& pen) {
+    LengthReader lengths(node);
     const bool circle = local_name(node) == "circle";
     const Point center{lengths("cx"), lengths("cy")};
     const double rx = lengths(circle ? "r" : "rx");
     const double ry = lengths(circle ? "r" : "ry");
-    if (lengths.fault()) return lengths.fault();
+    if (lengths.error()) return lengths.error();
     if (!(rx > 0 && ry > 0)) return fmt::format("has the radii {} and {}; both must be above 0", rx, ry);
     pen.arc({center, {rx, 0}, {0, ry}, 0, 2 * std::numbers::pi});
     return {};
 }
 
-ShapeFault draw_line_element(const pugi::xml_node& node, Pen& pen) {
-    Lengths lengths(node);
+ShapeError draw_line_element(const pugi::xml_node& node, Pen& pen) {
+    LengthReader lengths(node);
     const Point from{lengths("x1"), lengths("y1")};
     const Point to{lengths("x2"), lengths("y2")};
-    if (lengths.fault()) return lengths.fault();
+    if (lengths.error()) return lengths.error();
     if (from == to) return fmt::format("at ({}, {}) has no length", from.x, from.y);
     pen.move_to(from);
     pen.line_to(to);
     return {};
 }
 
-ShapeFault draw_points(const pugi::xml_node& node, Pen& pen) {
+ShapeError draw_points(const pugi::xml_node& node, Pen& pen) {
     SvgScanner scanner(node.attribute("points").value());
     std::size_t count = 0;
     while (!scanner.at_end()) {
@@ -118,7 +118,7 @@ ShapeFault draw_points(const pugi::xml_node& node, Pen& pen) {
 
 struct SvgShape {
     std::string_view name;
-    ShapeFault (*draw)(const pugi::xml_node&, Pen&);
+    ShapeError (*draw)(const pugi::xml_node&, Pen&);
 };
 
 constexpr std::array<SvgShape, 7> kSvgShapes{{{"path", draw_path},
@@ -129,7 +129,7 @@ constexpr std::array<SvgShape, 7> kSvgShapes{{{"path", draw_path},
                                               {"polyline", draw_points},
                                               {"polygon", draw_points}}};
 
-const SvgShape* svg_shape_of(std::string_view name) {
+const SvgShape* find_svg_shape(std::string_view name) {
     const auto* const found = std::find_if(kSvgShapes.begin(), kSvgShapes.end(),
                                            [&](const SvgShape& shape) { return shape.name == name; });
     return found == kSvgShapes.end() ? nullptr : found;
@@ -138,19 +138,19 @@ const SvgShape* svg_shape_of(std::string_view name) {
 }  // namespace
 
 bool is_svg_shape(std::string_view name) {
-    return svg_shape_of(name) != nullptr;
+    return find_svg_shape(name) != nullptr;
 }
 
 std::optional<std::string> draw_svg_shape(const pugi::xml_node& node, Pen& pen) {
-    ShapeFault fault = svg_shape_of(local_name(node))->draw(node, pen);
-    if (!fault) fault = pen.fault();
+    ShapeError error = find_svg_shape(local_name(node))->draw(node, pen);
+    if (!error) error = pen.error();
     pen.lift();
-    return fault;
+    return error;
 }
 
-std::optional<double> length_attribute_px(const pugi::xml_node& node, const char* name, double otherwise) {
+std::optional<double> length_attribute_px(const pugi::xml_node& node, const char* name, double fallback) {
     const pugi::xml_attribute attribute = node.attribute(name);
-    if (!attribute) return otherwise;
+    if (!attribute) return fallback;
     return svg_length_px(attribute.value());
 }
 

@@ -18,6 +18,6 @@ std::optional<std::string> draw_svg_shape(const pugi::xml_node& node, Pen& pen);
 
 /// Returns the value of a length attribute; `otherwise` if it is missing. Returns nothing if it cannot be
 /// read.
-std::optional<double> length_attribute_px(const pugi::xml_node& node, const char* name, double otherwise);
+std::optional<double> length_attribute_px(const pugi::xml_node& node, const char* name, double fallback);
 
 }  // namespace gsim::drawing

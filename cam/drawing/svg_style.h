@@ -21,7 +21,7 @@ class SvgStyles {
     std::string_view property(const pugi::xml_node& node, std::string_view name) const;
     /// Returns selectors with display or visibility that were not understood; the elements that they hide are
     /// drawn.
-    const std::vector<std::string>& not_understood() const { return not_understood_; }
+    const std::vector<std::string>& unsupported_selectors() const { return unsupported_selectors_; }
 
   private:
     /// A selector without relations: conditions for an element. Empty parts match any.
@@ -31,15 +31,15 @@ class SvgStyles {
         std::string property, value;
         int weight = 0;  ///< The heaviest matching rule counts, the later of equal ones.
 
-        bool fits(const pugi::xml_node& node) const;
+        bool matches(const pugi::xml_node& node) const;
     };
 
     /// Returns nothing if the selector is not understood.
-    static std::optional<Rule> rule_of(std::string_view selector);
+    static std::optional<Rule> parse_selector(std::string_view selector);
     void add_rule(std::string_view selectors, std::string_view declarations);
 
     std::vector<Rule> rules_;
-    std::vector<std::string> not_understood_;
+    std::vector<std::string> unsupported_selectors_;
 };
 
 /// Returns an element's name without the prefix svg:.

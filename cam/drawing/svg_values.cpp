@@ -20,9 +20,9 @@ bool is_letter(char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-std::optional<Affine> matrix_of(std::string_view name, const std::vector<double>& v) {
+std::optional<Affine> transform_matrix(std::string_view name, const std::vector<double>& v) {
     const std::size_t count = v.size();
-    const auto value = [&](std::size_t i, double otherwise) { return i < count ? v[i] : otherwise; };
+    const auto value = [&](std::size_t i, double fallback) { return i < count ? v[i] : fallback; };
     const auto radians = [&] { return v[0] * kRadPerDeg; };
     if (name == "matrix" && count == 6) return Affine{{v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}};
     if (count == 0) return {};
@@ -82,7 +82,7 @@ std::string_view SvgScanner::word() {
     return text_.substr(first, offset_ - first);
 }
 
-bool SvgScanner::take(char c) {
+bool SvgScanner::consume(char c) {
     skip_blanks();
     if (offset_ >= text_.size() || text_[offset_] != c) return false;
     ++offset_;
@@ -113,11 +113,11 @@ std::optional<Affine> svg_transform(std::string_view text) {
     Affine result;
     while (!scanner.at_end()) {
         const std::string_view name = scanner.word();
-        if (name.empty() || !scanner.take('(')) return {};
+        if (name.empty() || !scanner.consume('(')) return {};
         std::vector<double> values;
         while (const auto value = scanner.number()) values.push_back(*value);
-        if (!scanner.take(')')) return {};
-        const std::optional<Affine> matrix = matrix_of(name, values);
+        if (!scanner.consume(')')) return {};
+        const std::optional<Affine> matrix = transform_matrix(name, values);
         if (!matrix) return {};
         result = result * *matrix;
     }

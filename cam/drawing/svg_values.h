@@ -24,7 +24,7 @@ class SvgScanner {
     std::optional<char> letter();
     /// Reads letters up to another character.
     std::string_view word();
-    bool take(char c);
+    bool consume(char c);
     std::size_t offset() const { return offset_; }
 
   private:

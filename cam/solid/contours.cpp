@@ -17,7 +17,7 @@ tl::expected<WallContours, std::string> read_contours(const std::filesystem::pat
     settings.push_back(box);
     for (const std::string& face : options.faces) settings.push_back("face:" + face);
     for (const std::string& edge : options.edges) settings.push_back("edge:" + edge);
-    return ask_reader_for("contours", file, settings, take_contours);
+    return query_reader_as("contours", file, settings, unpack_contours);
 }
 
 }  // namespace gsim::solid

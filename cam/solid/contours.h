@@ -11,7 +11,7 @@
 namespace gsim::solid {
 
 /// A position or a direction in the file's frame, in mm or of length 1.
-using Triple = std::array<double, 3>;
+using Vec3 = std::array<double, 3>;
 
 /// Options for the contours to read from a part's faces. A contour is a closed loop of edges of one face, or
 /// a chain of edges requested by their numbers.
@@ -31,13 +31,13 @@ struct ContourOptions {
 
 /// A point of an edge at which the jet enters.
 struct WallPoint {
-    Triple position_mm{};
-    Triple normal{};       ///< Normal of the face, out of the material.
-    Triple tangent{};      ///< Along the contour; material is to its left, seen from outside.
-    Triple wall_normal{};  ///< Normal of the face across the edge, out of the material.
-    Triple along_wall{};   ///< Straight down that face, into the material; 0 0 0 if it is not straight.
-    double depth_mm = 0;   ///< Length of that face along it.
-    Triple far_normal{};   ///< Wall normal at that end; different if the wall is twisted.
+    Vec3 position_mm{};
+    Vec3 normal{};        ///< Normal of the face, out of the material.
+    Vec3 tangent{};       ///< Along the contour; material is to its left, seen from outside.
+    Vec3 wall_normal{};   ///< Normal of the face across the edge, out of the material.
+    Vec3 along_wall{};    ///< Straight down that face, into the material; 0 0 0 if it is not straight.
+    double depth_mm = 0;  ///< Length of that face along it.
+    Vec3 exit_normal{};   ///< Wall normal at that end; different if the wall is twisted.
 };
 
 struct WallEdge {
@@ -45,7 +45,7 @@ struct WallEdge {
     std::vector<WallPoint> points = {};  ///< Two or more.
     /// Distance along the jet, from the edge, at which it meets the part again after the wall; 0: it does
     /// not.
-    double behind_mm = 0;
+    double next_surface_mm = 0;
     std::string label = {};  ///< Its number in the file, "#12"; empty if it has none.
 };
 
@@ -60,14 +60,14 @@ struct WallContour {
 
 /// An edge that is not cut.
 struct PartEdge {
-    std::string name;                    ///< "edge #12": in messages.
-    std::vector<Triple> points_mm = {};  ///< With chords as close as the tolerance says.
+    std::string name;                  ///< "edge #12": in messages.
+    std::vector<Vec3> points_mm = {};  ///< With chords as close as the tolerance says.
 };
 
 /// The contours of a part that may be curved, with the walls below them.
 struct WallContours {
     std::vector<WallContour> contours;
-    Triple low_mm{}, high_mm{};      ///< The box about all bodies.
+    Vec3 low_mm{}, high_mm{};        ///< The box about all bodies.
     std::vector<std::string> notes;  ///< Messages about omitted elements of the part.
     /// For chains of edges: other edges of the part that a jet could hit. Without the lower ends of the
     /// walls.

@@ -5,7 +5,7 @@
 
 namespace gsim::solid {
 
-void put_contours(PacketWriter& packet, const WallContours& contours);
-WallContours take_contours(PacketReader& packet);
+void pack_contours(PacketWriter& packet, const WallContours& contours);
+WallContours unpack_contours(PacketReader& packet);
 
 }  // namespace gsim::solid

@@ -8,10 +8,10 @@
 namespace gsim::solid {
 
 tl::expected<Plate, std::string> read_plate(const std::filesystem::path& file, const PlateOptions& options) {
-    return ask_reader_for(
+    return query_reader_as(
         "plate", file,
-        {fmt::format("{}", options.tolerance_mm), options.flip ? "flip" : "as-it-lies", options.along},
-        take_plate);
+        {fmt::format("{}", options.tolerance_mm), options.flip ? "flip" : "as-it-lies", options.facing_axis},
+        unpack_plate);
 }
 
 }  // namespace gsim::solid

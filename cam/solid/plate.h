@@ -14,7 +14,7 @@ struct PlateOptions {
     bool flip = false;            ///< The other side of the plate is the upper one.
     /// "x", "-x", "y" and so on: bodies lie in the plane of the largest face that faces along this axis of
     /// the file; empty: of the largest one.
-    std::string along;
+    std::string facing_axis;
 };
 
 /// A flat part, or several of one thickness in one plane.

@@ -2,40 +2,40 @@
 
 namespace gsim::solid {
 
-void put_plate(PacketWriter& packet, const Plate& plate) {
+void pack_plate(PacketWriter& packet, const Plate& plate) {
     const drawing::Drawing& drawing = plate.drawing;
-    packet.put(plate.thickness_mm);
-    packet.put(static_cast<std::uint64_t>(drawing.entities.size()));
+    packet.write(plate.thickness_mm);
+    packet.write(static_cast<std::uint64_t>(drawing.entities.size()));
     for (const drawing::Entity& entity : drawing.entities) {
-        packet.put_text(entity.kind);
-        packet.put_text(entity.name);
-        packet.put(entity.bevel_deg);
+        packet.write_text(entity.kind);
+        packet.write_text(entity.name);
+        packet.write(entity.bevel_deg);
     }
-    packet.put(static_cast<std::uint64_t>(drawing.pieces.size()));
-    for (const geometry::Contour& piece : drawing.pieces) {
-        packet.put_flag(piece.closed);
-        packet.put_all(piece.vertices);
+    packet.write(static_cast<std::uint64_t>(drawing.drawn_contours.size()));
+    for (const geometry::Contour& drawn_contour : drawing.drawn_contours) {
+        packet.write_flag(drawn_contour.closed);
+        packet.write_all(drawn_contour.vertices);
     }
-    packet.put(static_cast<std::uint64_t>(drawing.notes.size()));
-    for (const std::string& note : drawing.notes) packet.put_text(note);
+    packet.write(static_cast<std::uint64_t>(drawing.notes.size()));
+    for (const std::string& note : drawing.notes) packet.write_text(note);
 }
 
-Plate take_plate(PacketReader& packet) {
+Plate unpack_plate(PacketReader& packet) {
     Plate plate;
-    plate.thickness_mm = packet.get<double>();
-    plate.drawing.entities.resize(packet.get_count(1));
+    plate.thickness_mm = packet.read<double>();
+    plate.drawing.entities.resize(packet.read_count(1));
     for (drawing::Entity& entity : plate.drawing.entities) {
-        entity.kind = packet.get_text();
-        entity.name = packet.get_text();
-        entity.bevel_deg = packet.get<double>();
+        entity.kind = packet.read_text();
+        entity.name = packet.read_text();
+        entity.bevel_deg = packet.read<double>();
     }
-    plate.drawing.pieces.resize(packet.get_count(1));
-    for (geometry::Contour& piece : plate.drawing.pieces) {
-        piece.closed = packet.get_flag();
-        piece.vertices = packet.get_all<geometry::Vertex>();
+    plate.drawing.drawn_contours.resize(packet.read_count(1));
+    for (geometry::Contour& drawn_contour : plate.drawing.drawn_contours) {
+        drawn_contour.closed = packet.read_flag();
+        drawn_contour.vertices = packet.read_all<geometry::Vertex>();
     }
-    plate.drawing.notes.resize(packet.get_count(1));
-    for (std::string& note : plate.drawing.notes) note = packet.get_text();
+    plate.drawing.notes.resize(packet.read_count(1));
+    for (std::string& note : plate.drawing.notes) note = packet.read_text();
     return plate;
 }
 

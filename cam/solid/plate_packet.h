@@ -5,7 +5,7 @@
 
 namespace gsim::solid {
 
-void put_plate(PacketWriter& packet, const Plate& plate);
-Plate take_plate(PacketReader& packet);
+void pack_plate(PacketWriter& packet, const Plate& plate);
+Plate unpack_plate(PacketReader& packet);
 
 }  // namespace gsim::solid

@@ -14,7 +14,7 @@ struct Bridges {
 
 /// Returns the parts of a path between its bridges, in order; the complete path without bridges. Each gap is
 /// as long as the bridge width plus the jet's width. Returns nothing if the path is too short for so many.
-std::vector<std::vector<JetPoint>> pieces_between(const std::vector<JetPoint>& way, const Bridges& bridges,
-                                                  double kerf_mm);
+std::vector<std::vector<JetPoint>> split_at_bridges(const std::vector<JetPoint>& jet_path,
+                                                    const Bridges& bridges, double kerf_mm);
 
 }  // namespace gsim::surface

@@ -15,15 +15,15 @@ struct JetMove {
     double radius_mm = 0;          ///< Radius of an arc.
     Vector axis;                   ///< At its end.
     double edge_mm = 0;            ///< Length along the contour.
-    double tip_mm = 0;             ///< Path length of the TCP.
+    double tcp_mm = 0;             ///< Path length of the TCP.
     double depth_mm = 0;           ///< Max depth that the jet cuts.
     double corner_rad = 0;         ///< Turn of a near corner, see JetPoint.
-    bool turns = false;            ///< The axis at its end is another one than at its begin.
+    bool is_turning = false;       ///< The axis at its end is another one than at its begin.
 };
 
 /// Max deviation of moves from the points that they replace.
 struct FitTolerance {
-    double tip_mm = 0.005;   ///< At the TCP.
+    double tcp_mm = 0.005;   ///< At the TCP.
     double wall_mm = 0.015;  ///< At the lower end of the wall, by the axis.
 };
 

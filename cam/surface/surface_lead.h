@@ -3,8 +3,8 @@
 #include <array>
 #include <optional>
 
+#include "cam/surface/edge_proximity.h"
 #include "cam/surface/jet_point.h"
-#include "cam/surface/near_edges.h"
 
 namespace gsim::surface {
 
@@ -13,7 +13,7 @@ namespace gsim::surface {
 struct Leads {
     /// Path of the TCP: its outer end, and the midpoint of a quarter circle; without that it is straight.
     struct Lead {
-        Vector far_mm;
+        Vector outer_mm;
         std::optional<Vector> via_mm;
     };
     std::optional<Lead> in, out;  ///< None without enough space; both for a closed path.
@@ -24,6 +24,7 @@ struct Leads {
 /// quarter circles with the radius `radius_mm`, or a half or a quarter of it and so on. Leads of an open path
 /// continue straight past its ends, by this length. Returns nothing if the space is too small; then the jet
 /// pierces on the contour.
-std::optional<Leads> find_leads(JetWay& way, const JetShape& jet, const NearEdges& edges, double radius_mm);
+std::optional<Leads> find_leads(JetPath& jet_path, const JetShape& jet, const EdgeProximity& edges,
+                                double radius_mm);
 
 }  // namespace gsim::surface

@@ -8,29 +8,29 @@
 #include <fmt/format.h>
 
 #include "cam/surface/corner_zones.h"
-#include "cam/surface/near_edges.h"
+#include "cam/surface/edge_proximity.h"
 #include "cam/surface/surface_lead.h"
 #include "cam/surface/surface_program.h"
-#include "cam/surface/upright.h"
+#include "cam/surface/vertical_axis.h"
 #include "toolpath/model/validate.h"
 
 namespace gsim::surface {
 
 namespace {
 
-using Fault = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
-constexpr double kLeadKerfs = 3;
-constexpr double kTold_mm = 0.02;     // of material removed or left at a lower edge
-constexpr double kInto_mm = 0.03;     // how far a jet may come into an edge
-constexpr double kWallTolerance = 3;  // factor of the wall's lower end, relative to the TCP
+constexpr double kDefaultLeadKerfs = 3;
+constexpr double kReportThreshold_mm = 0.02;  // of material removed or left at a lower edge
+constexpr double kMaxGouge_mm = 0.03;         // how far a jet may come into an edge
+constexpr double kWallToleranceFactor = 3;    // factor of the wall's lower end, relative to the TCP
 
 // Sorts holes first, outlines last, and within each the nearest next one.
-std::vector<SurfaceCut> in_order(std::vector<SurfaceCut> cuts, const JetShape& jet, Vector at) {
+std::vector<SurfaceCut> sorted_cuts(std::vector<SurfaceCut> cuts, const JetShape& jet, Vector at) {
     std::vector<SurfaceCut> ordered;
     while (!cuts.empty()) {
         const auto cost = [&](const SurfaceCut& cut) {
-            const int rank = cut.way.is_hole ? 0 : cut.way.is_open ? 1 : 2;
+            const int rank = cut.jet_path.is_hole ? 0 : cut.jet_path.is_open ? 1 : 2;
             return std::pair(rank, (cut.pierce(jet) - at).norm());
         };
         const auto next = std::min_element(cuts.begin(), cuts.end(),
@@ -42,54 +42,57 @@ std::vector<SurfaceCut> in_order(std::vector<SurfaceCut> cuts, const JetShape& j
     return ordered;
 }
 
-class PathMaker {
+class SurfacePathBuilder {
   public:
-    PathMaker(const solid::WallContours& part, const cutting::CutRules& rules, const SurfaceOptions& options)
+    SurfacePathBuilder(const solid::WallContours& part, const cutting::CutRules& rules,
+                       const SurfaceOptions& options)
         : part_(part), rules_(rules), options_(options), jet_{rules.kerf_mm, options.cut_height_mm} {}
 
     tl::expected<cutting::Autopath, std::string> run() {
-        std::vector<JetWay> ways;
+        std::vector<JetPath> paths;
         for (const solid::WallContour& contour : part_.contours) {
-            auto way = jet_way(contour, jet_, options_.jet);
-            if (!way) return Fault(way.error());
-            ways.push_back(*std::move(way));
+            auto path = jet_path(contour, jet_, options_.jet);
+            if (!path) return Unexpected(path.error());
+            paths.push_back(*std::move(path));
         }
-        const NearEdges edges(part_.contours, jet_, WallEnd::upper, part_.other_edges);
-        for (const JetWay& way : ways) {
-            if (auto good = check(way, edges); !good) return Fault(good.error());
+        const EdgeProximity edges(part_.contours, jet_, WallEnd::upper, part_.other_edges);
+        for (const JetPath& jet_path : paths) {
+            if (auto checked = check(jet_path, edges); !checked) return Unexpected(checked.error());
         }
-        if (options_.jet.touches_both()) {
-            tell_taken(ways);
-            tell_low_corners(ways);
+        if (options_.jet.follows_both_edges()) {
+            report_lower_gouges(paths);
+            report_lower_corners(paths);
         }
         std::vector<SurfaceCut> cuts;
-        for (const JetWay& way : ways) {
-            SurfaceCut cut{way, std::nullopt, {}};
-            cut.leads = find_leads(cut.way, jet_, edges, lead_mm());
-            mark_corners(cut.way.points, jet_, rules_.feed_in_corner_mm_min ? rules_.corner_zone_mm : 0);
-            settle_upright(cut.way.points);
-            cut.pieces = pieces_between(cut.way.points, options_.bridges, rules_.kerf_mm);
-            if (cut.pieces.empty()) {
-                return Fault(fmt::format("{} has no room for {} bridges of {:g} mm", way.name,
-                                         options_.bridges.count, options_.bridges.width_mm));
+        for (const JetPath& jet_path : paths) {
+            SurfaceCut cut{jet_path, std::nullopt, {}};
+            cut.leads = find_leads(cut.jet_path, jet_, edges, lead_mm());
+            mark_corners(cut.jet_path.points, jet_, rules_.feed_in_corner_mm_min ? rules_.corner_zone_mm : 0);
+            split_vertical_points(cut.jet_path.points);
+            cut.parts = split_at_bridges(cut.jet_path.points, options_.bridges, rules_.kerf_mm);
+            if (cut.parts.empty()) {
+                return Unexpected(fmt::format("{} has no room for {} bridges of {:g} mm", jet_path.name,
+                                              options_.bridges.count, options_.bridges.width_mm));
             }
             cuts.push_back(std::move(cut));
         }
         const Vector start = options_.start_mm.value_or(Vector::Zero()) - options_.origin_mm;
-        return written(in_order(std::move(cuts), jet_, start));
+        return written(sorted_cuts(std::move(cuts), jet_, start));
     }
 
   private:
-    double lead_mm() const { return options_.lead_mm > 0 ? options_.lead_mm : kLeadKerfs * rules_.kerf_mm; }
+    double lead_mm() const {
+        return options_.lead_mm > 0 ? options_.lead_mm : kDefaultLeadKerfs * rules_.kerf_mm;
+    }
 
-    tl::expected<void, std::string> check(const JetWay& way, const NearEdges& edges) const {
-        for (const JetPoint& at : way.points) {
-            const auto found = edges.nearest(middle_of(at, jet_), at.axis, at.depth_mm);
-            const double into_mm = rules_.kerf_mm / 2 - found.distance_mm;
-            if (into_mm <= kInto_mm) continue;
-            return Fault(fmt::format("{} cannot be cut: at {} the jet would go {:.3g} mm into {} at {}",
-                                     way.edges[at.edge], shown(at.edge_mm), into_mm, found.edge,
-                                     shown(found.place)));
+    tl::expected<void, std::string> check(const JetPath& jet_path, const EdgeProximity& edges) const {
+        for (const JetPoint& at : jet_path.points) {
+            const auto found = edges.nearest(jet_center(at, jet_), at.axis, at.depth_mm);
+            const double gouge_mm = rules_.kerf_mm / 2 - found.distance_mm;
+            if (gouge_mm <= kMaxGouge_mm) continue;
+            return Unexpected(fmt::format("{} cannot be cut: at {} the jet would go {:.3g} mm into {} at {}",
+                                          jet_path.edges[at.edge], display_text(at.edge_mm), gouge_mm,
+                                          found.edge, display_text(found.position)));
         }
         return {};
     }
@@ -98,34 +101,34 @@ class PathMaker {
         SurfaceProgramOptions options;
         options.name = options_.name;
         options.jet = jet_;
-        options.tolerance = {options_.tolerance_mm, kWallTolerance * options_.tolerance_mm};
+        options.tolerance = {options_.tolerance_mm, kWallToleranceFactor * options_.tolerance_mm};
         options.safe_height_mm = options_.safe_height_mm;
         options.part_top_mm = part_.high_mm[2];
         options.origin_mm = options_.origin_mm;
         options.start_mm = options_.start_mm;
-        cutting::Autopath made;
-        made.program = surface_program(cuts, rules_, options, made.summary);
-        made.cuts.emplace_back();
-        for (const SurfaceCut& cut : cuts) made.cuts.push_back(cut.way.name);
-        made.notes = part_.notes;
-        tell_behind(made.notes);
-        made.notes.insert(made.notes.end(), notes_.begin(), notes_.end());
-        if (made.summary.without_leads > 0) {
-            made.notes.push_back(
+        cutting::Autopath autopath;
+        autopath.program = surface_program(cuts, rules_, options, autopath.summary);
+        autopath.cuts.emplace_back();
+        for (const SurfaceCut& cut : cuts) autopath.cuts.push_back(cut.jet_path.name);
+        autopath.notes = part_.notes;
+        report_next_surfaces(autopath.notes);
+        autopath.notes.insert(autopath.notes.end(), notes_.begin(), notes_.end());
+        if (autopath.summary.without_leads > 0) {
+            autopath.notes.push_back(
                 fmt::format("{} contours have no room for leads: the jet pierces on the contour",
-                            made.summary.without_leads));
+                            autopath.summary.without_leads));
         }
-        if (const auto fault = path::validate(made.program)) return Fault(fault->sentence);
-        return made;
+        if (const auto error = path::validate(autopath.program)) return Unexpected(error->message);
+        return autopath;
     }
 
-    void tell_behind(std::vector<std::string>& notes) const {
+    void report_next_surfaces(std::vector<std::string>& notes) const {
         for (const solid::WallContour& contour : part_.contours) {
             double nearest = 0;
             const solid::WallEdge* at = nullptr;
             for (const solid::WallEdge& edge : contour.edges) {
-                if (edge.behind_mm <= 0 || (at != nullptr && edge.behind_mm >= nearest)) continue;
-                nearest = edge.behind_mm;
+                if (edge.next_surface_mm <= 0 || (at != nullptr && edge.next_surface_mm >= nearest)) continue;
+                nearest = edge.next_surface_mm;
                 at = &edge;
             }
             if (at == nullptr) continue;
@@ -136,35 +139,35 @@ class PathMaker {
 
     // A jet that touches both edges of a wall may cut into a lower edge that is curved more tightly than its
     // width.
-    void tell_taken(const std::vector<JetWay>& ways) {
-        const NearEdges edges(part_.contours, jet_, WallEnd::lower);
-        double most_mm = kTold_mm;
-        NearEdges::Nearest most;
-        for (const JetWay& way : ways) {
-            for (const JetPoint& at : way.points) {
-                const auto found = edges.nearest(low_middle_of(at, jet_), at.axis, at.depth_mm);
-                if (rules_.kerf_mm / 2 - found.distance_mm <= most_mm) continue;
-                most_mm = rules_.kerf_mm / 2 - found.distance_mm;
-                most = found;
+    void report_lower_gouges(const std::vector<JetPath>& paths) {
+        const EdgeProximity edges(part_.contours, jet_, WallEnd::lower);
+        double max_mm = kReportThreshold_mm;
+        EdgeProximity::NearestSample max;
+        for (const JetPath& jet_path : paths) {
+            for (const JetPoint& at : jet_path.points) {
+                const auto found = edges.nearest(lower_jet_center(at, jet_), at.axis, at.depth_mm);
+                if (rules_.kerf_mm / 2 - found.distance_mm <= max_mm) continue;
+                max_mm = rules_.kerf_mm / 2 - found.distance_mm;
+                max = found;
             }
         }
-        if (most.edge.empty()) return;
+        if (max.edge.empty()) return;
         notes_.push_back(
-            fmt::format("at lower edges of walls the jet takes up to {:.2g} mm more: below {} at {}", most_mm,
-                        most.edge, shown(most.place)));
+            fmt::format("at lower edges of walls the jet takes up to {:.2g} mm more: below {} at {}", max_mm,
+                        max.edge, display_text(max.position)));
     }
 
-    void tell_low_corners(const std::vector<JetWay>& ways) {
+    void report_lower_corners(const std::vector<JetPath>& paths) {
         std::size_t count = 0;
-        LowCorner most;
+        LowerCorner max;
         std::string edge;
-        for (const JetWay& way : ways) {
-            for (const LowCorner& corner : way.low_corners) {
-                if (corner.stays_mm <= kTold_mm) continue;
+        for (const JetPath& jet_path : paths) {
+            for (const LowerCorner& corner : jet_path.lower_corners) {
+                if (corner.uncut_mm <= kReportThreshold_mm) continue;
                 ++count;
-                if (corner.stays_mm <= most.stays_mm) continue;
-                most = corner;
-                edge = way.edges[corner.edge];
+                if (corner.uncut_mm <= max.uncut_mm) continue;
+                max = corner;
+                edge = jet_path.edges[corner.edge];
             }
         }
         if (count == 0) return;
@@ -172,7 +175,7 @@ class PathMaker {
             fmt::format("{} corners of lower edges are narrower than the jet: material stays in them, up to "
                         "{:.2g} mm at {}, "
                         "below {}, where the lower edge turns by {:.0f} deg",
-                        count, most.stays_mm, shown(most.place_mm), edge, most.turn_deg));
+                        count, max.uncut_mm, display_text(max.lower_edge_mm), edge, max.turn_deg));
     }
 
     const solid::WallContours& part_;
@@ -187,7 +190,7 @@ class PathMaker {
 tl::expected<cutting::Autopath, std::string> surface_path(const solid::WallContours& part,
                                                           const cutting::CutRules& rules,
                                                           const SurfaceOptions& options) {
-    return PathMaker(part, rules, options).run();
+    return SurfacePathBuilder(part, rules, options).run();
 }
 
 }  // namespace gsim::surface

@@ -9,13 +9,13 @@
 #include "cam/cutting/cut_rules.h"
 #include "cam/solid/contours.h"
 #include "cam/surface/bridges.h"
-#include "cam/surface/jet_way.h"
+#include "cam/surface/jet_path.h"
 
 namespace gsim::surface {
 
 struct SurfaceOptions {
     std::string name;
-    JetChoice jet;
+    JetOptions jet;
     double tolerance_mm = 0.005;  ///< Max deviation of the TCP from its path.
     Bridges bridges;
     double lead_mm = 0;                 ///< Radius of leads; 0: three kerfs.

@@ -14,15 +14,15 @@ namespace gsim::surface {
 
 /// A path with its leads, ready to be cut.
 struct SurfaceCut {
-    JetWay way;
-    std::optional<Leads> leads;                      ///< None without enough space.
-    std::vector<std::vector<JetPoint>> pieces = {};  ///< Parts of the path between bridges.
+    JetPath jet_path;
+    std::optional<Leads> leads;                     ///< None without enough space.
+    std::vector<std::vector<JetPoint>> parts = {};  ///< Parts of the path between bridges.
 
     Vector pierce(const JetShape& jet) const {
-        return leads && leads->in ? leads->in->far_mm : tip_of(way.points.front(), jet);
+        return leads && leads->in ? leads->in->outer_mm : tcp_position(jet_path.points.front(), jet);
     }
     Vector end(const JetShape& jet) const {
-        return leads && leads->out ? leads->out->far_mm : tip_of(way.points.back(), jet);
+        return leads && leads->out ? leads->out->outer_mm : tcp_position(jet_path.points.back(), jet);
     }
     bool has_both_leads() const { return leads && leads->in && leads->out; }
 };

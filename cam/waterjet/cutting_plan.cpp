@@ -15,16 +15,16 @@ namespace gsim::waterjet {
 namespace {
 
 // Usual ranges (thesis, 2.5 and 2.5.1); outside of them the equation has not been tested.
-constexpr ValueRange kUsualPressure{"pressure_mpa", 170, 415};
-constexpr ValueRange kUsualOrifice{"orifice_mm", 0.076, 0.89};
+constexpr ValueRange kTypicalPressure{"pressure_mpa", 170, 415};
+constexpr ValueRange kTypicalOrifice{"orifice_mm", 0.076, 0.89};
 
-using Fault = std::optional<std::string>;
+using Error = std::optional<std::string>;
 
-Fault find_fault(const std::optional<double>& value, const ValueRange& range) {
-    return value ? range.find_fault(*value) : std::nullopt;
+Error find_error(const std::optional<double>& value, const ValueRange& range) {
+    return value ? range.find_error(*value) : std::nullopt;
 }
 
-Fault find_fault(const CuttingRequest& request) {
+Error find_error(const CuttingRequest& request) {
     const std::pair<std::optional<double>, ValueRange> all[] = {
         {request.thickness_mm, range::kThickness},    {request.quality, range::kQuality},
         {request.pressure_mpa, range::kPressure},     {request.orifice_mm, range::kOrifice},
@@ -33,56 +33,57 @@ Fault find_fault(const CuttingRequest& request) {
         {request.pierce_s, range::kPierce},
     };
     for (const auto& [value, range] : all) {
-        if (auto fault = find_fault(value, range)) return fault;
+        if (auto error = find_error(value, range)) return error;
     }
     return std::nullopt;
 }
 
-double settle_machinability(Settlement& settlement, const Materials& file, const Material& material) {
+double resolve_machinability(ValueResolver& resolver, const Materials& file, const Material& material) {
     constexpr std::string_view kName = "machinability";
-    const double machinability = machinability_of(file, material);
-    if (material.machinability) return settlement.from_file(kName, {}, machinability, material.source);
+    const double machinability = material_machinability(file, material);
+    if (material.machinability) return resolver.from_file(kName, {}, machinability, material.source);
     if (const auto& cut = material.measured) {
-        return settlement.inferred(
+        return resolver.inferred(
             kName, {},
             {machinability, fmt::format("a measured cut of {} mm at {} mm/min, quality {}", cut->thickness_mm,
                                         cut->speed_mm_min, cut->quality)});
     }
-    const std::string why = material.source.empty() ? std::string() : fmt::format(" ({})", material.source);
-    return settlement.inferred(kName, {}, {machinability, fmt::format("{}{}", material.like, why)});
+    const std::string reason =
+        material.source.empty() ? std::string() : fmt::format(" ({})", material.source);
+    return resolver.inferred(kName, {}, {machinability, fmt::format("{}{}", material.like, reason)});
 }
 
-JetSetting settle_jet(Settlement& settlement, const JetRule& rule, const CuttingRequest& request,
-                      CuttingPlan& plan) {
+JetSetting resolve_jet(ValueResolver& resolver, const JetRule& rule, const CuttingRequest& request,
+                       CuttingPlan& plan) {
     const auto none = [] { return Inferred{}; };  // the file always has these
     JetSetting jet;
     jet.abrasive_factor = rule.abrasive_factor;
-    jet.pressure_mpa = settlement.settle("pressure", "MPa", request.pressure_mpa, rule.pressure_mpa, none);
-    jet.orifice_mm = settlement.settle("orifice", "mm", request.orifice_mm, rule.orifice_mm, none);
+    jet.pressure_mpa = resolver.resolve("pressure", "MPa", request.pressure_mpa, rule.pressure_mpa, none);
+    jet.orifice_mm = resolver.resolve("orifice", "mm", request.orifice_mm, rule.orifice_mm, none);
     jet.mixing_tube_mm =
-        settlement.settle("mixing tube", "mm", request.mixing_tube_mm, rule.mixing_tube_mm, [&] {
+        resolver.resolve("mixing tube", "mm", request.mixing_tube_mm, rule.mixing_tube_mm, [&] {
             return Inferred{rule.tube_to_orifice * jet.orifice_mm,
                             fmt::format("{} times the orifice", rule.tube_to_orifice)};
         });
-    plan.water_l_min = settlement.inferred(
-        "water", "l/min",
-        {water_flow_l_min(jet.orifice_mm, jet.pressure_mpa, rule.discharge),
-         fmt::format("pressure and orifice, coefficient of discharge {}", rule.discharge)});
+    plan.water_l_min =
+        resolver.inferred("water", "l/min",
+                          {water_flow_l_min(jet.orifice_mm, jet.pressure_mpa, rule.discharge),
+                           fmt::format("pressure and orifice, coefficient of discharge {}", rule.discharge)});
     jet.abrasive_g_min =
-        settlement.settle("abrasive", "g/min", request.abrasive_g_min, rule.abrasive_g_min, [&] {
+        resolver.resolve("abrasive", "g/min", request.abrasive_g_min, rule.abrasive_g_min, [&] {
             return Inferred{1000 * rule.abrasive_to_water * plan.water_l_min,
                             fmt::format("{} times the water's mass", rule.abrasive_to_water)};
         });
     return jet;
 }
 
-void settle_speeds(Settlement& settlement, const CuttingRequest& request, CuttingPlan& plan) {
-    plan.separation_speed_mm_min = settlement.inferred(
+void resolve_speeds(ValueResolver& resolver, const CuttingRequest& request, CuttingPlan& plan) {
+    plan.separation_speed_mm_min = resolver.inferred(
         "separation speed", "mm/min",
         {cutting_speed_mm_min(plan.jet, plan.machinability, plan.thickness_mm, kSeparationQuality),
          "the cutting equation at quality 1"});
     plan.cutting_speed_mm_min =
-        settlement.settle("cutting speed", "mm/min", request.speed_mm_min, std::nullopt, [&] {
+        resolver.resolve("cutting speed", "mm/min", request.speed_mm_min, std::nullopt, [&] {
             return Inferred{
                 cutting_speed_mm_min(plan.jet, plan.machinability, plan.thickness_mm, plan.quality),
                 fmt::format("the cutting equation at quality {}", plan.quality)};
@@ -90,50 +91,50 @@ void settle_speeds(Settlement& settlement, const CuttingRequest& request, Cuttin
 }
 
 /// A given time is that of the requested kind of pierce.
-void settle_pierce(Settlement& settlement, const PierceRule& rule, const CuttingRequest& request,
-                   CuttingPlan& plan) {
-    plan.pierce_s = settlement.settle("pierce", "s", request.pierce_s, std::nullopt, [&] {
-        return Inferred{pierce_s(rule, plan.thickness_mm, plan.separation_speed_mm_min),
-                        fmt::format("thickness and separation speed, factor {}, at least {} s", rule.factor,
-                                    rule.least_s)};
+void resolve_pierce(ValueResolver& resolver, const PierceRule& rule, const CuttingRequest& request,
+                    CuttingPlan& plan) {
+    plan.pierce_s = resolver.resolve("pierce", "s", request.pierce_s, std::nullopt, [&] {
+        return Inferred{
+            pierce_s(rule, plan.thickness_mm, plan.separation_speed_mm_min),
+            fmt::format("thickness and separation speed, factor {}, at least {} s", rule.factor, rule.min_s)};
     });
-    if (!request.moving_pierce) return;
-    plan.moving_pierce_s = settlement.settle("moving pierce", "s", request.pierce_s, std::nullopt, [&] {
-        return Inferred{*rule.moving_share * plan.pierce_s,
-                        fmt::format("{} times that at rest", *rule.moving_share)};
+    if (!request.dynamic_pierce) return;
+    plan.dynamic_pierce_s = resolver.resolve("moving pierce", "s", request.pierce_s, std::nullopt, [&] {
+        return Inferred{*rule.dynamic_pierce_share * plan.pierce_s,
+                        fmt::format("{} times that at rest", *rule.dynamic_pierce_share)};
     });
 }
 
-void settle_shape(Settlement& settlement, const Materials& file, const CuttingRequest& request,
-                  CuttingPlan& plan) {
+void resolve_shape(ValueResolver& resolver, const Materials& file, const CuttingRequest& request,
+                   CuttingPlan& plan) {
     const double share = plan.cutting_speed_mm_min / plan.separation_speed_mm_min;
-    plan.kerf_mm = settlement.settle("kerf", "mm", request.kerf_mm, std::nullopt, [&] {
+    plan.kerf_mm = resolver.resolve("kerf", "mm", request.kerf_mm, std::nullopt, [&] {
         return Inferred{kerf_mm(file.kerf, plan.jet.mixing_tube_mm),
                         fmt::format("{} times the mixing tube", file.kerf.width_to_tube)};
     });
     plan.exit_kerf_mm =
-        settlement.inferred("kerf at the exit", "mm",
-                            {exit_kerf_mm(file.kerf, plan.kerf_mm, share), "kerf, taper and cutting speed"});
-    plan.taper_mm = settlement.inferred(
+        resolver.inferred("kerf at the exit", "mm",
+                          {exit_kerf_mm(file.kerf, plan.kerf_mm, share), "kerf, taper and cutting speed"});
+    plan.taper_mm = resolver.inferred(
         "taper each side", "mm",
         {taper_mm(file.kerf, plan.kerf_mm, share), "the file's taper and share of the separation speed"});
-    settle_pierce(settlement, file.pierce, request, plan);
-    plan.lag_mm = settlement.inferred(
+    resolve_pierce(resolver, file.pierce, request, plan);
+    plan.lag_mm = resolver.inferred(
         "jet lag", "mm",
         {lag_mm(file.lag, {plan.thickness_mm, plan.separation_speed_mm_min}, plan.cutting_speed_mm_min),
          "thickness and share of the separation speed"});
-    plan.contour_error_mm = settlement.inferred(
+    plan.contour_error_mm = resolver.inferred(
         "contour error", "mm", {contour_error_mm(file.lag, plan.quality), "the file's errors by quality"});
 }
 
 void add_warnings(CuttingPlan& plan) {
-    const auto watch = [&](double value, const ValueRange& usual) {
-        if (!usual.find_fault(value)) return;
-        plan.warnings.push_back(fmt::format("{} is {}, outside of the usual {} to {}", usual.key, value,
-                                            usual.least, usual.greatest));
+    const auto warn_if_unusual = [&](double value, const ValueRange& typical_range) {
+        if (!typical_range.find_error(value)) return;
+        plan.warnings.push_back(fmt::format("{} is {}, outside of the usual {} to {}", typical_range.key,
+                                            value, typical_range.min, typical_range.max));
     };
-    watch(plan.jet.pressure_mpa, kUsualPressure);
-    watch(plan.jet.orifice_mm, kUsualOrifice);
+    warn_if_unusual(plan.jet.pressure_mpa, kTypicalPressure);
+    warn_if_unusual(plan.jet.orifice_mm, kTypicalOrifice);
     if (plan.cutting_speed_mm_min > plan.separation_speed_mm_min) {
         plan.warnings.push_back(
             fmt::format("at {:.1f} mm/min the jet does not come through; the fastest is {:.1f}",
@@ -143,22 +144,21 @@ void add_warnings(CuttingPlan& plan) {
 
 double limited_feed(const CuttingPlan& plan, double allowed_lag_mm) {
     const double speed =
-        speed_of_lag_mm_min(plan.lag, {plan.thickness_mm, plan.separation_speed_mm_min}, allowed_lag_mm);
-    return std::clamp(speed, plan.lag.least_feed_share * plan.cutting_speed_mm_min,
-                      plan.cutting_speed_mm_min);
+        speed_for_lag_mm_min(plan.lag, {plan.thickness_mm, plan.separation_speed_mm_min}, allowed_lag_mm);
+    return std::clamp(speed, plan.lag.min_feed_share * plan.cutting_speed_mm_min, plan.cutting_speed_mm_min);
 }
 
 }  // namespace
 
 tl::expected<CuttingPlan, std::string> plan_cutting(const Materials& materials,
                                                     const CuttingRequest& request) {
-    if (auto fault = find_fault(request)) return tl::unexpected(*std::move(fault));
+    if (auto error = find_error(request)) return tl::unexpected(*std::move(error));
     const auto material = find_material(materials, request.material);
     if (!material) return tl::unexpected(material.error());
     CuttingPlan plan;
-    Settlement settlement;
+    ValueResolver resolver;
     plan.material = (*material)->name;
-    if (request.moving_pierce && !request.pierce_s && !materials.pierce.moving_share) {
+    if (request.dynamic_pierce && !request.pierce_s && !materials.pierce.dynamic_pierce_share) {
         return tl::unexpected(
             std::string("the materials file has no 'moving_share' in [pierce]: how long a moving pierce "
                         "takes has to be given"));
@@ -167,19 +167,19 @@ tl::expected<CuttingPlan, std::string> plan_cutting(const Materials& materials,
     plan.kerf = materials.kerf;
     plan.thickness_mm =
         request.thickness_basis.empty()
-            ? settlement.given("thickness", "mm", request.thickness_mm)
-            : settlement.inferred("thickness", "mm", {request.thickness_mm, request.thickness_basis});
-    plan.machinability = settle_machinability(settlement, materials, **material);
+            ? resolver.record_input("thickness", "mm", request.thickness_mm)
+            : resolver.inferred("thickness", "mm", {request.thickness_mm, request.thickness_basis});
+    plan.machinability = resolve_machinability(resolver, materials, **material);
     plan.quality =
-        settlement.settle("quality", {}, request.quality, materials.jet.quality, [] { return Inferred{}; });
-    plan.jet = settle_jet(settlement, materials.jet, request, plan);
+        resolver.resolve("quality", {}, request.quality, materials.jet.quality, [] { return Inferred{}; });
+    plan.jet = resolve_jet(resolver, materials.jet, request, plan);
     if (plan.jet.mixing_tube_mm <= plan.jet.orifice_mm) {
         return tl::unexpected(fmt::format("the mixing tube ({} mm) must be wider than the orifice ({} mm)",
                                           plan.jet.mixing_tube_mm, plan.jet.orifice_mm));
     }
-    settle_speeds(settlement, request, plan);
-    settle_shape(settlement, materials, request, plan);
-    plan.values = settlement.take();
+    resolve_speeds(resolver, request, plan);
+    resolve_shape(resolver, materials, request, plan);
+    plan.values = resolver.release();
     add_warnings(plan);
     return plan;
 }
@@ -201,9 +201,10 @@ double speed_at_thickness_mm_min(const CuttingPlan& plan, double thickness_mm) {
     return plan.cutting_speed_mm_min * std::pow(plan.thickness_mm / thickness_mm, kSpeedExponent);
 }
 
-double straightening_lean_deg(const CuttingPlan& plan, double feed_mm_min) {
-    const double closes_mm = taper_mm(plan.kerf, plan.kerf_mm, feed_mm_min / plan.separation_speed_mm_min);
-    return std::atan(closes_mm / plan.thickness_mm) * kDegPerRad;
+double taper_compensation_deg(const CuttingPlan& plan, double feed_mm_min) {
+    const double taper_per_side_mm =
+        taper_mm(plan.kerf, plan.kerf_mm, feed_mm_min / plan.separation_speed_mm_min);
+    return std::atan(taper_per_side_mm / plan.thickness_mm) * kDegPerRad;
 }
 
 }  // namespace gsim::waterjet

@@ -7,8 +7,8 @@
 
 #include <tl/expected.hpp>
 
-#include "cam/waterjet/inference.h"
 #include "cam/waterjet/materials.h"
+#include "cam/waterjet/value_resolver.h"
 
 namespace gsim::waterjet {
 
@@ -25,7 +25,7 @@ struct CuttingRequest {
     std::optional<double> speed_mm_min;
     std::optional<double> kerf_mm;
     std::optional<double> pierce_s;
-    bool moving_pierce = false;  ///< The nozzle moves meanwhile; pierce_s is of that, too.
+    bool dynamic_pierce = false;  ///< The nozzle moves meanwhile; pierce_s is of that, too.
 };
 
 /// The resolved cutting parameters.
@@ -40,15 +40,15 @@ struct CuttingPlan {
     double separation_speed_mm_min = 0;  ///< At which the jet just comes through.
     double kerf_mm = 0;                  ///< At the entry: the tool path lies half of it off the contour.
     double exit_kerf_mm = 0;
-    double pierce_s = 0;                    ///< For each pierce, with the nozzle at standstill.
-    std::optional<double> moving_pierce_s;  ///< While it moves; none if not requested.
-    double taper_mm = 0;                    ///< By which each side closes at the cutting speed.
-    double lag_mm = 0;                      ///< At the cutting speed.
-    double contour_error_mm = 0;            ///< Visible share of the lag.
-    LagRule lag;                            ///< By which curves and corners are slower.
-    KerfRule kerf;                          ///< By which sides lean.
-    std::vector<SettledValue> values;       ///< In the order in which they were settled.
-    std::vector<std::string> warnings;      ///< Messages.
+    double pierce_s = 0;                     ///< For each pierce, with the nozzle at standstill.
+    std::optional<double> dynamic_pierce_s;  ///< While it moves; none if not requested.
+    double taper_mm = 0;                     ///< By which each side closes at the cutting speed.
+    double lag_mm = 0;                       ///< At the cutting speed.
+    double contour_error_mm = 0;             ///< Visible share of the lag.
+    LagRule lag;                             ///< By which curves and corners are slower.
+    KerfRule kerf;                           ///< By which sides lean.
+    std::vector<ResolvedValue> values;       ///< In the order in which they were settled.
+    std::vector<std::string> warnings;       ///< Messages.
 };
 
 /// Settles every value. The error is a message: an unknown material, a value out of range, a mixing tube that
@@ -75,6 +75,6 @@ double speed_at_thickness_mm_min(const CuttingPlan& plan, double thickness_mm);
 
 /// Returns the tilt of the jet over the waste, in deg, that makes the side of the part straight when it is
 /// cut at that feed. It compensates the narrowing of the kerf over the thickness.
-double straightening_lean_deg(const CuttingPlan& plan, double feed_mm_min);
+double taper_compensation_deg(const CuttingPlan& plan, double feed_mm_min);
 
 }  // namespace gsim::waterjet

@@ -13,16 +13,16 @@ double lag_mm(const LagRule& rule, const LagState& cut, double speed_mm_min) {
            std::pow(speed_mm_min / cut.separation_speed_mm_min, rule.exponent);
 }
 
-double speed_of_lag_mm_min(const LagRule& rule, const LagState& cut, double lag_mm) {
+double speed_for_lag_mm_min(const LagRule& rule, const LagState& cut, double lag_mm) {
     return cut.separation_speed_mm_min *
            std::pow(lag_mm / (rule.lag_to_thickness * cut.thickness_mm), 1 / rule.exponent);
 }
 
 double contour_error_mm(const LagRule& rule, double quality) {
     const auto& errors = rule.contour_error_mm;
-    const double place = std::clamp(quality, 1.0, static_cast<double>(errors.size())) - 1;
-    const auto below = std::min(static_cast<std::size_t>(place), errors.size() - 2);
-    return std::lerp(errors[below], errors[below + 1], place - static_cast<double>(below));
+    const double sample_rank = std::clamp(quality, 1.0, static_cast<double>(errors.size())) - 1;
+    const auto below = std::min(static_cast<std::size_t>(sample_rank), errors.size() - 2);
+    return std::lerp(errors[below], errors[below + 1], sample_rank - static_cast<double>(below));
 }
 
 double lag_allowed_on_arc_mm(double radius_mm, double error_mm) {

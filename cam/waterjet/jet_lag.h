@@ -10,7 +10,7 @@ struct LagRule {
     double lag_to_thickness = 0;               ///< Lag of a cut at the separation speed.
     double exponent = 0;                       ///< The lag is proportional to this power of the speed; > 0.
     std::array<double, 5> contour_error_mm{};  ///< Allowed at the exit, for the qualities 1 .. 5.
-    double least_feed_share = 0;               ///< Min share of the cutting speed anywhere. 0 < .. <= 1
+    double min_feed_share = 0;                 ///< Min share of the cutting speed anywhere. 0 < .. <= 1
 
     bool operator==(const LagRule&) const = default;
 };
@@ -25,7 +25,7 @@ struct LagState {
 double lag_mm(const LagRule& rule, const LagState& cut, double speed_mm_min);
 
 /// Returns the speed at which the jet lags by `lag_mm`: the inverse of the function above.
-double speed_of_lag_mm_min(const LagRule& rule, const LagState& cut, double lag_mm);
+double speed_for_lag_mm_min(const LagRule& rule, const LagState& cut, double lag_mm);
 
 /// Returns the error that the rule allows at a quality of 1 .. 5; values between integers are interpolated
 /// linearly.

@@ -13,7 +13,7 @@ namespace gsim::waterjet {
 struct JobQuantities {
     double cut_length_mm = 0;
     std::size_t pierces = 0;
-    std::size_t moving_pierces = 0;  ///< Part of pierces.
+    std::size_t dynamic_pierces = 0;  ///< Part of pierces.
     /// If missing: the length at the cutting speed of straight lines.
     std::optional<double> cut_time_s = std::nullopt;
     double other_time_s = 0;  ///< Machine time with the jet off: rapid moves, dwells.

@@ -10,8 +10,8 @@ namespace gsim::waterjet {
 
 /// Share of the cutting time that accuracy requires.
 struct AccuracyTimes {
-    double slower_s = 0;                                   ///< In curves and corners.
-    std::optional<double> straightening_s = std::nullopt;  ///< Taper compensation; none: it is not done.
+    double slowdown_s = 0;                                      ///< In curves and corners.
+    std::optional<double> taper_compensation_s = std::nullopt;  ///< Taper compensation; none: it is not done.
 };
 
 /// The contents of a report.

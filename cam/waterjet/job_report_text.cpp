@@ -13,13 +13,13 @@ namespace {
 std::string clock_text(double time_s) {
     constexpr double kLongest_s = 1e9;
     if (!(time_s < kLongest_s)) return "-";
-    const auto whole = std::llround(time_s);
-    return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+    const auto total_s = std::llround(time_s);
+    return fmt::format("{}:{:02}:{:02}", total_s / 3600, total_s / 60 % 60, total_s % 60);
 }
 
-std::string source_text(const SettledValue& value) {
+std::string source_text(const ResolvedValue& value) {
     switch (value.origin) {
-        case Origin::given: return "given";
+        case Origin::record_input: return "given";
         case Origin::from_file:
             return value.basis.empty() ? "the file" : fmt::format("the file: {}", value.basis);
         case Origin::inferred: return fmt::format("inferred from {}", value.basis);
@@ -29,7 +29,7 @@ std::string source_text(const SettledValue& value) {
 
 void append_plan(std::string& out, const CuttingPlan& plan) {
     text::append_format(out, "Cutting {}, {} mm\n", plan.material, plan.thickness_mm);
-    for (const SettledValue& value : plan.values) {
+    for (const ResolvedValue& value : plan.values) {
         text::append_format(out, "  {:<18}{:>12.5g} {:<7}{}\n", value.name, value.value, value.unit,
                             source_text(value));
     }
@@ -56,17 +56,17 @@ std::string jet_text(const CuttingPlan& plan, double time_s) {
 void append_accuracy(std::string& out, const JobReport& report) {
     const CuttingPlan& plan = report.plan;
     text::append_format(out, "\nAccuracy takes\n  {:<18}{}\n", "curves, corners",
-                        jet_text(plan, report.accuracy.slower_s));
-    if (report.accuracy.straightening_s) {
+                        jet_text(plan, report.accuracy.slowdown_s));
+    if (report.accuracy.taper_compensation_s) {
         text::append_format(out, "  {:<18}{}, leaning {:.3g} deg at the cutting speed\n", "straight sides",
-                            jet_text(plan, *report.accuracy.straightening_s),
-                            straightening_lean_deg(plan, plan.cutting_speed_mm_min));
+                            jet_text(plan, *report.accuracy.taper_compensation_s),
+                            taper_compensation_deg(plan, plan.cutting_speed_mm_min));
     } else {
         text::append_format(out,
                             "  {:<18}{:>12} s   not asked for: sides are off by {:.3g} mm (--straighten)\n",
                             "straight sides", 0, plan.taper_mm);
     }
-    if (plan.moving_pierce_s) {
+    if (plan.dynamic_pierce_s) {
         text::append_format(out, "  {:<18}{}\n", "moving pierces",
                             jet_text(plan, report.price.pierce_time_s -
                                                plan.pierce_s * static_cast<double>(report.price.pierces)));

@@ -6,7 +6,7 @@
 
 #include "base/text/format.h"
 #include "base/text/nearest_name.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 
 namespace gsim::waterjet {
 
@@ -24,7 +24,7 @@ tl::expected<const Material*, std::string> find_material(const Materials& materi
     return tl::unexpected(fmt::format("unknown material {}; {}", base::toml_string(name), hint));
 }
 
-double machinability_of(const Materials& materials, const Material& material) {
+double material_machinability(const Materials& materials, const Material& material) {
     if (material.machinability) return *material.machinability;
     if (const auto& cut = material.measured)
         return machinability_of_cut(cut->jet, cut->speed_mm_min, cut->thickness_mm, cut->quality);

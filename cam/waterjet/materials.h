@@ -39,9 +39,9 @@ struct PriceRule {
     double abrasive_per_kg = 0;
     double recycled_per_kg = 0;  ///< Washing and drying of what is used again.
     double recycled_share = 0;   ///< Share of the abrasive's mass, 0 .. < 1.
-    double orifice_each = 0;
+    double orifice_price = 0;
     double orifice_life_h = 0;  ///< With the jet on.
-    double mixing_tube_each = 0;
+    double mixing_tube_price = 0;
     double mixing_tube_life_h = 0;  ///< With the jet on.
 
     bool operator==(const PriceRule&) const = default;
@@ -85,6 +85,6 @@ tl::expected<const Material*, std::string> find_material(const Materials& materi
 
 /// Returns the machinability of one of these materials: its own number, that of the material it is like, or
 /// the result of its measured cut.
-double machinability_of(const Materials& materials, const Material& material);
+double material_machinability(const Materials& materials, const Material& material);
 
 }  // namespace gsim::waterjet

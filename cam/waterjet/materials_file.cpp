@@ -3,7 +3,7 @@
 #include <array>
 
 #include "base/toml/toml_section.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 #include "cam/waterjet/embedded_materials.h"
 #include "cam/waterjet/value_range.h"
 
@@ -31,7 +31,7 @@ constexpr std::array kMaterialKeys{"name"sv, "machinability"sv, "like"sv, "measu
 constexpr std::array kMeasuredKeys{"speed_mm_min"sv,   "thickness_mm"sv,   "quality"sv,
                                    "pressure_mpa"sv,   "orifice_mm"sv,     "mixing_tube_mm"sv,
                                    "abrasive_g_min"sv, "abrasive_factor"sv};
-constexpr std::size_t kGreatestText = 200;
+constexpr std::size_t kMaxTextLength = 200;
 
 constexpr ValueRange kFactor{"abrasive_factor", 0.01, 100};
 constexpr ValueRange kDischarge{"discharge", 0.1, 1};
@@ -40,34 +40,34 @@ constexpr ValueRange kAbrasiveRatio{"abrasive_to_water", 0.001, 1};
 constexpr ValueRange kLagRatio{"lag_to_thickness", 0.001, 10};
 constexpr ValueRange kLagExponent{"exponent", 0.1, 10};
 constexpr ValueRange kContourError{"contour_error_mm", 1e-4, 100};
-constexpr ValueRange kLeastFeed{"least_feed_share", 1e-4, 1};
+constexpr ValueRange kMinFeed{"least_feed_share", 1e-4, 1};
 constexpr ValueRange kWidthRatio{"width_to_tube", 0.1, 10};
 constexpr ValueRange kTaper{"taper_mm", 0, 100};
 constexpr ValueRange kPierceFactor{"factor", 0.001, 1e4};
-constexpr ValueRange kLeastPierce{"least_s", 0, 1e4};
-constexpr ValueRange kMovingPierce{"moving_share", 0.01, 1};
+constexpr ValueRange kMinPierce{"least_s", 0, 1e4};
+constexpr ValueRange kDynamicPierce{"moving_share", 0.01, 1};
 constexpr ValueRange kRecycled{"recycled_share", 0, 0.99};
-constexpr double kGreatestPrice = 1e6;
-constexpr double kLeastLife_h = 0.01;
+constexpr double kMaxPrice = 1e6;
+constexpr double kMinLife_h = 0.01;
 
 std::optional<double> optional_number(TomlSection& section, const ValueRange& range) {
     if (!section.has(range.key)) return std::nullopt;
-    const double value = section.number(range.key, range.least, NumberRule::finite);
-    if (const auto fault = range.find_fault(value)) section.fail(range.key, *fault);
+    const double value = section.number(range.key, range.min, NumberRule::finite);
+    if (const auto error_message = range.find_error(value)) section.fail(range.key, *error_message);
     return value;
 }
 
 double number(TomlSection& section, const ValueRange& range) {
     section.require(range.key);
-    return optional_number(section, range).value_or(range.least);
+    return optional_number(section, range).value_or(range.min);
 }
 
 double price(TomlSection& section, std::string_view key) {
-    return number(section, {key, 0, kGreatestPrice});
+    return number(section, {key, 0, kMaxPrice});
 }
 
 double life_h(TomlSection& section, std::string_view key) {
-    return number(section, {key, kLeastLife_h, kGreatestPrice});
+    return number(section, {key, kMinLife_h, kMaxPrice});
 }
 
 /// Returns a text that fits into one line of a report.
@@ -75,9 +75,9 @@ std::string short_text(TomlSection& section, std::string_view key) {
     std::string text = section.text(key);
     const bool printable = std::none_of(
         text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
-    if (!printable || text.empty() || text.size() > kGreatestText) {
+    if (!printable || text.empty() || text.size() > kMaxTextLength) {
         section.fail(
-            key, fmt::format("'{}' must be 1 to {} bytes without control characters", key, kGreatestText));
+            key, fmt::format("'{}' must be 1 to {} bytes without control characters", key, kMaxTextLength));
     }
     return text;
 }
@@ -115,9 +115,9 @@ std::array<double, 5> read_contour_errors(TomlSection& section) {
     }
     for (std::size_t i = 0; i < errors.size(); ++i) {
         const auto value = (*array)[i].value<double>();
-        if (!value || kContourError.find_fault(*value)) {
+        if (!value || kContourError.find_error(*value)) {
             section.fail(kKey, fmt::format("'{}' must hold numbers between {} and {}", kKey,
-                                           kContourError.least, kContourError.greatest));
+                                           kContourError.min, kContourError.max));
             return errors;
         }
         errors[i] = *value;
@@ -129,7 +129,7 @@ LagRule read_lag(TomlSection& section) {
     return {.lag_to_thickness = number(section, kLagRatio),
             .exponent = number(section, kLagExponent),
             .contour_error_mm = read_contour_errors(section),
-            .least_feed_share = number(section, kLeastFeed)};
+            .min_feed_share = number(section, kMinFeed)};
 }
 
 KerfRule read_kerf(TomlSection& section) {
@@ -138,8 +138,8 @@ KerfRule read_kerf(TomlSection& section) {
 
 PierceRule read_pierce(TomlSection& section) {
     return {.factor = number(section, kPierceFactor),
-            .least_s = number(section, kLeastPierce),
-            .moving_share = optional_number(section, kMovingPierce)};
+            .min_s = number(section, kMinPierce),
+            .dynamic_pierce_share = optional_number(section, kDynamicPierce)};
 }
 
 PriceRule read_prices(TomlSection& section) {
@@ -149,9 +149,9 @@ PriceRule read_prices(TomlSection& section) {
             .abrasive_per_kg = price(section, "abrasive_per_kg"),
             .recycled_per_kg = price(section, "recycled_per_kg"),
             .recycled_share = number(section, kRecycled),
-            .orifice_each = price(section, "orifice_each"),
+            .orifice_price = price(section, "orifice_each"),
             .orifice_life_h = life_h(section, "orifice_life_h"),
-            .mixing_tube_each = price(section, "mixing_tube_each"),
+            .mixing_tube_price = price(section, "mixing_tube_each"),
             .mixing_tube_life_h = life_h(section, "mixing_tube_life_h")};
 }
 
@@ -168,8 +168,8 @@ MeasuredCut read_measured(FirstError& error, const toml::table& table) {
     check_tube(section, cut.jet.mixing_tube_mm, cut.jet.orifice_mm);
     const double machinability =
         machinability_of_cut(cut.jet, cut.speed_mm_min, cut.thickness_mm, cut.quality);
-    if (const auto fault = range::kMachinability.find_fault(machinability))
-        section.fail("speed_mm_min", fmt::format("such a cut cannot be: {}", *fault));
+    if (const auto error_message = range::kMachinability.find_error(machinability))
+        section.fail("speed_mm_min", fmt::format("such a cut cannot be: {}", *error_message));
     return cut;
 }
 
@@ -182,12 +182,13 @@ Material read_material(FirstError& error, const toml::table& table) {
     if (const toml::table* measured = section.table("measured"))
         material.measured = read_measured(error, *measured);
     if (section.has("source")) material.source = short_text(section, "source");
-    const int ways = static_cast<int>(section.has("machinability")) + static_cast<int>(section.has("like")) +
-                     static_cast<int>(section.has("measured"));
-    if (ways != 1) {
+    const int source_count = static_cast<int>(section.has("machinability")) +
+                             static_cast<int>(section.has("like")) +
+                             static_cast<int>(section.has("measured"));
+    if (source_count != 1) {
         section.fail("name", fmt::format("the material {} must have one of 'machinability', 'like' and "
                                          "'measured'; it has {}",
-                                         base::toml_string(material.name), ways));
+                                         base::toml_string(material.name), source_count));
     }
     return material;
 }
@@ -212,7 +213,7 @@ std::vector<Material> read_material_list(FirstError& error, TomlSection& file) {
 }
 
 // A material that is cut like another one needs one with its own number, so that no cycles occur.
-void check_likes(FirstError& error, TomlSection& file, const Materials& all) {
+void check_references(FirstError& error, TomlSection& file, const Materials& all) {
     const std::vector<const toml::table*> tables = file.tables("material");
     for (std::size_t i = 0; i < all.materials.size(); ++i) {
         const Material& material = all.materials[i];
@@ -247,7 +248,7 @@ Materials read_tables(FirstError& error, const toml::table& root) {
     all.pierce = read_section(error, file, "pierce", kPierceKeys, read_pierce);
     all.prices = read_section(error, file, "prices", kPriceKeys, read_prices);
     all.materials = read_material_list(error, file);
-    if (!error.text()) check_likes(error, file, all);
+    if (!error.text()) check_references(error, file, all);
     return all;
 }
 
@@ -262,9 +263,9 @@ tl::expected<Materials, std::string> read_materials(std::string_view toml_text, 
     return materials;
 }
 
-tl::expected<Materials, std::string> load_materials(const std::filesystem::path& path, os::NamedBy named_by,
-                                                    const os::Files& files) {
-    return files.read_text(path, named_by).and_then([&](const std::string& text) {
+tl::expected<Materials, std::string> load_materials(const std::filesystem::path& path,
+                                                    os::NameSource name_source, const os::Files& files) {
+    return files.read_text(path, name_source).and_then([&](const std::string& text) {
         return read_materials(text, path.string());
     });
 }

@@ -17,7 +17,7 @@ tl::expected<Materials, std::string> read_materials(std::string_view toml_text, 
 
 /// Reads a file with read_materials().
 tl::expected<Materials, std::string> load_materials(const std::filesystem::path& path,
-                                                    os::NamedBy named_by = os::NamedBy::a_file,
+                                                    os::NameSource name_source = os::NameSource::in_file,
                                                     const os::Files& files = os::disk());
 
 /// Returns the text of samples/materials.toml, which is compiled in.

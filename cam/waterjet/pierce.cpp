@@ -7,7 +7,7 @@
 namespace gsim::waterjet {
 
 double pierce_s(const PierceRule& rule, double thickness_mm, double separation_speed_mm_min) {
-    return std::max(rule.least_s, rule.factor * thickness_mm * kSecondsPerMinute / separation_speed_mm_min);
+    return std::max(rule.min_s, rule.factor * thickness_mm * kSecondsPerMinute / separation_speed_mm_min);
 }
 
 }  // namespace gsim::waterjet

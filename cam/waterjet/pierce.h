@@ -7,11 +7,11 @@ namespace gsim::waterjet {
 /// The time to pierce the material at one position. A rule of this project with numbers that a shop sets
 /// (docs/waterjet.md).
 struct PierceRule {
-    double factor = 0;   ///< Times the thickness over the separation speed; > 0.
-    double least_s = 0;  ///< However thin the material is; >= 0.
+    double factor = 0;  ///< Times the thickness over the separation speed; > 0.
+    double min_s = 0;   ///< However thin the material is; >= 0.
     /// Share of that time for a pierce while the nozzle moves, which deflects the returning jet; 0 < .. <= 1.
     /// None: not known.
-    std::optional<double> moving_share = std::nullopt;
+    std::optional<double> dynamic_pierce_share = std::nullopt;
 
     bool operator==(const PierceRule&) const = default;
 };

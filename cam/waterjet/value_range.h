@@ -13,13 +13,13 @@ namespace gsim::waterjet {
 /// The allowed range of a value. The ranges are far wider than in practice; they keep the sums finite.
 struct ValueRange {
     std::string_view key;
-    double least = 0;
-    double greatest = 0;
+    double min = 0;
+    double max = 0;
 
     /// Returns a message if the value is out of range, or not a number.
-    std::optional<std::string> find_fault(double value) const {
-        if (value >= least && value <= greatest) return std::nullopt;
-        return fmt::format("'{}' must be between {} and {}; it is {}", key, least, greatest, value);
+    std::optional<std::string> find_error(double value) const {
+        if (value >= min && value <= max) return std::nullopt;
+        return fmt::format("'{}' must be between {} and {}; it is {}", key, min, max, value);
     }
 };
 

@@ -14,41 +14,41 @@ namespace gsim::codegen {
 
 namespace {
 
-enum class Takes : unsigned char { nothing, text, values };
+enum class ArgumentKind : unsigned char { none, text, values };
 
-struct Active {
+struct ActiveComment {
     std::string_view name;
-    Takes takes;
+    ArgumentKind argument;
     bool needs_comma;
 };
 
-constexpr std::array kActive = {
-    Active{"MSG", Takes::text, true},
-    Active{"DEBUG", Takes::values, true},
-    Active{"PRINT", Takes::values, true},
-    Active{"LOGOPEN", Takes::text, true},
-    Active{"LOGAPPEND", Takes::text, true},
-    Active{"LOGCLOSE", Takes::nothing, false},
-    Active{"LOG", Takes::values, true},
-    Active{"PROBEOPEN", Takes::text, false},
-    Active{"PROBECLOSE", Takes::nothing, false},
-    Active{"ABORT", Takes::values, true},
-    Active{"PYRUN", Takes::text, true},
-    Active{"PYRELOAD", Takes::nothing, false},
-    Active{"PY", Takes::text, true},
+constexpr std::array kActiveComments = {
+    ActiveComment{"MSG", ArgumentKind::text, true},
+    ActiveComment{"DEBUG", ArgumentKind::values, true},
+    ActiveComment{"PRINT", ArgumentKind::values, true},
+    ActiveComment{"LOGOPEN", ArgumentKind::text, true},
+    ActiveComment{"LOGAPPEND", ArgumentKind::text, true},
+    ActiveComment{"LOGCLOSE", ArgumentKind::none, false},
+    ActiveComment{"LOG", ArgumentKind::values, true},
+    ActiveComment{"PROBEOPEN", ArgumentKind::text, false},
+    ActiveComment{"PROBECLOSE", ArgumentKind::none, false},
+    ActiveComment{"ABORT", ArgumentKind::values, true},
+    ActiveComment{"PYRUN", ArgumentKind::text, true},
+    ActiveComment{"PYRELOAD", ArgumentKind::none, false},
+    ActiveComment{"PY", ArgumentKind::text, true},
 };
 
 constexpr std::size_t kMaxValues = 50;  // a call of Lua accepts some 200 at most
 
 /// Splits a text with values into a format for Lua's string.format, and the values after it.
-class ValueText {
+class FormattedValues {
   public:
-    explicit ValueText(std::string_view text) : rest_(text) {
-        while (!rest_.empty()) {
-            if (rest_[0] == '#' && take_value()) continue;
-            if (rest_[0] == '%' && take_format()) continue;
-            add_plain(rest_[0]);
-            rest_.remove_prefix(1);
+    explicit FormattedValues(std::string_view text) : remaining_(text) {
+        while (!remaining_.empty()) {
+            if (remaining_[0] == '#' && consume_value()) continue;
+            if (remaining_[0] == '%' && consume_format()) continue;
+            add_plain(remaining_[0]);
+            remaining_.remove_prefix(1);
         }
     }
     const std::string& format() const { return format_; }
@@ -61,24 +61,24 @@ class ValueText {
         if (c == '%') format_ += c;
     }
 
-    bool take_value() {
-        if (rest_.size() > 1 && rest_[1] == '<') {
-            const std::size_t end = rest_.find('>');
+    bool consume_value() {
+        if (remaining_.size() > 1 && remaining_[1] == '<') {
+            const std::size_t end = remaining_.find('>');
             if (end == std::string_view::npos) return false;
             std::string name;
-            for (const char c : text::lower(rest_.substr(2, end - 2))) {
+            for (const char c : text::lower(remaining_.substr(2, end - 2))) {
                 if (c != ' ' && c != '\t') name += c;
             }
             values_ += ", parameter(";
             write_lua_string(name, values_);
             values_ += ')';
-            rest_.remove_prefix(end + 1);
+            remaining_.remove_prefix(end + 1);
         } else {
             std::size_t end = 1;
-            while (end < rest_.size() && text::is_digit(rest_[end])) ++end;
+            while (end < remaining_.size() && text::is_digit(remaining_[end])) ++end;
             if (end == 1) return false;
-            values_ += numbered(rest_.substr(1, end - 1));
-            rest_.remove_prefix(end);
+            values_ += parameter_argument(remaining_.substr(1, end - 1));
+            remaining_.remove_prefix(end);
         }
         format_ += value_format_;
         ++count_;
@@ -88,8 +88,8 @@ class ValueText {
     /// Returns the parameter with this number. A number that no parameter has is shown as one without a
     /// value. Comments may read the position during cutter compensation, but expressions may not read #5420
     /// to #5428.
-    static std::string numbered(std::string_view digits) {
-        const std::string number = normal_number(digits);
+    static std::string parameter_argument(std::string_view digits) {
+        const std::string number = normalized_number(digits);
         const int value = number.size() <= kMaxDigits ? std::stoi(number) : 0;
         if (value >= kFirstPosition && value < kFirstPosition + static_cast<int>(kPositionNames.size()))
             return fmt::format(", parameter(\"_{}\")",
@@ -98,17 +98,18 @@ class ValueText {
     }
 
     /// Reads %d, %f and %.3f: the formats of the values after it.
-    bool take_format() {
-        if (rest_.starts_with("%d")) return set_format("%.0f", 2);
-        if (rest_.starts_with("%f")) return set_format("%.4f", 2);
-        if (rest_.size() >= 4 && rest_[1] == '.' && text::is_digit(rest_[2]) && rest_[3] == 'f')
-            return set_format(std::string(rest_.substr(0, 4)), 4);
+    bool consume_format() {
+        if (remaining_.starts_with("%d")) return set_format("%.0f", 2);
+        if (remaining_.starts_with("%f")) return set_format("%.4f", 2);
+        if (remaining_.size() >= 4 && remaining_[1] == '.' && text::is_digit(remaining_[2]) &&
+            remaining_[3] == 'f')
+            return set_format(std::string(remaining_.substr(0, 4)), 4);
         return false;
     }
 
     bool set_format(std::string format, std::size_t size) {
         value_format_ = std::move(format);
-        rest_.remove_prefix(size);
+        remaining_.remove_prefix(size);
         return true;
     }
 
@@ -117,20 +118,20 @@ class ValueText {
     static constexpr std::string_view kPositionNames = "xyzabcuvw";  // of #5420 on: #<_x> and so on
     static constexpr std::size_t kMaxDigits = 4;                     // of its number
 
-    std::string_view rest_;
+    std::string_view remaining_;
     std::string format_;
     std::string values_;
     std::string value_format_ = "%f";
     std::size_t count_ = 0;
 };
 
-std::string_view without_blanks(std::string_view text) {
+std::string_view trim_blanks(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
     return text;
 }
 
-const Active* find_active(std::string_view name) {
-    for (const Active& active : kActive) {
+const ActiveComment* find_active(std::string_view name) {
+    for (const ActiveComment& active : kActiveComments) {
         if (name.starts_with(active.name)) return &active;
     }
     return nullptr;
@@ -139,25 +140,25 @@ const Active* find_active(std::string_view name) {
 }  // namespace
 
 std::optional<std::string> write_active_comment(std::string_view comment, std::string& out) {
-    comment = without_blanks(comment);
-    const Active* active = find_active(text::upper(comment.substr(0, 12)));
+    comment = trim_blanks(comment);
+    const ActiveComment* active = find_active(text::upper(comment.substr(0, 12)));
     if (active == nullptr) return std::nullopt;
     std::string_view text = comment.substr(active->name.size());
     if (active->needs_comma) {
         if (!text.starts_with(',')) return std::nullopt;
         text.remove_prefix(1);
     } else {
-        text = without_blanks(text);
+        text = trim_blanks(text);
     }
-    if (active->takes == Takes::nothing && !text.empty()) return std::nullopt;
+    if (active->argument == ArgumentKind::none && !text.empty()) return std::nullopt;
     out += active->name;
     out += '(';
-    if (active->takes == Takes::values) {
-        const ValueText parts(text);
+    if (active->argument == ArgumentKind::values) {
+        const FormattedValues parts(text);
         if (parts.count() > kMaxValues) return fmt::format("a comment shows at most {} values", kMaxValues);
         write_lua_string(parts.format(), out);
         out += parts.values();
-    } else if (active->takes == Takes::text) {
+    } else if (active->argument == ArgumentKind::text) {
         write_lua_string(text, out);
     }
     out += ") ";

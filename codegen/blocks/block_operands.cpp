@@ -13,18 +13,18 @@ using lexer::Word;
 namespace {
 
 /// Words that arcs and cycles read and other codes of RS274/NGC read too.
-constexpr std::string_view kWordsOfModalMotions = "LPQR";
+constexpr std::string_view kModalMotionLetters = "LPQR";
 
 }  // namespace
 
 /// In RS274/NGC a word belongs to every code that reads it: P of `G64 P2 M19 R90` is the tolerance and the
 /// direction.
-bool BlockPlan::belongs(const Block& block, std::uint32_t word, std::uint32_t call) const {
+bool BlockPlan::belongs_to_call(const Block& block, std::uint32_t word, std::uint32_t call) const {
     if (owners_[word] == static_cast<std::int32_t>(call)) return true;
     const Word& shared = block.text->words[word];
     const Code* code = calls_[call].code;
     return lexer_.is_ngc() && owners_[word] != kUnowned && code != nullptr && !is_axis(shared) &&
-           takes(*code, shared.address);
+           accepts(*code, shared.address);
 }
 
 /// The modal motion is known only at run time. So it is not known before if this word, which arcs and cycles
@@ -32,15 +32,15 @@ bool BlockPlan::belongs(const Block& block, std::uint32_t word, std::uint32_t ca
 bool BlockPlan::is_shared(const Block& block, std::uint32_t word, std::uint32_t call) const {
     const Word& shared = block.text->words[word];
     return lexer_.is_ngc() && calls_[call].kind == Call::Kind::move && owners_[word] != kUnowned &&
-           kWordsOfModalMotions.find(table_letter(shared.address)) != std::string_view::npos &&
-           !belongs(block, word, call);
+           kModalMotionLetters.find(table_letter(shared.address)) != std::string_view::npos &&
+           !belongs_to_call(block, word, call);
 }
 
 void BlockPlan::gather_operands(const Block& block) {
     for (std::uint32_t c = 0; c < calls_.size(); ++c) {
         calls_[c].first_operand = static_cast<std::uint32_t>(operands_.size());
         for (std::uint32_t i = 0; i < owners_.size(); ++i) {
-            if (belongs(block, i, c)) operands_.push_back(i);
+            if (belongs_to_call(block, i, c)) operands_.push_back(i);
         }
         calls_[c].operand_count = static_cast<std::uint32_t>(operands_.size()) - calls_[c].first_operand;
         for (std::uint32_t i = 0; i < owners_.size(); ++i) {

@@ -25,7 +25,7 @@ bool is_corner_word(Address address) {
     return address >= lexer::kChamfer && address <= lexer::kLineAngle;
 }
 
-Phase phase_of(Address address) {
+Phase address_phase(Address address) {
     switch (address) {
         case 'F': return Phase::feed;
         case 'S': return Phase::spindle_speed;
@@ -38,12 +38,12 @@ Phase phase_of(Address address) {
 }
 
 /// A macro call accepts I, J and K several times.
-bool takes_repeated(const Code* code, Address address) {
+bool accepts_repeated(const Code* code, Address address) {
     return code != nullptr && address >= 'I' && address <= 'K' &&
            code->words.find('*') != std::string_view::npos;
 }
 
-AxisUse use_of(const Call& call) {
+AxisUse axis_use(const Call& call) {
     if (call.kind == Call::Kind::via_point) return AxisUse::motion;
     return call.code == nullptr ? AxisUse::none : call.code->axes;
 }
@@ -60,7 +60,7 @@ char table_letter(Address address) {
     return static_cast<char>(address);
 }
 
-bool takes(const Code& code, Address address) {
+bool accepts(const Code& code, Address address) {
     return code.words.find(table_letter(address)) != std::string_view::npos;
 }
 
@@ -90,20 +90,20 @@ bool BlockPlan::is_axis(const Word& word) const {
     return either && (lexer_.is_ngc() || word.role == Role::axis);
 }
 
-bool BlockPlan::may_go_with_move(Address address) const {
+bool BlockPlan::is_allowed_with_move(Address address) const {
     return dialect_.rules().move_words.find(table_letter(address)) != std::string_view::npos;
 }
 
 bool BlockPlan::plan(const Block& block) {
     calls_.clear();
     operands_.clear();
-    if (only_moves(block) || only_a_motion(block)) return true;
+    if (plan_axis_words(block) || plan_single_motion(block)) return true;
     axis_owner_ = kUnowned;
     unknown_word_.reset();
-    leaves_out_block_ = false;
-    leaves_out_words_ = false;
+    skips_block_ = false;
+    skips_words_ = false;
     if (!collect_codes(block)) return false;
-    if (leaves_out_block_) {  // what the block's words mean is not known without its code
+    if (skips_block_) {  // what the block's words mean is not known without its code
         calls_.clear();
         return true;
     }
@@ -116,12 +116,12 @@ bool BlockPlan::plan(const Block& block) {
     }
     if (!choose_axis_owner(block) || !assign_words(block) || !check_all_needs(block)) return false;
     gather_operands(block);
-    drop_idle_one_shots(block);
-    put_in_order();
+    drop_ineffective_one_shots(block);
+    sort_calls();
     return true;
 }
 
-void BlockPlan::put_in_order() {
+void BlockPlan::sort_calls() {
     if (calls_.size() < 2) return;
     std::stable_sort(calls_.begin(), calls_.end(), [&](const Call& a, const Call& b) {
         return dialect_.rank(a.phase) < dialect_.rank(b.phase);
@@ -154,9 +154,9 @@ std::string BlockPlan::hint(const Word& word) const {
             return fmt::format("{} has it ({}), see --dialect {}", other->title(), code->meaning,
                                other->name());
     }
-    const Code* whole = dialect_.find(static_cast<char>(word.address), word.code_x10 / 10 * 10);
-    return word.code_x10 > 0 && whole != nullptr
-               ? fmt::format("there is {} ({})", grammar::code_name(*whole), whole->meaning)
+    const Code* base_code = dialect_.find(static_cast<char>(word.address), word.code_x10 / 10 * 10);
+    return word.code_x10 > 0 && base_code != nullptr
+               ? fmt::format("there is {} ({})", grammar::code_name(*base_code), base_code->meaning)
                : "";
 }
 
@@ -185,19 +185,19 @@ bool BlockPlan::add_code(const Block& block, std::uint32_t index) {
         const std::string name = number_name(block, word);
         if (unknown_ != nullptr) {
             unknown_->add(name, block.text->at(word.column));
-            leaves_out_block_ |= word.address == 'G';
-            leaves_out_words_ = true;
+            skips_block_ |= word.address == 'G';
+            skips_words_ = true;
             return true;
         }
-        if (put_off_ != nullptr) {
-            put_off_->add(name, block.text->at(word.column));
+        if (deferred_codes_ != nullptr) {
+            deferred_codes_->add(name, block.text->at(word.column));
             unknown_word_ = index;
             return true;
         }
         return fail(block, index, DiagnosticKind::code_unknown,
                     fmt::format("{} is no code of {}", name, dialect_.title()), hint(word));
     }
-    if (code->support == Support::later) {
+    if (code->support == Support::planned) {
         return fail(block, index, DiagnosticKind::code_unsupported,
                     fmt::format("{} ({}) is not supported", grammar::code_name(*code), code->meaning));
     }
@@ -235,8 +235,8 @@ bool BlockPlan::collect_codes(const Block& block) {
 /// Returns true if two calls that use axis words cannot share a block. The 9/Series assigns the words to the
 /// code that has them as its data, and makes the motion modal. In RS274/NGC such a code must be without a
 /// motion, except for the tool offset of a block without axis words.
-bool BlockPlan::quarrel(const Block& block, const Call& a, const Call& b) const {
-    const bool a_is_data = use_of(a) == AxisUse::data, b_is_data = use_of(b) == AxisUse::data;
+bool BlockPlan::report_conflict(const Block& block, const Call& a, const Call& b) const {
+    const bool a_is_data = axis_use(a) == AxisUse::data, b_is_data = axis_use(b) == AxisUse::data;
     if (a_is_data && b_is_data) return true;
     if (!lexer_.is_ngc()) return false;
     const std::vector<Word>& words = block.text->words;
@@ -248,29 +248,29 @@ bool BlockPlan::quarrel(const Block& block, const Call& a, const Call& b) const 
 bool BlockPlan::choose_axis_owner(const Block& block) {
     for (std::uint32_t i = 0; i < calls_.size(); ++i) {
         const Call& call = calls_[i];
-        if (use_of(call) == AxisUse::none) continue;
+        if (axis_use(call) == AxisUse::none) continue;
         if (axis_owner_ != kUnowned) {
             const Call& owner = calls_[static_cast<std::size_t>(axis_owner_)];
-            if (quarrel(block, owner, call)) {
+            if (report_conflict(block, owner, call)) {
                 return fail(block, call.word, DiagnosticKind::code_conflict,
                             fmt::format("{} and {} both take the axis words of the block",
                                         grammar::code_name(*owner.code), grammar::code_name(*call.code)));
             }
         }
-        if (axis_owner_ == kUnowned || use_of(call) == AxisUse::data)
+        if (axis_owner_ == kUnowned || axis_use(call) == AxisUse::data)
             axis_owner_ = static_cast<std::int32_t>(i);
     }
     return true;
 }
 
 /// Returns the call that a word belongs to by its role and letter; -1: no call of the block.
-std::int32_t BlockPlan::owner_of(const Word& word) const {
+std::int32_t BlockPlan::find_owner(const Word& word) const {
     if (is_axis(word)) return axis_owner_;
     if (word.role == Role::time || word.role == Role::program) {
-        const Group wanted = word.role == Role::program ? Group::subprogram : Group::none;
+        const Group requested = word.role == Role::program ? Group::subprogram : Group::none;
         for (std::size_t i = 0; i < calls_.size(); ++i) {
             const Code* code = calls_[i].code;
-            if (code != nullptr && code->group == wanted && takes(*code, word.address))
+            if (code != nullptr && code->group == requested && accepts(*code, word.address))
                 return static_cast<std::int32_t>(i);
         }
         return kUnowned;
@@ -278,12 +278,12 @@ std::int32_t BlockPlan::owner_of(const Word& word) const {
     for (std::size_t i = 0; i < calls_.size(); ++i) {
         const bool via = calls_[i].kind == Call::Kind::via_point && word.address != 'R' &&
                          word.address != lexer::kArcAngle && is_arc_word(word.address);
-        if (via || (calls_[i].code != nullptr && takes(*calls_[i].code, word.address)))
+        if (via || (calls_[i].code != nullptr && accepts(*calls_[i].code, word.address)))
             return static_cast<std::int32_t>(i);
     }
     const bool modal =
         axis_owner_ != kUnowned && calls_[static_cast<std::size_t>(axis_owner_)].kind == Call::Kind::move;
-    return modal && may_go_with_move(word.address) ? axis_owner_ : kUnowned;
+    return modal && is_allowed_with_move(word.address) ? axis_owner_ : kUnowned;
 }
 
 /// ,C ,R and ,A belong to the modal motion or to a code that accepts them.
@@ -293,7 +293,7 @@ bool BlockPlan::may_have_corner() const {
     return code == nullptr || code->words.find(',') != std::string_view::npos;
 }
 
-bool BlockPlan::fail_beside_motion(const Block& block, std::uint32_t index) {
+bool BlockPlan::fail_with_motion(const Block& block, std::uint32_t index) {
     const Code* code = calls_[static_cast<std::size_t>(axis_owner_)].code;
     return fail(block, index, DiagnosticKind::word_out_of_place,
                 fmt::format("{} has no meaning in a block with {}",
@@ -310,22 +310,23 @@ bool BlockPlan::has_target(const Block& block) const {
 
 bool BlockPlan::assign(const Block& block, std::uint32_t index) {
     const Word& word = block.text->words[index];
-    owners_[index] = owner_of(word);
+    owners_[index] = find_owner(word);
     if (owners_[index] != kUnowned) return true;
-    if (is_corner_word(word.address) && !may_have_corner()) return fail_beside_motion(block, index);
-    const bool alone = dialect_.rules().alone.find(table_letter(word.address)) != std::string_view::npos;
-    if (alone || is_corner_word(word.address)) {
+    if (is_corner_word(word.address) && !may_have_corner()) return fail_with_motion(block, index);
+    const bool standalone =
+        dialect_.rules().standalone.find(table_letter(word.address)) != std::string_view::npos;
+    if (standalone || is_corner_word(word.address)) {
         Call call;
         call.kind = Call::Kind::letter;
-        call.phase = phase_of(word.address);
+        call.phase = address_phase(word.address);
         call.word = index;
         calls_.push_back(call);
         return true;
     }
-    const bool motion_given = axis_owner_ != kUnowned;
-    if (motion_given && may_go_with_move(word.address)) return fail_beside_motion(block, index);
-    if (!is_axis(word) && leaves_out_words_) return true;
-    const bool moves = is_axis(word) || (may_go_with_move(word.address) && has_target(block));
+    const bool has_motion = axis_owner_ != kUnowned;
+    if (has_motion && is_allowed_with_move(word.address)) return fail_with_motion(block, index);
+    if (!is_axis(word) && skips_words_) return true;
+    const bool moves = is_axis(word) || (is_allowed_with_move(word.address) && has_target(block));
     if (!moves) {
         return fail(block, index, DiagnosticKind::word_out_of_place,
                     fmt::format("{} has no meaning in this block: no code of the block takes it",
@@ -351,7 +352,7 @@ bool BlockPlan::assign_words(const Block& block) {
         if (!assign(block, i)) return false;
         const Code* owner =
             owners_[i] == kUnowned ? nullptr : calls_[static_cast<std::size_t>(owners_[i])].code;
-        if (twice && !takes_repeated(owner, address))
+        if (twice && !accepts_repeated(owner, address))
             return fail(block, i, DiagnosticKind::word_twice,
                         fmt::format("{} stands twice in the block", lexer::address_name(address)));
     }
@@ -367,7 +368,7 @@ bool BlockPlan::assign_words(const Block& block) {
 }
 
 /// G53 and G09 modify the move of their block; without one they must not wait for the next block's.
-void BlockPlan::drop_idle_one_shots(const Block& block) {
+void BlockPlan::drop_ineffective_one_shots(const Block& block) {
     if (axis_owner_ != kUnowned) return;
     std::erase_if(calls_, [&](const Call& call) {
         if (call.phase != Phase::one_shot || call.kind != Call::Kind::code) return false;

@@ -46,7 +46,7 @@ class BlockPlan {
     const grammar::Dialect& dialect() const { return dialect_; }
     /// Defers codes that the dialect does not have: from here on such a code becomes an alarm of the run
     /// (Kind::unknown), with a warning. The blocks are those of a subroutine, which may never be called.
-    void put_off_unknown(UnknownCodes* put_off) { put_off_ = put_off; }
+    void defer_unknown(UnknownCodes* deferred) { deferred_codes_ = deferred; }
 
     /// Plans one block of words. Returns false if an error was reported. Valid until the next call.
     bool plan(const grammar::Block& block);
@@ -67,30 +67,30 @@ class BlockPlan {
     bool is_axis(const lexer::Word& word) const;
     std::string hint(const lexer::Word& word) const;
     std::uint64_t need_bits(const lexer::Word& word) const;
-    bool may_go_with_move(lexer::Address address) const;
-    bool only_moves(const grammar::Block& block);
-    bool only_a_motion(const grammar::Block& block);
-    void add_only_call(const Call& call, std::uint32_t first_operand, std::size_t words);
+    bool is_allowed_with_move(lexer::Address address) const;
+    bool plan_axis_words(const grammar::Block& block);
+    bool plan_single_motion(const grammar::Block& block);
+    void add_single_call(const Call& call, std::uint32_t first_operand, std::size_t words);
     bool collect_codes(const grammar::Block& block);
     bool add_code(const grammar::Block& block, std::uint32_t index);
     bool add_computed_code(const grammar::Block& block, std::uint32_t index);
     bool check_group(const grammar::Block& block, const grammar::Code& code, std::uint32_t index);
-    bool quarrel(const grammar::Block& block, const Call& a, const Call& b) const;
+    bool report_conflict(const grammar::Block& block, const Call& a, const Call& b) const;
     bool choose_axis_owner(const grammar::Block& block);
     bool assign_words(const grammar::Block& block);
-    bool belongs(const grammar::Block& block, std::uint32_t word, std::uint32_t call) const;
+    bool belongs_to_call(const grammar::Block& block, std::uint32_t word, std::uint32_t call) const;
     bool is_shared(const grammar::Block& block, std::uint32_t word, std::uint32_t call) const;
     bool may_have_corner() const;
     bool has_target(const grammar::Block& block) const;
-    bool fail_beside_motion(const grammar::Block& block, std::uint32_t index);
+    bool fail_with_motion(const grammar::Block& block, std::uint32_t index);
     bool assign(const grammar::Block& block, std::uint32_t index);
-    std::int32_t owner_of(const lexer::Word& word) const;
+    std::int32_t find_owner(const lexer::Word& word) const;
     bool check_needs(const grammar::Block& block, const Call& call, std::uint64_t addresses);
     bool check_all_needs(const grammar::Block& block);
-    bool check_alone(const grammar::Block& block, const Call& call);
+    bool check_single_call(const grammar::Block& block, const Call& call);
     void gather_operands(const grammar::Block& block);
-    void put_in_order();
-    void drop_idle_one_shots(const grammar::Block& block);
+    void sort_calls();
+    void drop_ineffective_one_shots(const grammar::Block& block);
     bool fail(const grammar::Block& block, std::uint32_t word, lexer::DiagnosticKind kind,
               const std::string& message, const std::string& hint = {});
 
@@ -98,10 +98,10 @@ class BlockPlan {
     lexer::Lexer& lexer_;
     lexer::Diagnostics& diagnostics_;
     UnknownCodes* unknown_;
-    UnknownCodes* put_off_ = nullptr;
+    UnknownCodes* deferred_codes_ = nullptr;
     std::optional<std::uint32_t> unknown_word_;
-    bool leaves_out_block_ = false;  ///< A G code that is left out: with it all of its block.
-    bool leaves_out_words_ = false;  ///< An M code that is left out, with words that no other code uses.
+    bool skips_block_ = false;  ///< A G code that is left out: with it all of its block.
+    bool skips_words_ = false;  ///< An M code that is left out, with words that no other code uses.
     std::vector<Call> calls_;
     std::vector<std::uint32_t> operands_;
     std::vector<std::int32_t> owners_;  // by word: index of its call, or -1
@@ -112,7 +112,7 @@ class BlockPlan {
 /// Returns the letter of an address as the dialect's table writes it.
 char table_letter(lexer::Address address);
 /// Returns true if words with this address belong to the code.
-bool takes(const grammar::Code& code, lexer::Address address);
+bool accepts(const grammar::Code& code, lexer::Address address);
 
 /// Returns true for the centre, radius or angle of an arc, or the point of CIP on it.
 constexpr bool is_arc_word(lexer::Address address) {

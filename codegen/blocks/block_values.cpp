@@ -43,8 +43,8 @@ void BlockValues::write(const Block& block, std::string& out) const {
 }
 
 void BlockValues::write_name(std::uint32_t word, std::string& out) const {
-    const auto place = std::lower_bound(words_.begin(), words_.end(), word);
-    text::append_format(out, "w{}", place - words_.begin() + 1);
+    const auto word_position = std::lower_bound(words_.begin(), words_.end(), word);
+    text::append_format(out, "w{}", word_position - words_.begin() + 1);
 }
 
 Settings::Settings(const Block& block) : block_(block) {

@@ -36,7 +36,7 @@ class BlockValues {
 class Settings {
   public:
     /// A block has no more: Lua keeps all values of a statement at once, in some 250 registers.
-    static constexpr std::size_t kMost = 50;
+    static constexpr std::size_t kMax = 50;
 
     explicit Settings(const grammar::Block& block);
 

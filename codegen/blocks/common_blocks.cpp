@@ -18,9 +18,9 @@ using lexer::Word;
 namespace {
 
 /// Set that detects repeated addresses; occasionally also two that are different.
-class Seen {
+class SeenAddresses {
   public:
-    bool again(Address address) {
+    bool relist(Address address) {
         const std::uint64_t bit = std::uint64_t{1} << (address & 63U);
         const bool known = (addresses_ & bit) != 0;
         addresses_ |= bit;
@@ -37,25 +37,25 @@ bool is_arc(const Code& code) {
 
 }  // namespace
 
-void BlockPlan::add_only_call(const Call& call, std::uint32_t first_operand, std::size_t words) {
+void BlockPlan::add_single_call(const Call& call, std::uint32_t first_operand, std::size_t words) {
     for (auto i = first_operand; i < words; ++i) operands_.push_back(i);
     calls_.push_back(call);
     calls_.back().operand_count = static_cast<std::uint32_t>(operands_.size());
 }
 
 /// Returns true for axis words alone.
-bool BlockPlan::only_moves(const Block& block) {
+bool BlockPlan::plan_axis_words(const Block& block) {
     const std::vector<Word>& words = block.text->words;
-    Seen seen;
+    SeenAddresses seen;
     for (const Word& word : words) {
-        if (!is_axis(word) || seen.again(word.address)) return false;
+        if (!is_axis(word) || seen.relist(word.address)) return false;
     }
-    if (!words.empty()) add_only_call({}, 0, words.size());
+    if (!words.empty()) add_single_call({}, 0, words.size());
     return true;
 }
 
 /// Returns true for a motion code with words that it accepts.
-bool BlockPlan::only_a_motion(const Block& block) {
+bool BlockPlan::plan_single_motion(const Block& block) {
     const std::vector<Word>& words = block.text->words;
     const Word& first = words.front();
     if (first.address != 'G' || first.expression >= 0) return false;
@@ -64,16 +64,16 @@ bool BlockPlan::only_a_motion(const Block& block) {
         code->support != grammar::Support::full) {
         return false;
     }
-    Seen seen;
+    SeenAddresses seen;
     bool has_arc_words = false;
     for (const Word& word : std::span(words).subspan(1)) {
-        const bool own = is_axis(word) || (word.role != Role::time && word.role != Role::program &&
-                                           takes(*code, word.address));
-        if (!own || seen.again(word.address)) return false;
+        const bool is_allowed = is_axis(word) || (word.role != Role::time && word.role != Role::program &&
+                                                  accepts(*code, word.address));
+        if (!is_allowed || seen.relist(word.address)) return false;
         has_arc_words |= is_arc_word(word.address);
     }
     if (is_arc(*code) && !has_arc_words) return false;
-    add_only_call({.kind = Call::Kind::code, .phase = code->phase, .code = code}, 1, words.size());
+    add_single_call({.kind = Call::Kind::code, .phase = code->phase, .code = code}, 1, words.size());
     return true;
 }
 

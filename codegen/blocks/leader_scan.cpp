@@ -11,7 +11,7 @@ namespace {
 
 class LeaderFinder : public grammar::BlockSink {
   public:
-    void take(const grammar::Block& block) override {
+    void on_block(const grammar::Block& block) override {
         if (block.kind == grammar::BlockKind::tape) {
             if (mark_line_ > 0 || !has_text_) done_ = true;
             mark_line_ = block.text->begin.line;

@@ -14,7 +14,7 @@ bool is_capital(char c) {
     return c >= 'A' && c <= 'Z';
 }
 
-std::string without_comments(std::string_view line) {
+std::string strip_comments(std::string_view line) {
     std::string plain;
     bool in_comment = false;
     for (const char c : line) {
@@ -44,7 +44,7 @@ PlainLines::PlainLines(lexer::Source& source) {
 bool PlainLines::next() {
     while (at_ < bytes_.size()) {
         const std::size_t end = std::min(bytes_.find('\n', at_), bytes_.size());
-        line_ = without_comments(std::string_view(bytes_).substr(at_, end - at_));
+        line_ = strip_comments(std::string_view(bytes_).substr(at_, end - at_));
         at_ = end + 1;
         ++number_;
         if (line_.find_first_not_of(" \t\r") != std::string::npos) return true;
@@ -52,7 +52,7 @@ bool PlainLines::next() {
     return false;
 }
 
-bool PlainWords::take_number(std::size_t begin) {
+bool PlainWords::consume_number(std::size_t begin) {
     std::size_t end = begin;
     if (end < line_.size() && (line_[end] == '-' || line_[end] == '+')) ++end;
     std::size_t digits = 0;
@@ -87,7 +87,7 @@ bool PlainWords::next() {
         if (!is_capital(c)) continue;
         const bool in_name = at_ >= 2 && (is_capital(line_[at_ - 2]) || line_[at_ - 2] == '_');
         const std::size_t number = std::min(line_.find_first_not_of(" \t", at_), line_.size());
-        if (in_name || !take_number(number)) continue;
+        if (in_name || !consume_number(number)) continue;
         word_.letter = c;
         return true;
     }

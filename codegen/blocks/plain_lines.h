@@ -44,7 +44,7 @@ class PlainWords {
     const PlainWord& word() const { return word_; }
 
   private:
-    bool take_number(std::size_t begin);
+    bool consume_number(std::size_t begin);
 
     std::string_view line_;
     std::size_t at_ = 0;

@@ -94,20 +94,20 @@ void ControlFlow::add_jump(std::uint32_t target, const Location& location) {
 }
 
 /// Returns the Lua label that finds the block of a computed jump, by the number of loops around it.
-std::string ControlFlow::finder(std::size_t depth) const {
+std::string ControlFlow::dispatch_label(std::size_t depth) const {
     return depth == 0 ? "computed" : fmt::format("computed{}", loops_[depth - 1].instance);
 }
 
 std::string ControlFlow::add_computed_jump() {
     for (Loop& loop : loops_) loop.has_computed_jumps = true;
-    return finder(loops_.size());
+    return dispatch_label(loops_.size());
 }
 
 std::optional<ControlFlow::LoopTargets> ControlFlow::loop_targets() const {
     if (loops_.empty() || !loops_.back().has_computed_jumps) return std::nullopt;
     const Loop& loop = loops_.back();
-    return LoopTargets{finder(loops_.size()), finder(loops_.size() - 1), fmt::format("pass{}", loop.instance),
-                       loop.numbers};
+    return LoopTargets{dispatch_label(loops_.size()), dispatch_label(loops_.size() - 1),
+                       fmt::format("pass{}", loop.instance), loop.numbers};
 }
 
 // Only blocks that a jump may target get a label: Lua counts labels in 16 bits.
@@ -133,13 +133,13 @@ bool ControlFlow::add_sequence(std::uint32_t number, const Location& location) {
 
 // Lua jumps out of loops and not into them, like the 9/Series; and over 2^24 instructions at most.
 void ControlFlow::check(const Jump& jump) {
-    const auto place = labels_.find(jump.target);
-    if (place == labels_.end()) {
+    const auto found = labels_.find(jump.target);
+    if (found == labels_.end()) {
         diagnostics_.error(jump.location, DiagnosticKind::jump,
                            fmt::format("GOTO {}: there is no N{} in this program", jump.target, jump.target));
         return;
     }
-    const Label& label = place->second;
+    const Label& label = found->second;
     const bool inside = label.path.size() <= jump.path.size() &&
                         std::equal(label.path.begin(), label.path.end(), jump.path.begin());
     if (!inside) {

@@ -49,7 +49,7 @@ class ControlFlow {
 
     /// Records that a WHILE or END could not be understood: errors of nesting are no longer reported in this
     /// program.
-    void lose_track() { lost_ = true; }
+    void stop_nesting_checks() { lost_ = true; }
     bool in_loop() const { return !loops_.empty(); }
     bool has_jumps() const { return computed() || !jumps_->targets.empty(); }
     /// Returns true if the program needs the dispatcher of computed jumps.
@@ -80,7 +80,7 @@ class ControlFlow {
         lexer::Location location;
     };
     std::vector<std::uint32_t> path() const;
-    std::string finder(std::size_t depth) const;
+    std::string dispatch_label(std::size_t depth) const;
     void check(const Jump& jump);
 
     lexer::Diagnostics& diagnostics_;

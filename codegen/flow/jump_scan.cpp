@@ -67,7 +67,7 @@ class JumpCollector : public grammar::BlockSink {
   public:
     explicit JumpCollector(FileScan& scan) : scan_(scan) { scan_.jumps.emplace_back(); }
 
-    void take(const grammar::Block& block) override {
+    void on_block(const grammar::Block& block) override {
         if (block.has_program && begun_) scan_.jumps.emplace_back();
         if (!grammar::is_blank(block)) {
             begun_ = true;
@@ -80,7 +80,7 @@ class JumpCollector : public grammar::BlockSink {
             const bool calls = (word.address == 'M' && word.code_x10 == kCallCode) ||
                                (word.address == 'G' && word.code_x10 == kMacroCode);
             if (calls) scan_.jumps.back().calls = true;
-            if (word.address == 'M' && word.code_x10 == kReturnCode) note_return(block);
+            if (word.address == 'M' && word.code_x10 == kReturnCode) record_return(block);
         }
     }
 
@@ -91,7 +91,7 @@ class JumpCollector : public grammar::BlockSink {
 
   private:
     /// Handles M99 P: in the first program a jump, else one in the calling program.
-    void note_return(const grammar::Block& block) {
+    void record_return(const grammar::Block& block) {
         for (const lexer::Word& word : block.text->words) {
             if (word.address != 'P') continue;
             if (scan_.jumps.size() > 1) {
@@ -129,7 +129,7 @@ class JumpCollector : public grammar::BlockSink {
 /// Checks if the first block with content begins a program or a subroutine.
 class FirstBlock : public grammar::BlockSink {
   public:
-    void take(const grammar::Block& block) override {
+    void on_block(const grammar::Block& block) override {
         begins_part_ =
             block.has_program || (block.kind == grammar::BlockKind::flow && block.flow == grammar::Flow::sub);
         done_ = !grammar::is_blank(block);
@@ -145,30 +145,30 @@ class FirstBlock : public grammar::BlockSink {
 }  // namespace
 
 const ProgramJumps& FileScan::program(std::size_t ordinal) const {
-    static const ProgramJumps kNone;
-    return ordinal < jumps.size() ? jumps[ordinal] : kNone;
+    static const ProgramJumps kNoJumps;
+    return ordinal < jumps.size() ? jumps[ordinal] : kNoJumps;
 }
 
 FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases, lexer::Style style) {
     FileScan scan;
     scan.leader_lines = leader_lines(source, aliases, style);
-    const auto silent = [](const text::Diagnostic&) {};
+    const auto ignore_diagnostic = [](const text::Diagnostic&) {};
     constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
     {
-        lexer::Diagnostics diagnostics(source, kNoLimit, silent);
+        lexer::Diagnostics diagnostics(source, kNoLimit, ignore_diagnostic);
         lexer::Lexer lexer(source, diagnostics, aliases, style);
-        lexer.pass_over_leader(scan.leader_lines);
+        lexer.skip_leader(scan.leader_lines);
         FirstBlock first;
         grammar::Parser(lexer, diagnostics, first).run_until([&] { return first.done(); });
         scan.starts_with_part = first.begins_part();
         source.rewind();
     }
-    const bool return_alias = aliases.stand_for('M', kReturnCode / 10);
+    const bool return_alias = aliases.has_alias_of('M', kReturnCode / 10);
     if (style == lexer::Style::ab9 && (return_alias || mentions_jump(source))) {
         source.rewind();
-        lexer::Diagnostics diagnostics(source, kNoLimit, silent);
+        lexer::Diagnostics diagnostics(source, kNoLimit, ignore_diagnostic);
         lexer::Lexer lexer(source, diagnostics, aliases, style);
-        lexer.pass_over_leader(scan.leader_lines);
+        lexer.skip_leader(scan.leader_lines);
         JumpCollector collector(scan);
         grammar::Parser(lexer, diagnostics, collector).run();
         collector.share_returns();

@@ -22,7 +22,7 @@ using lexer::Word;
 namespace {
 
 constexpr std::size_t kMaxCalledPrograms = 10000;
-constexpr std::uint64_t kInstructionsPerChoice = 4;  // an upper bound of what Lua's compiler makes of one
+constexpr std::uint64_t kInstructionsPerCase = 4;  // an upper bound of what Lua's compiler makes of one
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void LuaWriter::declare_jump(std::string& line) const {
 }
 
 /// Writes M99 P in the main program as a jump to one of its blocks. Returns false if it has no P.
-bool LuaWriter::write_goto_of_return(const Block& block, const Call& call) {
+bool LuaWriter::write_return_goto(const Block& block, const Call& call) {
     if (call.operand_count == 0 || lexer_.is_ngc()) return false;
     const Word& word = block.text->words[plan_.operands(call).front()];
     if (word.expression >= 0) {
@@ -52,7 +52,7 @@ bool LuaWriter::write_goto_of_return(const Block& block, const Call& call) {
 std::optional<std::uint32_t> LuaWriter::block_number(const Block& block, lexer::Slice digits_slice,
                                                      std::uint32_t column) {
     const std::string_view digits = block.text->view(digits_slice);
-    const std::string number = all_digits(digits) ? normal_number(digits) : "";
+    const std::string number = all_digits(digits) ? normalized_number(digits) : "";
     std::uint32_t value = 0;
     if (number.empty() || number.size() > 9) {
         lexer_.fail(column, DiagnosticKind::jump,
@@ -63,12 +63,12 @@ std::optional<std::uint32_t> LuaWriter::block_number(const Block& block, lexer::
     return value;
 }
 
-void LuaWriter::note_call(const Block& block, const Call& call) {
+void LuaWriter::record_call(const Block& block, const Call& call) {
     for (const std::uint32_t index : plan_.operands(call)) {
         const Word& word = block.text->words[index];
         if (word.expression >= 0) continue;
         const std::string_view digits = block.text->view(word.number);
-        const std::string number = all_digits(digits) ? normal_number(digits) : "";
+        const std::string number = all_digits(digits) ? normalized_number(digits) : "";
         if (number.empty() || number.size() > 9) {
             lexer_.fail(word.column, DiagnosticKind::number,
                         fmt::format("{} of M98 is a whole number, not {}", lexer::address_name(word.address),
@@ -113,15 +113,15 @@ void LuaWriter::write_computed_jump() {
     text::append_format(code_, "goto {}", flow_.add_computed_jump());
 }
 
-void LuaWriter::write_choice(std::span<const std::uint32_t> numbers) {
-    flow_.add_weight(numbers.size() * kInstructionsPerChoice);
+void LuaWriter::write_number_dispatch(std::span<const std::uint32_t> numbers) {
+    flow_.add_weight(numbers.size() * kInstructionsPerCase);
     for (const std::uint32_t number : numbers)
         text::append_format(code_, "if jump == {} then goto N{} end ", number, number);
 }
 
 void LuaWriter::write_dispatcher() {
     code_ += code_.empty() ? "do return end ::computed:: " : " do return end ::computed:: ";
-    write_choice(flow_.reachable());
+    write_number_dispatch(flow_.reachable());
     code_ += "no_target(jump)";
 }
 
@@ -131,7 +131,7 @@ void LuaWriter::write_loop_dispatcher() {
     const auto targets = flow_.loop_targets();
     if (!targets) return;
     text::append_format(code_, "goto {} ::{}:: ", targets->end, targets->label);
-    write_choice(targets->numbers);
+    write_number_dispatch(targets->numbers);
     text::append_format(code_, "goto {} ::{}:: ", targets->outer, targets->end);
 }
 

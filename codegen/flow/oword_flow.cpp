@@ -22,7 +22,7 @@ namespace {
 constexpr int kMaxLevels = 80;  // Lua reads 200, of which expressions need some
 
 /// Returns the levels of Lua that a structure needs; a `for` has four variables in addition.
-int levels_of(Flow flow) {
+int nesting_levels(Flow flow) {
     return flow == Flow::repeat ? 5 : flow == Flow::sub ? 3 : 1;
 }
 
@@ -36,7 +36,7 @@ std::string_view keyword(Flow flow) {
     }
 }
 
-std::string_view name_of(const Block& block) {
+std::string_view program_name(const Block& block) {
     return block.text->view(block.text->program);
 }
 
@@ -52,7 +52,7 @@ bool is_oword_number(std::string_view name) {
 }
 
 std::string oword_name(const Block& block) {
-    const std::string_view name = name_of(block);
+    const std::string_view name = program_name(block);
     if (is_oword_number(name)) return std::string(name);
     std::string quoted;
     write_lua_string(name, quoted);
@@ -89,7 +89,8 @@ void OWordFlow::write(const Block& block, std::uint64_t weight, std::string& out
 void OWordFlow::open_structure(const Block& block, std::string& out) {
     if (block.flow == Flow::sub && open())
         fail(block, "a subroutine cannot begin inside of another one or of a control structure");
-    if (levels() + levels_of(block.flow) > kMaxLevels) fail(block, "O-words are nested too deep for Lua");
+    if (levels() + nesting_levels(block.flow) > kMaxLevels)
+        fail(block, "O-words are nested too deep for Lua");
     switch (block.flow) {
         case Flow::sub: break;
         case Flow::if_:
@@ -109,12 +110,12 @@ void OWordFlow::open_structure(const Block& block, std::string& out) {
             out += ") do ";
             break;
     }
-    open_.push_back(
-        {block.flow, std::string(name_of(block)), block.text->at(block.flow_column), next_id_++, weight_});
+    open_.push_back({block.flow, std::string(program_name(block)), block.text->at(block.flow_column),
+                     next_id_++, weight_});
 }
 
 void OWordFlow::fail_to_close(const Block& block, std::string_view end) {
-    const std::string what = fmt::format("o{} {}", name_of(block), end);
+    const std::string what = fmt::format("o{} {}", program_name(block), end);
     fail(block, open_.empty()
                     ? fmt::format("{} has no beginning", what)
                     : fmt::format("{} does not close o{} {}, which is open since line {}", what,
@@ -123,7 +124,7 @@ void OWordFlow::fail_to_close(const Block& block, std::string_view end) {
 
 /// Returns true if the innermost structure is of this kind and name and has been closed.
 bool OWordFlow::close_structure(const Block& block, Flow kind, std::string& out) {
-    if (open_.empty() || open_.back().kind != kind || open_.back().name != name_of(block)) {
+    if (open_.empty() || open_.back().kind != kind || open_.back().name != program_name(block)) {
         fail_to_close(block, fmt::format("end{}", keyword(kind)));
         return false;
     }
@@ -142,9 +143,9 @@ void OWordFlow::check_length(const Structure& structure, const lexer::Location& 
 }
 
 void OWordFlow::write_end(const Structure& structure, std::string& out) const {
-    if (structure.continued) text::append_format(out, "::continue_{}:: ", structure.id);
+    if (structure.has_continue) text::append_format(out, "::continue_{}:: ", structure.id);
     if (structure.kind != Flow::sub) out += "end ";
-    if (structure.left) text::append_format(out, "::break_{}:: ", structure.id);
+    if (structure.has_break) text::append_format(out, "::break_{}:: ", structure.id);
 }
 
 void OWordFlow::write_sub_end(const Block& block, std::string& out) {
@@ -153,8 +154,8 @@ void OWordFlow::write_sub_end(const Block& block, std::string& out) {
 }
 
 void OWordFlow::write_else(const Block& block, std::string& out) {
-    if (open_.empty() || open_.back().kind != Flow::if_ || open_.back().name != name_of(block)) {
-        fail(block, fmt::format("there is no o{} if open that this could belong to", name_of(block)));
+    if (open_.empty() || open_.back().kind != Flow::if_ || open_.back().name != program_name(block)) {
+        fail(block, fmt::format("there is no o{} if open that this could belong to", program_name(block)));
         return;
     }
     if (open_.back().has_else) fail(block, "nothing but endif comes behind else");
@@ -170,21 +171,21 @@ void OWordFlow::write_else(const Block& block, std::string& out) {
 
 /// Writes the end of a do, or the head of a loop.
 void OWordFlow::write_while(const Block& block, std::string& out) {
-    const auto is_its_do = [&](const Structure& structure) {
-        return structure.kind == Flow::do_ && structure.name == name_of(block);
+    const auto is_matching_do = [&](const Structure& structure) {
+        return structure.kind == Flow::do_ && structure.name == program_name(block);
     };
-    if (!open() || !is_its_do(open_.back())) {
-        if (std::any_of(open_.begin(), open_.end(), is_its_do)) fail_to_close(block, "while");
+    if (!open() || !is_matching_do(open_.back())) {
+        if (std::any_of(open_.begin(), open_.end(), is_matching_do)) fail_to_close(block, "while");
         return open_structure(block, out);
     }
     const Structure structure = open_.back();
     check_length(structure, block.text->at(block.flow_column));
     open_.pop_back();
-    if (structure.continued) text::append_format(out, "::continue_{}:: ", structure.id);
+    if (structure.has_continue) text::append_format(out, "::continue_{}:: ", structure.id);
     out += "until not (";
     write_condition(block, block.arguments[0], out);
     out += ") ";
-    if (structure.left) text::append_format(out, "::break_{}:: ", structure.id);
+    if (structure.has_break) text::append_format(out, "::break_{}:: ", structure.id);
 }
 
 void OWordFlow::write_jump(const Block& block, std::string& out) {
@@ -192,22 +193,22 @@ void OWordFlow::write_jump(const Block& block, std::string& out) {
     for (auto structure = open_.rbegin(); structure != open_.rend(); ++structure) {
         if (structure->kind == Flow::sub) break;
         if (!is_loop(structure->kind)) continue;
-        if (structure->name == name_of(block)) {
+        if (structure->name == program_name(block)) {
             if (block.flow == Flow::continue_) {
-                structure->continued = true;
+                structure->has_continue = true;
                 text::append_format(out, "goto continue_{} ", structure->id);
             } else if (innermost) {
                 out += "break ";
             } else {
                 // Lua's break leaves only the innermost loop; O-words name theirs.
-                structure->left = true;
+                structure->has_break = true;
                 text::append_format(out, "goto break_{} ", structure->id);
             }
             return;
         }
         innermost = false;
     }
-    fail(block, fmt::format("there is no loop o{} around this block", name_of(block)));
+    fail(block, fmt::format("there is no loop o{} around this block", program_name(block)));
 }
 
 void OWordFlow::write_call(const Block& block, std::string& out) const {
@@ -226,7 +227,7 @@ void OWordFlow::write_call(const Block& block, std::string& out) const {
 
 int OWordFlow::levels() const {
     int sum = 0;
-    for (const Structure& structure : open_) sum += levels_of(structure.kind);
+    for (const Structure& structure : open_) sum += nesting_levels(structure.kind);
     return sum;
 }
 

@@ -28,7 +28,7 @@ class OWordFlow {
     void write(const grammar::Block& block, std::uint64_t weight, std::string& out);
     /// Records that a block with an O-word could not be understood. The open structures are then uncertain,
     /// and errors of nesting are not reported in this program.
-    void lose_track() { lost_ = true; }
+    void stop_nesting_checks() { lost_ = true; }
     /// Returns true inside of any structure.
     bool open() const { return !open_.empty(); }
     bool inside_sub() const;
@@ -45,8 +45,8 @@ class OWordFlow {
         std::uint32_t id;  ///< For labels.
         std::uint64_t weight;
         bool has_else = false;
-        bool continued = false;  ///< Its end needs a label for `continue`,
-        bool left = false;       ///< or one after it for `break` out of an inner loop.
+        bool has_continue = false;  ///< Its end needs a label for `continue`,
+        bool has_break = false;     ///< or one after it for `break` out of an inner loop.
     };
 
     void open_structure(const grammar::Block& block, std::string& out);

@@ -21,9 +21,9 @@ using lexer::DiagnosticKind;
 namespace {
 
 constexpr std::size_t kRemarkColumn = 56;
-constexpr std::size_t kLongestName = 40;  // of what is no command, in a message
+constexpr std::size_t kMaxNameLength = 40;  // of what is no command, in a message
 
-bool reads(const Code& code, std::string_view key) {
+bool accepts_key(const Code& code, std::string_view key) {
     if (key.size() != 1) return false;
     const bool is_axis = key == "X" || key == "Y" || key == "Z";
     return (is_axis && code.axes != grammar::AxisUse::none) ||
@@ -35,7 +35,7 @@ bool has_word(std::string_view words, std::string_view word) {
 }
 
 /// Returns a number of the text in Lua's form: Lua has no sign '+'.
-std::string_view without_plus(std::string_view number) {
+std::string_view strip_plus(std::string_view number) {
     return number.substr(!number.empty() && number.front() == '+' ? 1 : 0);
 }
 
@@ -54,7 +54,7 @@ void CommandWriter::write(lexer::Source& source, std::string_view source_name) {
     if (diagnostics_.full()) return;
     parts_.end(code_);
     end_line();
-    warn_of_idle();
+    warn_of_ignored();
 }
 
 void CommandWriter::begin_file(std::string_view source_name) {
@@ -73,8 +73,8 @@ void CommandWriter::write_line(const SourceLines& lines) {
         return;
     }
     const CommandLine line = command_line(lines.text());
-    const bool acts = line.command.empty() || write_command(lines, line);
-    if (annotate_ || !acts) {
+    const bool has_effect = line.command.empty() || write_command(lines, line);
+    if (annotate_ || !has_effect) {
         comment_ = lexer::printable(text::trimmed(lines.text(), kLineBlanks));
     } else if (!line.remark.empty()) {
         comment_ = fmt::format("({})", lexer::printable(line.remark));
@@ -96,8 +96,8 @@ bool CommandWriter::write_command(const SourceLines& lines, const CommandLine& l
         write_extended(lines, line, *command);
         return true;
     }
-    const std::string name = lexer::printable(std::string_view(line.command).substr(0, kLongestName));
-    note_idle(
+    const std::string name = lexer::printable(std::string_view(line.command).substr(0, kMaxNameLength));
+    record_ignored(
         code != codes_.end()
             ? fmt::format("{} ({}) is not simulated: no effect", name, code->second->meaning)
             : fmt::format("{} is no command by which {} moves or waits: no effect", name, dialect_.title()),
@@ -111,18 +111,19 @@ void CommandWriter::write_code(const SourceLines& lines, const CommandLine& line
     for (const Parameter& parameter : line.parameters) {
         const auto same = std::find_if(read.begin(), read.end(),
                                        [&](const Parameter& one) { return one.key == parameter.key; });
-        if (!reads(code, parameter.key)) {
+        if (!accepts_key(code, parameter.key)) {
             const bool is_command = parameter.key == "G" || parameter.key == "M";
-            note_idle(is_command ? fmt::format("{} reads one command a line: {}{} behind {} has no effect",
-                                               dialect_.title(), parameter.key, parameter.value, name)
-                                 : fmt::format("{} does not read {} of {}: no effect", dialect_.title(),
-                                               parameter.key, name),
-                      lines.at(parameter.column));
+            record_ignored(is_command
+                               ? fmt::format("{} reads one command a line: {}{} behind {} has no effect",
+                                             dialect_.title(), parameter.key, parameter.value, name)
+                               : fmt::format("{} does not read {} of {}: no effect", dialect_.title(),
+                                             parameter.key, name),
+                           lines.at(parameter.column));
         } else if (same == read.end()) {
             read.push_back(parameter);
         } else {
-            note_idle(fmt::format("{} stands twice behind {}: the last one counts", parameter.key, name),
-                      lines.at(parameter.column));
+            record_ignored(fmt::format("{} stands twice behind {}: the last one counts", parameter.key, name),
+                           lines.at(parameter.column));
             *same = parameter;
         }
     }
@@ -142,9 +143,9 @@ void CommandWriter::write_extended(const SourceLines& lines, const CommandLine& 
         if (has_word(command.parameters, parameter.key) || has_word(command.texts, parameter.key)) {
             read.push_back(parameter);
         } else {
-            note_idle(fmt::format("{} does not read {} of {}: no effect", dialect_.title(),
-                                  lexer::printable(parameter.key), command.name),
-                      lines.at(parameter.column));
+            record_ignored(fmt::format("{} does not read {} of {}: no effect", dialect_.title(),
+                                       lexer::printable(parameter.key), command.name),
+                           lines.at(parameter.column));
         }
     }
     write_call(lines, command.name, read, command.texts);
@@ -163,8 +164,8 @@ void CommandWriter::write_call(const SourceLines& lines, std::string_view name,
         between = ", ";
         if (has_word(texts, key)) {
             write_lua_string(value, code_);
-        } else if (text::number_of(value)) {
-            code_ += without_plus(value);
+        } else if (text::parse_number(value)) {
+            code_ += strip_plus(value);
         } else {
             diagnostics_.error(lines.at(column), DiagnosticKind::number,
                                fmt::format("'{}' behind {} is no number, which ends the program",
@@ -174,19 +175,19 @@ void CommandWriter::write_call(const SourceLines& lines, std::string_view name,
     code_ += '}';
 }
 
-void CommandWriter::note_idle(std::string sentence, const lexer::Location& at) {
-    Idle& idle = idle_.try_emplace(std::move(sentence), Idle{at, 0}).first->second;
-    ++idle.count;
+void CommandWriter::record_ignored(std::string message, const lexer::Location& at) {
+    IgnoredText& ignored = ignored_.try_emplace(std::move(message), IgnoredText{at, 0}).first->second;
+    ++ignored.count;
 }
 
 /// Warns in the order of the source.
-void CommandWriter::warn_of_idle() {
-    std::vector<std::pair<std::string, Idle>> all(idle_.begin(), idle_.end());
+void CommandWriter::warn_of_ignored() {
+    std::vector<std::pair<std::string, IgnoredText>> all(ignored_.begin(), ignored_.end());
     std::stable_sort(all.begin(), all.end(),
                      [](const auto& a, const auto& b) { return a.second.first.line < b.second.first.line; });
-    for (const auto& [sentence, idle] : all) {
-        diagnostics_.warning(idle.first, DiagnosticKind::code_idle,
-                             fmt::format("{} ({} in all)", sentence, idle.count));
+    for (const auto& [message, ignored] : all) {
+        diagnostics_.warning(ignored.first, DiagnosticKind::code_idle,
+                             fmt::format("{} ({} in all)", message, ignored.count));
     }
 }
 

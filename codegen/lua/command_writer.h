@@ -30,7 +30,7 @@ class CommandWriter {
     std::uint32_t line() const { return line_; }
 
   private:
-    struct Idle {
+    struct IgnoredText {
         lexer::Location first;
         std::uint64_t count = 0;
     };
@@ -43,8 +43,8 @@ class CommandWriter {
                         const grammar::ExtendedCommand& command);
     void write_call(const SourceLines& lines, std::string_view name, const std::vector<Parameter>& parameters,
                     std::string_view texts);
-    void note_idle(std::string sentence, const lexer::Location& at);
-    void warn_of_idle();
+    void record_ignored(std::string message, const lexer::Location& at);
+    void warn_of_ignored();
     void end_line();
 
     const grammar::Dialect& dialect_;
@@ -53,7 +53,7 @@ class CommandWriter {
     bool annotate_;
     PartWriter parts_;
     std::map<std::string, const grammar::Code*, std::less<>> codes_;
-    std::map<std::string, Idle> idle_;  ///< By what is said of it.
+    std::map<std::string, IgnoredText> ignored_;  ///< By what is said of it.
     std::uint32_t line_ = 0;
     std::string code_;
     std::string comment_;

@@ -45,33 +45,33 @@ void LuaWriter::write_content(const Block& block) {
 
 /// All values of the block come first, then its settings and its comment, then its words act.
 void LuaWriter::write_content_ngc(const Block& block) {
-    if (block.assignments.size() > Settings::kMost) {
+    if (block.assignments.size() > Settings::kMax) {
         lexer_.fail(1, DiagnosticKind::too_large,
-                    fmt::format("a block sets at most {} parameters", Settings::kMost));
+                    fmt::format("a block sets at most {} parameters", Settings::kMax));
         return;
     }
-    const bool acts = !block.text->words.empty();
-    if (acts && !plan_.plan(block)) return;
-    const BlockValues values = acts ? BlockValues(block, plan_) : BlockValues();
+    const bool has_effect = !block.text->words.empty();
+    if (has_effect && !plan_.plan(block)) return;
+    const BlockValues values = has_effect ? BlockValues(block, plan_) : BlockValues();
     if (!values.empty()) {
         code_ += "do ";
         values.write(block, code_);
     }
     if (!block.assignments.empty()) Settings(block).write(code_);
     write_comment_action(block, code_);
-    if (acts) write_calls(block, values);
+    if (has_effect) write_calls(block, values);
     if (!values.empty()) code_ += "end ";
 }
 
 /// #3000 and #3006 (alarm, stop) show the comment of their block.
 void LuaWriter::write_message(const Block& block) {
-    const bool shows =
+    const bool has_content =
         std::any_of(block.assignments.begin(), block.assignments.end(), [&](const auto& assignment) {
             const Node& target = block.node(assignment.target);
             return target.kind == NodeKind::variable &&
                    (target.left == kAlarmVariable || target.left == kStopVariable);
         });
-    if (!shows || block.text->comments.empty()) return;
+    if (!has_content || block.text->comments.empty()) return;
     code_ += "message(";
     write_lua_string(block.text->view(block.text->comments.front()), code_);
     code_ += ") ";
@@ -80,7 +80,7 @@ void LuaWriter::write_message(const Block& block) {
 void LuaWriter::write_calls(const Block& block, const BlockValues& values) {
     for (const Call& call : plan_.calls()) {
         flow_.add_weight(weight(call));
-        if (is_m_code(call, kCallCode)) note_call(block, call);
+        if (is_m_code(call, kCallCode)) record_call(block, call);
         const bool calls = is_m_code(call, kCallCode) || is_macro_call(call);
         if (calls && flow_.has_returns()) {
             // M99 P in the called program: this one continues at that block.
@@ -89,8 +89,7 @@ void LuaWriter::write_calls(const Block& block, const BlockValues& values) {
             code_ += "if jump then ";
             write_computed_jump();
             code_ += " end ";
-        } else if (!is_m_code(call, kReturnCode) || next_ordinal_ != 1 ||
-                   !write_goto_of_return(block, call)) {
+        } else if (!is_m_code(call, kReturnCode) || next_ordinal_ != 1 || !write_return_goto(block, call)) {
             write_call(block, plan_, call, values, code_);
         }
         if (ends_program(call) && lexer_.is_ngc() && !oword_flow_.open() && block.skip_level == 0) {

@@ -24,7 +24,7 @@ constexpr int kSum = 1;
 constexpr int kProduct = 2;
 constexpr int kPrimary = 3;
 
-std::string_view function_of_operator(Operator op) {
+std::string_view operator_function(Operator op) {
     switch (op) {
         case Operator::divide: return "div";
         case Operator::modulo: return "MOD";
@@ -122,15 +122,15 @@ int precedence(const Block& block, const Node& node) {
     }
 }
 
-void write_at(const Block& block, std::int32_t index, int least, std::string& out) {
-    const bool brackets = precedence(block, block.node(index)) < least;
-    if (brackets) out += '(';
+void write_operand(const Block& block, std::int32_t index, int min, std::string& out) {
+    const bool needs_brackets = precedence(block, block.node(index)) < min;
+    if (needs_brackets) out += '(';
     write_number(block, index, out);
-    if (brackets) out += ')';
+    if (needs_brackets) out += ')';
 }
 
 void write_call(const Block& block, const Node& node, std::string& out) {
-    out += function_of_operator(node.op);
+    out += operator_function(node.op);
     out += '(';
     write_number(block, node.left, out);
     if (node.right >= 0) {
@@ -150,12 +150,12 @@ void write_binary(const Block& block, std::int32_t index, std::string& out) {
     }
     const int level = precedence(block, node);
     if (level == kPrimary) return write_call(block, node, out);
-    write_at(block, node.left, level, out);
-    constexpr std::string_view kSigns = "+-*/";
+    write_operand(block, node.left, level, out);
+    constexpr std::string_view kOperatorSymbols = "+-*/";
     out += ' ';
-    out += kSigns[static_cast<std::size_t>(node.op)];
+    out += kOperatorSymbols[static_cast<std::size_t>(node.op)];
     out += ' ';
-    write_at(block, node.right, level + 1, out);
+    write_operand(block, node.right, level + 1, out);
 }
 
 /// Lua reads 200 levels in total; the statements around an expression need some of them.
@@ -166,8 +166,8 @@ constexpr int kMaxLuaLevels = 150;
 int lua_levels(const Block& block, std::int32_t index, const std::vector<int>& levels) {
     const Node& node = block.node(index);
     const auto of = [&](std::int32_t child) { return levels[static_cast<std::size_t>(child)]; };
-    const auto in_brackets = [&](std::int32_t child, int least) {
-        return of(child) + (precedence(block, block.node(child)) < least ? 1 : 0);
+    const auto in_brackets = [&](std::int32_t child, int min) {
+        return of(child) + (precedence(block, block.node(child)) < min ? 1 : 0);
     };
     switch (node.kind) {
         case NodeKind::number: return 0;
@@ -188,12 +188,12 @@ int lua_levels(const Block& block, std::int32_t index, const std::vector<int>& l
 
 }  // namespace
 
-std::optional<std::uint32_t> nested_too_deep(const Block& block, int taken) {
+std::optional<std::uint32_t> nested_too_deep(const Block& block, int used_levels) {
     std::vector<int> levels;
     levels.reserve(block.nodes.size());
     for (std::size_t i = 0; i < block.nodes.size(); ++i) {  // children come before their parents
         levels.push_back(lua_levels(block, static_cast<std::int32_t>(i), levels));
-        if (levels.back() > kMaxLuaLevels - taken) return block.nodes[i].column;
+        if (levels.back() > kMaxLuaLevels - used_levels) return block.nodes[i].column;
     }
     return std::nullopt;
 }
@@ -211,7 +211,7 @@ void write_number(const Block& block, std::int32_t index, std::string& out) {
         case NodeKind::negate:
             if (is_zero_literal(block, block.node(node.left))) return write_number(block, node.left, out);
             out += "(-";
-            write_at(block, node.left, kPrimary, out);
+            write_operand(block, node.left, kPrimary, out);
             out += ')';
             return;
         case NodeKind::binary: write_binary(block, index, out); return;

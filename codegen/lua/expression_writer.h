@@ -18,6 +18,6 @@ void write_condition(const grammar::Block& block, std::int32_t index, std::strin
 /// Returns the column of an expression of the block with deeper nesting in Lua than Lua reads. Returns no
 /// value if all are shallow enough, as in any program that people write. `taken`: levels of the structures
 /// around it.
-std::optional<std::uint32_t> nested_too_deep(const grammar::Block& block, int taken);
+std::optional<std::uint32_t> nested_too_deep(const grammar::Block& block, int used_levels);
 
 }  // namespace gsim::codegen

@@ -20,7 +20,7 @@ constexpr std::string_view kNameEnd = "; line n there is line n+1 here";
 constexpr std::string_view kHashMark = "; hash ";
 constexpr std::size_t kHashDigits = 16;
 
-std::string spool_fault(std::string_view done, int error) {
+std::string spool_error(std::string_view done, int error) {
     return fmt::format("the temporary file for the Lua cannot be {}: {}", done,
                        std::generic_category().message(error));
 }
@@ -44,7 +44,7 @@ void LuaSpool::write(std::string_view text) {
 }
 
 void LuaSpool::reserve_file() {
-    reserve_.reset(std::tmpfile());
+    reserved_file_.reset(std::tmpfile());
 }
 
 /// Moves the buffer to the file; finish() reports write errors.
@@ -57,10 +57,10 @@ void LuaSpool::flush() {
 
 /// Returns an errno.
 int LuaSpool::write_buffer() {
-    if (!file_) file_ = std::move(reserve_);
+    if (!file_) file_ = std::move(reserved_file_);
     if (!file_) file_.reset(std::tmpfile());
     // A run that calls another program may have no access to a folder for temporary files.
-    if (!file_) file_ = os::file_in_memory("spool");
+    if (!file_) file_ = os::open_memory_file("spool");
     if (!file_) return errno;
     return std::fwrite(buffer_.data(), 1, buffer_.size(), file_.get()) == buffer_.size() ? 0 : errno;
 }
@@ -79,7 +79,7 @@ tl::expected<void, std::string> LuaSpool::finish() {
     hash_.update(std::string_view(buffer_).substr(hashed_));
     const std::string digits = to_hex(hash_.value());
     if (file_ && error_ == 0) error_ = write_hash(digits);
-    if (error_ != 0) return tl::unexpected(spool_fault("written", error_));
+    if (error_ != 0) return tl::unexpected(spool_error("written", error_));
     if (!file_) buffer_.replace(head_size_, kHashDigits, digits);
     return {};
 }
@@ -92,7 +92,7 @@ tl::expected<std::string, std::string> LuaSpool::read(std::uint64_t begin, std::
         const ssize_t count = ::pread(::fileno(file_.get()), text.data() + done, text.size() - done,
                                       static_cast<off_t>(begin + done));
         if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) return tl::unexpected(spool_fault("read", count < 0 ? errno : EIO));
+        if (count <= 0) return tl::unexpected(spool_error("read", count < 0 ? errno : EIO));
         done += static_cast<std::size_t>(count);
     }
     return text;

@@ -28,7 +28,7 @@ class LuaSpool {
 
     std::uint64_t size() const { return size_; }
     /// Returns the bytes of memory.
-    std::size_t held_bytes() const { return buffer_.capacity(); }
+    std::size_t retained_bytes() const { return buffer_.capacity(); }
     /// Returns bytes [begin, end) of the finished text, all of them. The error is a message with the reason.
     tl::expected<std::string, std::string> read(std::uint64_t begin, std::uint64_t end) const;
     /// Passes the finished text to `sink`, in parts. The error is that of read().
@@ -39,8 +39,8 @@ class LuaSpool {
     int write_buffer();
     int write_hash(std::string_view digits);
 
-    os::FileHandle reserve_;  ///< Becomes file_; null: it is made then.
-    os::FileHandle file_;     ///< Null while all is in buffer_.
+    os::FileHandle reserved_file_;  ///< Becomes file_; null: it is made then.
+    os::FileHandle file_;           ///< Null while all is in buffer_.
     std::string buffer_;
     std::size_t hashed_ = 0;  ///< Bytes of buffer_ that are in the hash, the head among them.
     TextHash hash_;

@@ -27,8 +27,8 @@ bool is_letter(char c) {
 
 bool is_lua_name(std::string_view name) {
     if (name.empty() || !is_letter(name.front())) return false;
-    const auto fits = [](char c) { return is_letter(c) || (c >= '0' && c <= '9'); };
-    return std::all_of(name.begin(), name.end(), fits) &&
+    const auto is_allowed_char = [](char c) { return is_letter(c) || (c >= '0' && c <= '9'); };
+    return std::all_of(name.begin(), name.end(), is_allowed_char) &&
            std::find(kKeywords.begin(), kKeywords.end(), name) == kKeywords.end();
 }
 

@@ -26,7 +26,7 @@ using grammar::NodeKind;
 
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\v\f";  // the CR of a line that ends in CR LF among them
+constexpr std::string_view kWhitespace = " \t\r\v\f";  // the CR of a line that ends in CR LF among them
 constexpr std::size_t kCommentColumn = 56;
 constexpr int kMaxBareLabels = 100;  // consecutive labels; Lua's parser nests them, up to 200
 
@@ -42,8 +42,8 @@ bool is_plain_flow(grammar::Flow flow) {
 
 /// Returns the name of a program in Lua's form: 12 for O0012, "PART7" for OPART7.
 std::string lua_program_name(std::string_view name, bool is_ngc) {
-    if (is_ngc ? is_oword_number(name) : all_digits(name) && normal_number(name).size() <= 9)
-        return normal_number(name);
+    if (is_ngc ? is_oword_number(name) : all_digits(name) && normalized_number(name).size() <= 9)
+        return normalized_number(name);
     return fmt::format("\"{}\"", name);
 }
 
@@ -79,9 +79,9 @@ bool LuaWriter::is_plain(const Block& block) {
     return block.kind == BlockKind::words && block.nodes.empty() && block.skip_level == 0;
 }
 
-void LuaWriter::take(const Block& block) {
+void LuaWriter::on_block(const Block& block) {
     if (block.text->bad) {
-        note_bad_block(block);
+        record_bad_block(block);
     } else {
         write_block(block);
     }
@@ -92,18 +92,18 @@ void LuaWriter::take(const Block& block) {
 
 /// The parts of a block with an error that others refer to still count, so that one error does not cause
 /// more.
-void LuaWriter::note_bad_block(const Block& block) {
+void LuaWriter::record_bad_block(const Block& block) {
     if (block.has_program) open_program(block);
     if (block.text->structural) {
-        flow_.lose_track();
-        oword_flow_.lose_track();
+        flow_.stop_nesting_checks();
+        oword_flow_.stop_nesting_checks();
     }
     if (parts_.open() && block.sequence)
         flow_.add_sequence(*block.sequence, block.text->at(block.prefix_column));
 }
 
 /// LinuxCNC searches the file for the first one after the call.
-void LuaWriter::fail_or_warn_of_twin(const Block& block, std::string_view name) {
+void LuaWriter::report_duplicate_program(const Block& block, std::string_view name) {
     const std::string what = fmt::format("the program O{} stands twice in this file", name);
     if (!lexer_.is_ngc()) {
         lexer_.fail(block.prefix_column, DiagnosticKind::program_twice, what);
@@ -119,14 +119,14 @@ void LuaWriter::open_program(const Block& block) {
     main_ended_ = false;
     const std::string_view name = block.text->view(block.text->program);
     const std::string lua_name = lua_program_name(name, lexer_.is_ngc());
-    if (!defined_.insert(lua_name).second) fail_or_warn_of_twin(block, name);
+    if (!defined_.insert(lua_name).second) report_duplicate_program(block, name);
     flow_.begin_program(scan_.program(next_ordinal_++));
     parts_.begin_program(lua_name, code_);
     declare_jump(code_);
     comment_ += fmt::format("{}O{}", comment_.empty() ? "" : " ", name);
 }
 
-bool LuaWriter::says_nothing(const Block& block) {
+bool LuaWriter::is_empty_block(const Block& block) {
     if (!grammar::is_blank(block)) return false;
     std::string action;
     if (lexer_.is_ngc()) write_comment_action(block, action);
@@ -135,7 +135,7 @@ bool LuaWriter::says_nothing(const Block& block) {
 
 /// Every statement must be in a function; a subroutine brings its own.
 void LuaWriter::begin_function(const Block& block) {
-    if (block.kind != BlockKind::flow || block.flow != grammar::Flow::sub) parts_.begin_rest(code_);
+    if (block.kind != BlockKind::flow || block.flow != grammar::Flow::sub) parts_.begin_remainder(code_);
 }
 
 /// A subroutine is a separate function, so that it can be called from above.
@@ -160,7 +160,7 @@ void LuaWriter::write_flow(const Block& block) {
         parts_.end(code_);
         if (main_ended_) lexer_.end_main_program();
     }
-    plan_.put_off_unknown(oword_flow_.inside_sub() ? &put_off_ : nullptr);
+    plan_.defer_unknown(oword_flow_.inside_sub() ? &deferred_codes_ : nullptr);
 }
 
 void LuaWriter::close_program() {
@@ -188,7 +188,7 @@ void LuaWriter::write_block(const Block& block) {
     check_skip(block);
     if (block.has_program) open_program(block);
     if (!parts_.open()) {
-        if (says_nothing(block)) return;
+        if (is_empty_block(block)) return;
         begin_function(block);
     }
     const bool label =
@@ -228,7 +228,7 @@ void LuaWriter::write_statements(const Block& block) {
 int LuaWriter::levels_around(const Block& block) const {
     if (!lexer_.is_ngc()) return 0;
     constexpr int kLevelsPerSetting = 2;
-    const std::size_t settings = std::min(block.assignments.size(), Settings::kMost);
+    const std::size_t settings = std::min(block.assignments.size(), Settings::kMax);
     return oword_flow_.levels() + kLevelsPerSetting * static_cast<int>(settings);
 }
 
@@ -284,20 +284,20 @@ void LuaWriter::write_body(const Block& block) {
 }
 
 void LuaWriter::add_comment(const Block& block) {
-    std::string piece;
+    std::string fragment;
     if (options_.annotate) {
-        piece = lexer::printable(text::trimmed(block.text->raw, kBlanks));
+        fragment = lexer::printable(text::trimmed(block.text->raw, kWhitespace));
         if (block.has_program) comment_.clear();
     } else {
-        if (block.sequence) piece = fmt::format("N{}", *block.sequence);
+        if (block.sequence) fragment = fmt::format("N{}", *block.sequence);
         for (const lexer::Slice slice : block.text->comments) {
-            piece +=
-                fmt::format("{}({})", piece.empty() ? "" : " ", lexer::printable(block.text->view(slice)));
+            fragment +=
+                fmt::format("{}({})", fragment.empty() ? "" : " ", lexer::printable(block.text->view(slice)));
         }
     }
-    if (piece.empty()) return;
+    if (fragment.empty()) return;
     if (!comment_.empty()) comment_ += ' ';
-    comment_ += piece;
+    comment_ += fragment;
 }
 
 void LuaWriter::end_line() {
@@ -319,8 +319,8 @@ void LuaWriter::end_file() {
     close_program();
     if (!code_.empty() || !comment_.empty()) end_line();
     unknown_.report(diagnostics_, plan_.dialect().title(), "it is left out, a G code with all of its block");
-    put_off_.report(diagnostics_, plan_.dialect().title(),
-                    "a call of the subroutine around it would end in an alarm");
+    deferred_codes_.report(diagnostics_, plan_.dialect().title(),
+                           "a call of the subroutine around it would end in an alarm");
     for (const auto& [number, location] : called_) {
         if (!defined_.contains(std::to_string(number))) {
             diagnostics_.warning(

@@ -34,7 +34,7 @@ class LuaWriter : public grammar::BlockSink {
 
     /// Writes the first line; to be called before any block.
     void begin_file(std::string_view source_name);
-    void take(const grammar::Block& block) override;
+    void on_block(const grammar::Block& block) override;
     /// Closes the last program; to be called after all blocks. Reports calls of programs that are not in the
     /// file.
     void end_file();
@@ -44,7 +44,7 @@ class LuaWriter : public grammar::BlockSink {
   private:
     static bool is_plain(const grammar::Block& block);
     void write_block(const grammar::Block& block);
-    void note_bad_block(const grammar::Block& block);
+    void record_bad_block(const grammar::Block& block);
     void write_statements(const grammar::Block& block);
     int levels_around(const grammar::Block& block) const;
     void write_comment_action(const grammar::Block& block, std::string& out);
@@ -53,15 +53,15 @@ class LuaWriter : public grammar::BlockSink {
     void write_content_ngc(const grammar::Block& block);
     void write_calls(const grammar::Block& block, const BlockValues& values);
     void write_message(const grammar::Block& block);
-    bool write_goto_of_return(const grammar::Block& block, const Call& call);
+    bool write_return_goto(const grammar::Block& block, const Call& call);
     std::optional<std::uint32_t> block_number(const grammar::Block& block, lexer::Slice digits,
                                               std::uint32_t column);
     void declare_jump(std::string& line) const;
     void write_goto(const grammar::Block& block);
-    void note_call(const grammar::Block& block, const Call& call);
+    void record_call(const grammar::Block& block, const Call& call);
     void open_program(const grammar::Block& block);
-    void fail_or_warn_of_twin(const grammar::Block& block, std::string_view name);
-    bool says_nothing(const grammar::Block& block);
+    void report_duplicate_program(const grammar::Block& block, std::string_view name);
+    bool is_empty_block(const grammar::Block& block);
     void begin_function(const grammar::Block& block);
     void write_flow(const grammar::Block& block);
     void open_sub(const grammar::Block& block);
@@ -69,7 +69,7 @@ class LuaWriter : public grammar::BlockSink {
     bool ends_pass(const grammar::Block& block, std::uint32_t target) const;
     void write_jump_to(const grammar::Block& block, std::uint32_t target, std::uint32_t column);
     void write_computed_jump();
-    void write_choice(std::span<const std::uint32_t> numbers);
+    void write_number_dispatch(std::span<const std::uint32_t> numbers);
     void write_dispatcher();
     void write_loop_dispatcher();
     void add_comment(const grammar::Block& block);
@@ -82,7 +82,7 @@ class LuaWriter : public grammar::BlockSink {
     LuaSpool& spool_;
     Options options_;
     UnknownCodes unknown_;
-    UnknownCodes put_off_;
+    UnknownCodes deferred_codes_;
     BlockPlan plan_;
     ControlFlow flow_;
     OWordFlow oword_flow_;

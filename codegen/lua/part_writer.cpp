@@ -9,7 +9,7 @@ namespace gsim::codegen {
 namespace {
 
 constexpr std::uint32_t kLinesBetweenCuts = 5000;
-constexpr std::uint32_t kLeastLinesBetweenCuts = 256;  // so that the map stays small
+constexpr std::uint32_t kMinLinesBetweenCuts = 256;  // so that the map stays small
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void PartWriter::begin_sub(std::string_view name, std::string& line) {
     begin(fmt::format("sub({}, ", name), line);
 }
 
-void PartWriter::begin_rest(std::string& line) {
+void PartWriter::begin_remainder(std::string& line) {
     if (!program_begun_) return begin_program("nil", line);
     begin("more(", line);
 }
@@ -52,7 +52,7 @@ void PartWriter::end_line(std::uint64_t bytes, bool may_cut, bool plain) {
     written_ += bytes;
     ++line_number_;
     if (!open_ || !may_cut ||
-        line_number_ - last_cut_line_ < (plain ? kLinesBetweenCuts : kLeastLinesBetweenCuts))
+        line_number_ - last_cut_line_ < (plain ? kLinesBetweenCuts : kMinLinesBetweenCuts))
         return;
     map_.back().cuts.push_back({written_, line_number_});
     last_cut_line_ = line_number_;

@@ -20,7 +20,7 @@ class PartWriter {
     /// Begins a subroutine; the text after it belongs to the program before it again.
     void begin_sub(std::string_view name, std::string& line);
     /// Continues the program after a subroutine, or begins one without a name.
-    void begin_rest(std::string& line);
+    void begin_remainder(std::string& line);
     void end(std::string& line);
     /// Forbids to split the open function.
     void forbid_cuts() { map_.back().cuts.clear(); }

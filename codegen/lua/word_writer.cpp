@@ -54,7 +54,7 @@ void write_value(const Block& block, std::uint32_t index, const BlockValues& val
     } else if (word.expression >= 0) {
         write_number(block, word.expression, out);
     } else if (word.role == Role::program) {
-        out += normal_number(block.text->view(word.number));
+        out += normalized_number(block.text->view(word.number));
     } else {
         out += text::unsigned_zero(block.text->view(word.number));
     }
@@ -113,7 +113,7 @@ void write_operands(const Block& block, const BlockPlan& plan, const Call& call,
 
 }  // namespace
 
-std::string normal_number(std::string_view digits) {
+std::string normalized_number(std::string_view digits) {
     const std::size_t first = std::min(digits.find_first_not_of('0'), digits.size() - 1);
     return std::string(digits.substr(first));
 }
@@ -128,7 +128,7 @@ std::uint64_t weight(const Call& call) {
 }
 
 void write_call(const Block& block, const BlockPlan& plan, const Call& call, const BlockValues& values,
-                std::string& out, std::string_view further) {
+                std::string& out, std::string_view suffix) {
     const Word& word = block.text->words[call.word];
     if (call.kind == Call::Kind::unknown) {
         text::append_format(out, "unknown_code(\"{}{}\") ", static_cast<char>(word.address),
@@ -149,10 +149,10 @@ void write_call(const Block& block, const BlockPlan& plan, const Call& call, con
         write_value(block, call.word, values, out);
         out += ')';
     } else {
-        if (!further.empty()) out += '(';
+        if (!suffix.empty()) out += '(';
         write_operands(block, plan, call, values, out);
-        out += further;
-        if (!further.empty()) out += ')';
+        out += suffix;
+        if (!suffix.empty()) out += ')';
     }
     out += returns ? ") end " : " ";
 }

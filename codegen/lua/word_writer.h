@@ -14,10 +14,10 @@ namespace gsim::codegen {
 /// (`values`) are their locals. With `further` ("`, true`"), an argument after its words, the call is in
 /// round brackets.
 void write_call(const grammar::Block& block, const BlockPlan& plan, const Call& call,
-                const BlockValues& values, std::string& out, std::string_view further = {});
+                const BlockValues& values, std::string& out, std::string_view suffix = {});
 
 /// Returns a number of a program or block without leading zeros; the scanner limits the count of digits.
-std::string normal_number(std::string_view digits);
+std::string normalized_number(std::string_view digits);
 
 /// Returns true for digits alone, at minimum one.
 bool all_digits(std::string_view text);

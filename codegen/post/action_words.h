@@ -22,12 +22,12 @@ class ActionWords {
 
     /// Returns the block for an action; it may be empty if the controller acts by itself. Returns no value if
     /// the post has no word. `unit_mm`: mm of the program's unit.
-    std::optional<std::string> block_of(std::string_view action, double unit_mm) const;
+    std::optional<std::string> find_block(std::string_view action, double unit_mm) const;
 
   private:
     struct Pattern {
-        std::vector<std::string> texts;   // before, between and after the placeholders
-        std::vector<std::string> places;  // one fewer
+        std::vector<std::string> texts;         // before, between and after the placeholders
+        std::vector<std::string> placeholders;  // one fewer
         std::string block;
     };
 
@@ -38,11 +38,11 @@ class ActionWords {
 };
 
 /// Action that brings the machine to a standstill, which any controller does with a dwell of zero time.
-inline constexpr std::string_view kRest = "rest";
+inline constexpr std::string_view kStandstillAction = "rest";
 /// End of a text that is no block of its own: it is written in the block of the next motion.
 inline constexpr std::string_view kInNextBlock = " ...";
 
 /// Returns the names of the placeholders in a text, in their order.
-std::vector<std::string> places_in(std::string_view text);
+std::vector<std::string> placeholder_names(std::string_view text);
 
 }  // namespace gsim::codegen

@@ -14,7 +14,7 @@ namespace gsim::codegen {
 /// decimal, so two values are the same word if their units are equal.
 class DecimalFormat {
   public:
-    DecimalFormat(int decimals, Zeros zeros) : decimals_(decimals), zeros_(zeros) {
+    DecimalFormat(int decimals, TrailingZeros zeros) : decimals_(decimals), zeros_(zeros) {
         for (int i = 0; i < decimals; ++i) per_one_ *= 10;
     }
 
@@ -26,7 +26,7 @@ class DecimalFormat {
 
   private:
     int decimals_;
-    Zeros zeros_;
+    TrailingZeros zeros_;
     std::int64_t per_one_ = 1;
 };
 
@@ -44,17 +44,17 @@ inline void DecimalFormat::append(fmt::memory_buffer& out, std::int64_t units) c
         out.push_back('-');
         units = -units;
     }
-    const fmt::format_int whole(units / per_one_);
-    out.append(whole.data(), whole.data() + whole.size());
+    const fmt::format_int integer_part(units / per_one_);
+    out.append(integer_part.data(), integer_part.data() + integer_part.size());
     std::int64_t fraction = units % per_one_;
     char digits[20];
     for (int i = decimals_; i > 0; fraction /= 10) digits[--i] = static_cast<char>('0' + fraction % 10);
-    int shown = decimals_;
-    if (zeros_ != Zeros::keep) {
-        while (shown > 0 && digits[shown - 1] == '0') --shown;
+    int digit_count = decimals_;
+    if (zeros_ != TrailingZeros::keep) {
+        while (digit_count > 0 && digits[digit_count - 1] == '0') --digit_count;
     }
-    if (shown > 0 || zeros_ == Zeros::point) out.push_back('.');
-    out.append(digits, digits + shown);
+    if (digit_count > 0 || zeros_ == TrailingZeros::point) out.push_back('.');
+    out.append(digits, digits + digit_count);
 }
 
 }  // namespace gsim::codegen

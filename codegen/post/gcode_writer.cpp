@@ -12,10 +12,10 @@ namespace gsim::codegen {
 namespace {
 
 constexpr std::size_t kEnough = std::size_t{1} << 16;
-constexpr std::uint64_t kGreatestNumber = 99'999;
+constexpr std::uint64_t kMaxNumber = 99'999;
 constexpr int kSignificantDigits = 7;
 constexpr int kDecimals = 6;  // of numbers that are no positions
-constexpr double kPerUnit = 1e6;
+constexpr double kUnitsPerMm = 1e6;
 
 constexpr std::array<std::string_view, 4> kMotions = {"G00", "G01", "G02", "G03"};
 constexpr std::array<std::string_view, 3> kPlanes = {"G17", "G18", "G19"};
@@ -52,7 +52,7 @@ GcodeWriter::GcodeWriter(const Post& post, std::span<const WrittenAxis> axes, co
       deg_(post.decimals_deg, post.zeros),
       feed_(post.decimals_feed, post.zeros),
       at_(axes.size(), kUnknown),
-      rest_(axes.size(), 0),
+      rounding_residuals_(axes.size(), 0),
       feed_mode_(options.feed_modes ? FeedMode::unknown : FeedMode::per_minute) {}
 
 std::int64_t GcodeWriter::units(std::size_t axis, double value) const {
@@ -65,10 +65,11 @@ void GcodeWriter::begin_block() {
     first_word_ = true;
     if (post_.number_step == 0) return;
     number_ += static_cast<std::uint64_t>(post_.number_step);
-    if (number_ > kGreatestNumber) number_ = static_cast<std::uint64_t>(post_.number_step);
+    if (number_ > kMaxNumber) number_ = static_cast<std::uint64_t>(post_.number_step);
     text_.push_back('N');
     const fmt::format_int digits(number_);
-    for (auto shown = static_cast<int>(digits.size()); shown < post_.number_digits; ++shown) {
+    for (auto digit_count = static_cast<int>(digits.size()); digit_count < post_.number_digits;
+         ++digit_count) {
         text_.push_back('0');
     }
     text_.append(digits.data(), digits.data() + digits.size());
@@ -99,7 +100,7 @@ void GcodeWriter::word(char letter, std::int64_t units, const DecimalFormat& for
 
 void GcodeWriter::lines(const std::vector<std::string>& templates) {
     for (const std::string& each : templates) {
-        const std::string line = filled(each, places_);
+        const std::string line = fill_template(each, placeholders_);
         if (is_numbered(line))
             begin_block();
         else
@@ -119,7 +120,7 @@ void GcodeWriter::forget() {
     system_.clear();
     next_words_.clear();
     acceleration_units_ = kUnknown;
-    std::fill(rest_.begin(), rest_.end(), 0);
+    std::fill(rounding_residuals_.begin(), rounding_residuals_.end(), 0);
 }
 
 // Writes the words that were deferred to this block.
@@ -137,16 +138,17 @@ bool GcodeWriter::motion_word(int motion) {
 }
 
 // Returns the printed value, and keeps its remainder.
-std::int64_t GcodeWriter::stand_at(std::size_t axis, double value) {
-    const std::int64_t printed = units(axis, value);
-    rest_[axis] = (axes_[axis].rotary ? value : in_unit(value)) - format(axis).value(printed);
-    return printed;
+std::int64_t GcodeWriter::set_position(std::size_t axis, double value) {
+    const std::int64_t printed_units = units(axis, value);
+    rounding_residuals_[axis] =
+        (axes_[axis].rotary ? value : in_unit(value)) - format(axis).value(printed_units);
+    return printed_units;
 }
 
 bool GcodeWriter::axis_words(std::span<const double> values) {
     bool changes = false;
     for (std::size_t i = 0; i < axes_.size(); ++i) {
-        const std::int64_t next = stand_at(i, values[i]);
+        const std::int64_t next = set_position(i, values[i]);
         if (next == at_[i] && !options_.verbose_words) continue;
         changes = changes || next != at_[i];
         at_[i] = next;
@@ -155,7 +157,7 @@ bool GcodeWriter::axis_words(std::span<const double> values) {
     return changes;
 }
 
-GcodeWriter::FeedMode GcodeWriter::mode_of(const WrittenFeed& feed) const {
+GcodeWriter::FeedMode GcodeWriter::feed_mode_for(const WrittenFeed& feed) const {
     if (feed.duration_s && !post_.feed_modes.inverse_time.empty()) return FeedMode::inverse_time;
     if (feed.per_rev_mm && !post_.feed_modes.per_revolution.empty()) return FeedMode::per_revolution;
     return FeedMode::per_minute;
@@ -176,19 +178,19 @@ void GcodeWriter::feed_mode_word(FeedMode mode) {
 
 // F is written in each block, with the digits that short and long times need.
 void GcodeWriter::inverse_time_word(double per_min) {
-    const int whole_digits = static_cast<int>(std::ceil(std::log10(per_min)));
-    code("F" + trimmed(per_min, std::clamp(kSignificantDigits - whole_digits, 3, 12)));
+    const int integer_digits = static_cast<int>(std::ceil(std::log10(per_min)));
+    code("F" + trimmed(per_min, std::clamp(kSignificantDigits - integer_digits, 3, 12)));
 }
 
 void GcodeWriter::feed_word(const WrittenFeed& feed, double turn_rad) {
-    const FeedMode mode = mode_of(feed);
+    const FeedMode mode = feed_mode_for(feed);
     if (mode == FeedMode::inverse_time) {
         const bool by_angle = post_.feed_modes.inverse_time_by_angle && turn_rad > 0;
         return inverse_time_word((by_angle ? turn_rad : 1) * kSecondsPerMinute / *feed.duration_s);
     }
     if (mode == FeedMode::per_revolution) {
         const double per_rev = in_unit(*feed.per_rev_mm);
-        const std::int64_t next = std::llround(per_rev * kPerUnit);
+        const std::int64_t next = std::llround(per_rev * kUnitsPerMm);
         if (next != feed_units_) code("F" + trimmed(per_rev, kDecimals));
         feed_units_ = next;
         return;
@@ -210,12 +212,12 @@ void GcodeWriter::plane_word(Plane plane) {
 
 void GcodeWriter::move(std::span<const double> values, const std::optional<WrittenFeed>& feed) {
     bool changes = false;
-    for (std::size_t i = 0; i < axes_.size(); ++i) changes = stand_at(i, values[i]) != at_[i] || changes;
+    for (std::size_t i = 0; i < axes_.size(); ++i) changes = set_position(i, values[i]) != at_[i] || changes;
     if (!changes) return;
     if (feed && feed->lead_mm) return thread(values, *feed);
     begin_motion();
-    if (options_.in_machine) code(post_.offsets.machine);
-    if (feed) feed_mode_word(mode_of(*feed));
+    if (options_.machine_coordinates) code(post_.offsets.machine);
+    if (feed) feed_mode_word(feed_mode_for(*feed));
     motion_word(feed ? 1 : 0);
     axis_words(values);
     if (feed) feed_word(*feed, 0);
@@ -235,32 +237,32 @@ void GcodeWriter::thread(std::span<const double> values, const WrittenFeed& feed
 void GcodeWriter::arc(std::span<const double> values, const ArcWords& words, const WrittenFeed& feed) {
     begin_motion();
     plane_word(words.plane);
-    feed_mode_word(mode_of(feed));
+    feed_mode_word(feed_mode_for(feed));
     motion_word(words.clockwise ? 2 : 3);
     const std::array<std::size_t, 2>& in_plane = kInPlane[static_cast<std::size_t>(words.plane)];
-    const auto axis_of = [this](std::size_t direction) {
+    const auto axis_index = [this](std::size_t direction) {
         const char letter = static_cast<char>('X' + direction);
         const auto found = std::find_if(axes_.begin(), axes_.end(),
                                         [letter](const WrittenAxis& axis) { return axis.letter == letter; });
         return static_cast<std::size_t>(found - axes_.begin());
     };
     const bool full_circle = std::all_of(in_plane.begin(), in_plane.end(), [&](std::size_t direction) {
-        const std::size_t axis = axis_of(direction);
+        const std::size_t axis = axis_index(direction);
         return units(axis, values[axis]) == at_[axis];
     });
     // Some controllers need a word of the plane to recognise the block as an arc.
     if (full_circle) {
-        for (const std::size_t direction : in_plane) at_[axis_of(direction)] = kUnknown;
+        for (const std::size_t direction : in_plane) at_[axis_index(direction)] = kUnknown;
     }
     std::array<std::int64_t, 3> offsets{};
     for (const std::size_t direction : in_plane) {
         // Relative to the printed start, so that the error of the centre is only its own rounding.
-        offsets[direction] =
-            length_.units(in_unit(words.center_offset_mm[direction]) + rest_[axis_of(direction)]);
+        offsets[direction] = length_.units(in_unit(words.center_offset_mm[direction]) +
+                                           rounding_residuals_[axis_index(direction)]);
     }
     axis_words(values);
     for (const std::size_t direction : in_plane) word(kCenterLetters[direction], offsets[direction], length_);
-    if (words.turns > 1) code(fmt::format("{}{}", post_.turns_of_arcs, words.turns));
+    if (words.turns > 1) code(fmt::format("{}{}", post_.arc_turns_letter, words.turns));
     feed_word(feed, words.turn_rad);
     end_block();
 }
@@ -270,7 +272,7 @@ void GcodeWriter::arc_through(std::span<const double> values, const std::array<d
                               const WrittenFeed& feed, double turn_rad) {
     const ThroughPoint& words = *post_.through_point;
     begin_motion();
-    feed_mode_word(mode_of(feed));
+    feed_mode_word(feed_mode_for(feed));
     motion_ = kNoMotion;
     code(words.code);
     axis_words(values);
@@ -284,14 +286,14 @@ void GcodeWriter::arc_through(std::span<const double> values, const std::array<d
 
 // A time is written to the thousandth, or as exactly as it is given if lengths have digits of their own.
 void GcodeWriter::dwell(double seconds) {
-    const bool is_short = std::abs(seconds * 1000 - std::round(seconds * 1000)) < 1e-6;
-    const bool is_exact = options_.decimals_mm && !is_short;
+    const bool is_short_dwell = std::abs(seconds * 1000 - std::round(seconds * 1000)) < 1e-6;
+    const bool is_exact = options_.decimals_mm && !is_short_dwell;
     if (!is_exact && seconds > 0) seconds = std::max(seconds, 0.001);
-    Places places = places_;
-    places["seconds"] = fmt::format("{:.{}f}", seconds, is_exact ? 6 : 3);
-    places["milliseconds"] = fmt::format("{:.{}f}", seconds * 1000, is_exact ? 3 : 0);
+    PlaceholderValues placeholders = placeholders_;
+    placeholders["seconds"] = fmt::format("{:.{}f}", seconds, is_exact ? 6 : 3);
+    placeholders["milliseconds"] = fmt::format("{:.{}f}", seconds * 1000, is_exact ? 3 : 0);
     begin_block();
-    code(filled(post_.dwell, places));
+    code(fill_template(post_.dwell, placeholders));
     end_block();
 }
 
@@ -302,13 +304,13 @@ void GcodeWriter::acceleration(double mm_s2) {
     acceleration_units_ = next;
     fmt::memory_buffer number;
     feed_.append(number, next);
-    places_["acceleration"] = fmt::to_string(number);
+    placeholders_["acceleration"] = fmt::to_string(number);
     lines(post_.acceleration);
 }
 
 void GcodeWriter::action(std::string_view name) {
-    if (name == kRest) return dwell(0);
-    const auto block = actions_.block_of(name, options_.inch ? kMmPerInch : 1);
+    if (name == kStandstillAction) return dwell(0);
+    const auto block = actions_.find_block(name, options_.inch ? kMmPerInch : 1);
     if (!block) return comment(fmt::format("action: {}", name));
     if (block->empty()) return;
     if (block->ends_with(kInNextBlock)) {

@@ -58,7 +58,7 @@ struct WriterOptions {
     bool verbose_words = false;           ///< Words are written though they have not changed.
     bool feed_modes = false;              ///< The program has feeds of several kinds.
     std::optional<int> decimals_mm = {};  ///< Replaces the post's.
-    bool in_machine = false;              ///< Numbers are machine coordinates, by the post's word for that.
+    bool machine_coordinates = false;     ///< Numbers are machine coordinates, by the post's word for that.
 };
 
 /// Writer of blocks of G-code by a post. Words without new content are left out; it compares the printed
@@ -72,17 +72,17 @@ class GcodeWriter {
     GcodeWriter(const Post& post, std::span<const WrittenAxis> axes, const WriterOptions& options, Sink sink);
 
     /// Returns the values of {number}, {title} and the other placeholders of the templates.
-    Places& places() { return places_; }
+    PlaceholderValues& placeholders() { return placeholders_; }
     /// Writes lines of a post with their placeholders filled in. They are numbered unless they begin with %,
     /// O, o or (.
     void lines(const std::vector<std::string>& templates);
     /// Writes a block that assigns these coordinates to the present position of the machine, by a word such
     /// as G92.
-    void here(std::string_view word, std::span<const double> values);
+    void preset(std::string_view word, std::span<const double> values);
     /// Sets the position of the axes, though no block has moved them there.
-    void stand(std::span<const double> values);
+    void set_position(std::span<const double> values);
     /// Sets the active work coordinate system.
-    void begin_in(const std::string& name);
+    void set_active_offset(const std::string& name);
     /// Writes the post's block that selects a work coordinate system; no block if it is active.
     void work_offset(const std::string& name);
     /// Writes the post's block that sets the origin of a work coordinate system; the post must have one.
@@ -99,7 +99,7 @@ class GcodeWriter {
     void machine_rapids(const std::vector<std::map<char, double>>& steps);
     /// Writes the same to a reference point, from 1, by the post's words for it; it must have this one. Only
     /// the letters of the steps are used.
-    void go_to_reference(int number, const std::vector<std::map<char, double>>& steps);
+    void move_to_reference(int number, const std::vector<std::map<char, double>>& steps);
     /// Writes a rapid (without feed) or linear move to these values, one for each axis. Writes no block if no
     /// word would change.
     void move(std::span<const double> values, const std::optional<WrittenFeed>& feed);
@@ -129,7 +129,7 @@ class GcodeWriter {
     void machine_block(const std::map<char, double>& axes);
     void rapid_block(std::string_view letters, const std::array<double, 3>& xyz_mm);
     std::string length_text(double mm) const;
-    std::string index_of(const std::string& system) const;
+    std::string system_index(const std::string& system) const;
     void begin_block();
     void end_block();
     void code(std::string_view text);
@@ -139,7 +139,7 @@ class GcodeWriter {
     void begin_motion();
     bool motion_word(int motion);
     void thread(std::span<const double> values, const WrittenFeed& feed);
-    FeedMode mode_of(const WrittenFeed& feed) const;
+    FeedMode feed_mode_for(const WrittenFeed& feed) const;
     void feed_mode_word(FeedMode mode);
     void inverse_time_word(double per_min);
     bool axis_words(std::span<const double> values);
@@ -147,7 +147,7 @@ class GcodeWriter {
     void plane_word(Plane plane);
     double in_unit(double mm) const { return options_.inch ? mm / kMmPerInch : mm; }
     std::int64_t units(std::size_t axis, double value) const;
-    std::int64_t stand_at(std::size_t axis, double value);
+    std::int64_t set_position(std::size_t axis, double value);
     const DecimalFormat& format(std::size_t axis) const { return axes_[axis].rotary ? deg_ : length_; }
 
     const Post& post_;
@@ -155,7 +155,7 @@ class GcodeWriter {
     std::vector<WrittenAxis> axes_;
     WriterOptions options_;
     Sink sink_;
-    Places places_;
+    PlaceholderValues placeholders_;
     DecimalFormat length_, deg_, feed_;
     fmt::memory_buffer text_;
     std::size_t block_begin_ = 0;  // in text_
@@ -163,7 +163,8 @@ class GcodeWriter {
     std::uint64_t blocks_ = 0;
     std::uint64_t number_ = 0;
     std::vector<std::int64_t> at_;  // printed units of each axis
-    std::vector<double> rest_;      // of each axis: its value less the printed one, in the program's unit
+    std::vector<double>
+        rounding_residuals_;  // of each axis: its value less the printed one, in the program's unit
     std::int64_t machine_z_ =
         kUnknown;  // printed units, if the last block has moved to a position of the machine
     int motion_ = kNoMotion;

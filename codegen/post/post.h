@@ -10,7 +10,7 @@
 namespace gsim::codegen {
 
 /// End of a number: 500.000, 500. or 500.
-enum class Zeros { keep, point, cut };
+enum class TrailingZeros { keep, point, cut };
 
 /// Subprogram for a sub-path. Lines are templates, see Post.
 struct SubprogramLines {
@@ -44,7 +44,7 @@ struct OffsetWords {
     std::vector<std::string> systems;  ///< That it has; programs begin in the first one.
     std::string set;                   ///< Template with {index} (from 1), {x}, {y} and {z}: sets a system.
     std::string machine;             ///< In front of a line or a rapid: its numbers are machine coordinates.
-    std::string here;                ///< Before axis words: the present position has these coordinates.
+    std::string preset;              ///< Before axis words: the present position has these coordinates.
     std::vector<std::string> begin;  ///< Lines that cancel all other offsets.
     std::vector<std::string> end;    ///< Lines that cancel the effect of `here`.
 
@@ -72,20 +72,20 @@ struct ToolChangeWords {
 /// {axes}, {axis}, {number}, {to}, {feed} and {surface}.
 struct Post {
     std::string name;
-    std::string reads_as;  ///< The dialect of gcode2lua that reads these programs.
+    std::string dialect;  ///< The dialect of gcode2lua that reads these programs.
     int decimals_mm = 3, decimals_inch = 4, decimals_deg = 3, decimals_feed = 3;
     std::optional<int> decimals_recorded_mm;  ///< For recorded paths; not set: decimals_mm.
-    Zeros zeros = Zeros::cut;
+    TrailingZeros zeros = TrailingZeros::cut;
     int number_step = 0;    ///< Between block numbers; 0: no numbers.
     int number_digits = 0;  ///< Block numbers are filled up with zeros to so many digits.
     std::string axes;       ///< Letters of the axes that the controller has; empty: any.
     std::string dwell;
     std::string
-        start_position;         ///< Word of a block with the position of the tool at the start; may be empty.
-    std::string turns_of_arcs;  ///< Letter of the number of circles that an arc begins; empty: max one.
+        start_position;  ///< Word of a block with the position of the tool at the start; may be empty.
+    std::string arc_turns_letter;  ///< Letter of the number of circles that an arc begins; empty: max one.
     std::optional<ThroughPoint>
         through_point;                  ///< For arcs in any plane; not set: the controller has no word.
-    bool refuses_oblique_arcs = false;  ///< Those it has no word for; otherwise they become lines.
+    bool rejects_oblique_arcs = false;  ///< Those it has no word for; otherwise they become lines.
     std::string thread;                 ///< Word of a line in step with the spindle; empty: not supported.
     std::string thread_lead;            ///< The letter of its lead.
     FeedModes feed_modes;
@@ -103,9 +103,9 @@ struct Post {
 };
 
 /// Values of the placeholders of a template.
-using Places = std::map<std::string, std::string, std::less<>>;
+using PlaceholderValues = std::map<std::string, std::string, std::less<>>;
 
 /// Returns a template with its placeholders filled in; those that `places` lacks stay.
-std::string filled(std::string_view line, const Places& places);
+std::string fill_template(std::string_view line, const PlaceholderValues& placeholders);
 
 }  // namespace gsim::codegen

@@ -19,8 +19,8 @@ using base::TomlSection;
 using Names = std::span<const std::string_view>;
 
 constexpr std::string_view kExtension = ".toml";
-constexpr int kMostDecimals = 6;
-constexpr int kMostDigits = 9;
+constexpr int kMaxDecimals = 6;
+constexpr int kMaxDigits = 9;
 
 constexpr std::array<std::string_view, 14> kPostKeys = {
     "name",    "reads_as",     "numbers",    "blocks",  "arcs",        "program",          "subprogram",
@@ -36,17 +36,17 @@ constexpr std::array<std::string_view, 4> kFeedModeKeys = {"per_minute", "invers
 constexpr std::array<std::string_view, 7> kOffsetKeys = {"system", "systems", "set", "machine",
                                                          "here",   "begin",   "end"};
 constexpr std::array<std::string_view, 2> kReferenceKeys = {"go", "end"};
-constexpr std::array<std::string_view, 1> kReferencePlaces = {"axes"};
-constexpr std::size_t kMostReferences = 4;
+constexpr std::array<std::string_view, 1> kReferencePlaceholders = {"axes"};
+constexpr std::size_t kMaxReferences = 4;
 constexpr std::array<std::string_view, 1> kProbeKeys = {"touch"};
-constexpr std::array<std::string_view, 7> kTouchPlaces = {"axis",  "number", "to",     "feed",
-                                                          "index", "system", "surface"};
-constexpr std::array<std::string_view, 3> kNeededTouchPlaces = {"axis", "to", "surface"};
+constexpr std::array<std::string_view, 7> kTouchPlaceholders = {"axis",  "number", "to",     "feed",
+                                                                "index", "system", "surface"};
+constexpr std::array<std::string_view, 3> kRequiredTouchPlaceholders = {"axis", "to", "surface"};
 constexpr std::array<std::string_view, 1> kToolChangeKeys = {"stops"};
-constexpr std::array<std::string_view, 2> kStopped = {"spindle", "coolant"};
-constexpr std::array<std::string_view, 2> kTimesOfArcs = {"move", "radian"};
-constexpr std::array<std::string_view, 1> kSystemPlaces = {"system"};
-constexpr std::array<std::string_view, 4> kSetPlaces = {"index", "x", "y", "z"};
+constexpr std::array<std::string_view, 2> kStoppableOutputs = {"spindle", "coolant"};
+constexpr std::array<std::string_view, 2> kInverseTimeUnits = {"move", "radian"};
+constexpr std::array<std::string_view, 1> kSystemPlaceholders = {"system"};
+constexpr std::array<std::string_view, 4> kSetPlaceholders = {"index", "x", "y", "z"};
 constexpr std::array<std::string_view, 2> kProgramKeys = {"begin", "end"};
 constexpr std::array<std::string_view, 6> kSubprogramKeys = {"order", "begin",         "end",
                                                              "call",  "call_repeated", "file"};
@@ -55,14 +55,16 @@ constexpr std::array<std::string_view, 2> kOrders = {"after", "before"};
 constexpr std::array<std::string_view, 3> kZeros = {"keep", "point", "cut"};
 constexpr std::array<std::string_view, 2> kDialects = {"ab9", "rs274ngc"};
 
-constexpr std::array<std::string_view, 5> kProgramPlaces = {"number", "title", "program", "lower", "unit"};
-constexpr std::array<std::string_view, 5> kCallPlaces = {"number", "program", "lower", "repeats", "label"};
-constexpr std::array<std::string_view, 3> kFilePlaces = {"number", "program", "lower"};
+constexpr std::array<std::string_view, 5> kProgramPlaceholders = {"number", "title", "program", "lower",
+                                                                  "unit"};
+constexpr std::array<std::string_view, 5> kCallPlaceholders = {"number", "program", "lower", "repeats",
+                                                               "label"};
+constexpr std::array<std::string_view, 3> kFilePlaceholders = {"number", "program", "lower"};
 constexpr std::string_view kFileCharacters =
     "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-.";
-constexpr std::size_t kLongestFileName = 100;
-constexpr std::array<std::string_view, 2> kDwellPlaces = {"seconds", "milliseconds"};
-constexpr std::array<std::string_view, 1> kAccelerationPlaces = {"acceleration"};
+constexpr std::size_t kMaxFileNameLength = 100;
+constexpr std::array<std::string_view, 2> kDwellPlaceholders = {"seconds", "milliseconds"};
+constexpr std::array<std::string_view, 1> kAccelerationPlaceholders = {"acceleration"};
 
 class PostReader {
   public:
@@ -80,19 +82,19 @@ class PostReader {
         TomlSection section(error_, table, "the post", kPostKeys);
         post_.name = section.text("name");
         section.require("reads_as");
-        post_.reads_as = kDialects[section.choice("reads_as", 0, kDialects)];
+        post_.dialect = kDialects[section.choice("reads_as", 0, kDialects)];
         if (const auto* numbers = section_table(section, "numbers")) read_numbers(*numbers);
         if (const auto* blocks = section_table(section, "blocks")) read_blocks(*blocks);
         if (const auto* arcs = section.table("arcs")) read_arcs(*arcs);
         if (const auto* program = section_table(section, "program")) {
             TomlSection of(error_, *program, "[program]", kProgramKeys);
-            post_.begin = lines(of, "begin", kProgramPlaces);
-            post_.end = lines(of, "end", kProgramPlaces);
+            post_.begin = lines(of, "begin", kProgramPlaceholders);
+            post_.end = lines(of, "end", kProgramPlaceholders);
         }
         if (const auto* subprogram = section.table("subprogram")) read_subprogram(*subprogram);
         if (const auto* acceleration = section.table("acceleration")) {
             TomlSection of(error_, *acceleration, "[acceleration]", kAccelerationKeys);
-            post_.acceleration = lines(of, "set", kAccelerationPlaces);
+            post_.acceleration = lines(of, "set", kAccelerationPlaceholders);
             post_.end_acceleration = lines(of, "end", {});
         }
         if (const auto* modes = section.table("feed_modes")) read_feed_modes(*modes);
@@ -108,33 +110,33 @@ class PostReader {
         return section.table(key);
     }
 
-    int whole(TomlSection& section, std::string_view key, int most) {
+    int read_integer(TomlSection& section, std::string_view key, int max) {
         if (section.require(key) == nullptr) return 0;
         const double value = section.number(key, 0, NumberRule::not_negative);
-        if (value <= most && value == std::floor(value)) return static_cast<int>(value);
-        section.fail(key, fmt::format("'{}' must be a whole number from 0 to {}", key, most));
+        if (value <= max && value == std::floor(value)) return static_cast<int>(value);
+        section.fail(key, fmt::format("'{}' must be a whole number from 0 to {}", key, max));
         return 0;
     }
 
     void read_numbers(const toml::table& table) {
         TomlSection section(error_, table, "[numbers]", kNumberKeys);
-        post_.decimals_mm = whole(section, "decimals_mm", kMostDecimals);
-        post_.decimals_inch = whole(section, "decimals_inch", kMostDecimals);
-        post_.decimals_deg = whole(section, "decimals_deg", kMostDecimals);
-        post_.decimals_feed = whole(section, "decimals_feed", kMostDecimals);
+        post_.decimals_mm = read_integer(section, "decimals_mm", kMaxDecimals);
+        post_.decimals_inch = read_integer(section, "decimals_inch", kMaxDecimals);
+        post_.decimals_deg = read_integer(section, "decimals_deg", kMaxDecimals);
+        post_.decimals_feed = read_integer(section, "decimals_feed", kMaxDecimals);
         if (section.has("decimals_recorded_mm"))
-            post_.decimals_recorded_mm = whole(section, "decimals_recorded_mm", kMostDecimals);
+            post_.decimals_recorded_mm = read_integer(section, "decimals_recorded_mm", kMaxDecimals);
         section.require("zeros");
-        post_.zeros = static_cast<Zeros>(section.choice("zeros", 0, kZeros));
+        post_.zeros = static_cast<TrailingZeros>(section.choice("zeros", 0, kZeros));
     }
 
     void read_blocks(const toml::table& table) {
         TomlSection section(error_, table, "[blocks]", kBlockKeys);
-        post_.number_step = whole(section, "number_step", 1000);
-        post_.number_digits = whole(section, "number_digits", kMostDigits);
+        post_.number_step = read_integer(section, "number_step", 1000);
+        post_.number_digits = read_integer(section, "number_digits", kMaxDigits);
         if (section.has("axes")) post_.axes = section.text("axes");
         post_.dwell = section.text("dwell");
-        check_line(section, "dwell", post_.dwell, kDwellPlaces);
+        check_line(section, "dwell", post_.dwell, kDwellPlaceholders);
         post_.start_position = word(section, "start_position");
         post_.thread = word(section, "thread");
         post_.thread_lead = word(section, "thread_lead");
@@ -143,10 +145,10 @@ class PostReader {
     }
 
     // Reads an optional word.
-    std::string word(TomlSection& section, std::string_view key, Names places = {}) {
+    std::string word(TomlSection& section, std::string_view key, Names placeholders = {}) {
         if (!section.has(key)) return {};
         std::string text = section.text(key);
-        check_line(section, key, text, places);
+        check_line(section, key, text, placeholders);
         return text;
     }
 
@@ -156,35 +158,37 @@ class PostReader {
         post_.feed_modes.per_minute = word(section, "per_minute");
         post_.feed_modes.inverse_time = word(section, "inverse_time");
         post_.feed_modes.per_revolution = word(section, "per_revolution");
-        post_.feed_modes.inverse_time_by_angle = section.choice("inverse_time_of_arcs", 0, kTimesOfArcs) == 1;
+        post_.feed_modes.inverse_time_by_angle =
+            section.choice("inverse_time_of_arcs", 0, kInverseTimeUnits) == 1;
     }
 
     void read_offsets(const toml::table& table) {
         TomlSection section(error_, table, "[offsets]", kOffsetKeys);
         OffsetWords& words = post_.offsets;
-        words.system = word(section, "system", kSystemPlaces);
+        words.system = word(section, "system", kSystemPlaceholders);
         if (section.has("systems")) words.systems = lines(section, "systems", {});
-        words.set = word(section, "set", kSetPlaces);
+        words.set = word(section, "set", kSetPlaceholders);
         words.machine = word(section, "machine");
-        words.here = word(section, "here");
+        words.preset = word(section, "here");
         if (section.has("begin")) words.begin = lines(section, "begin", {});
         if (section.has("end")) words.end = lines(section, "end", {});
         if (words.system.empty() != words.systems.empty())
             section.fail("system", "'system' and 'systems' go together");
-        for (const std::string_view place : kSetPlaces) {
-            if (words.set.empty() || words.set.find(fmt::format("{{{}}}", place)) != std::string::npos)
+        for (const std::string_view placeholder : kSetPlaceholders) {
+            if (words.set.empty() || words.set.find(fmt::format("{{{}}}", placeholder)) != std::string::npos)
                 continue;
-            section.fail("set", fmt::format("'set' must hold {{{}}}", text::joined(kSetPlaces, "}, {")));
+            section.fail("set",
+                         fmt::format("'set' must hold {{{}}}", text::joined(kSetPlaceholders, "}, {")));
         }
     }
 
     void read_references(const toml::table& table) {
         TomlSection section(error_, table, "[reference_points]", kReferenceKeys);
-        post_.references.go = lines(section, "go", kReferencePlaces);
+        post_.references.go = lines(section, "go", kReferencePlaceholders);
         if (section.has("end")) post_.references.end = lines(section, "end", {});
-        if (post_.references.go.size() > kMostReferences)
-            section.fail(
-                "go", fmt::format("'go' has a line for each reference point, {} at most", kMostReferences));
+        if (post_.references.go.size() > kMaxReferences)
+            section.fail("go",
+                         fmt::format("'go' has a line for each reference point, {} at most", kMaxReferences));
         for (const std::string& line : post_.references.go) {
             if (line.find("{axes}") == std::string::npos)
                 section.fail("go", "each line of 'go' must hold {axes}");
@@ -193,31 +197,31 @@ class PostReader {
 
     void read_probe(const toml::table& table) {
         TomlSection section(error_, table, "[probe]", kProbeKeys);
-        post_.touch = lines(section, "touch", kTouchPlaces);
+        post_.touch = lines(section, "touch", kTouchPlaceholders);
         const std::string all = text::joined(post_.touch, "\n");
-        for (const std::string_view place : kNeededTouchPlaces) {
-            if (all.find(fmt::format("{{{}}}", place)) == std::string::npos)
+        for (const std::string_view placeholder : kRequiredTouchPlaceholders) {
+            if (all.find(fmt::format("{{{}}}", placeholder)) == std::string::npos)
                 section.fail("touch", fmt::format("'touch' must hold {{{}}}",
-                                                  text::joined(kNeededTouchPlaces, "}, {")));
+                                                  text::joined(kRequiredTouchPlaceholders, "}, {")));
         }
     }
 
     void read_tool_change(const toml::table& table) {
         TomlSection section(error_, table, "[tool_change]", kToolChangeKeys);
         for (const std::string& stopped : lines(section, "stops", {})) {
-            const auto at = std::find(kStopped.begin(), kStopped.end(), stopped);
-            if (at == kStopped.end())
+            const auto at = std::find(kStoppableOutputs.begin(), kStoppableOutputs.end(), stopped);
+            if (at == kStoppableOutputs.end())
                 section.fail("stops", fmt::format("'stops' holds {}, not \"{}\"",
-                                                  text::joined(kStopped, " and "), stopped));
-            (at == kStopped.begin() ? post_.tool_change.stops_spindle : post_.tool_change.stops_coolant) =
-                true;
+                                                  text::joined(kStoppableOutputs, " and "), stopped));
+            (at == kStoppableOutputs.begin() ? post_.tool_change.stops_spindle
+                                             : post_.tool_change.stops_coolant) = true;
         }
     }
 
     void read_arcs(const toml::table& table) {
         TomlSection section(error_, table, "[arcs]", kArcKeys);
-        post_.refuses_oblique_arcs = section.choice("oblique", 0, kOblique) == 1;
-        post_.turns_of_arcs = word(section, "turns");
+        post_.rejects_oblique_arcs = section.choice("oblique", 0, kOblique) == 1;
+        post_.arc_turns_letter = word(section, "turns");
         if (!section.has("through_point")) return;
         std::vector<std::string> words = lines(section, "through_point", {});
         if (words.size() != 4) {
@@ -232,16 +236,16 @@ class PostReader {
 
     void read_subprogram(const toml::table& table) {
         TomlSection section(error_, table, "[subprogram]", kSubprogramKeys);
-        SubprogramLines& lines_of = post_.subprogram.emplace();
+        SubprogramLines& subprogram_lines = post_.subprogram.emplace();
         section.require("order");
-        lines_of.before_program = section.choice("order", 0, kOrders) == 1;
-        lines_of.begin = lines(section, "begin", kProgramPlaces);
-        lines_of.end = lines(section, "end", kProgramPlaces);
-        lines_of.call = lines(section, "call", kCallPlaces);
-        lines_of.call_repeated = lines(section, "call_repeated", kCallPlaces);
-        lines_of.file = section.text("file");
-        check_line(section, "file", lines_of.file, kFilePlaces);
-        check_file_name(section, lines_of.file);
+        subprogram_lines.before_program = section.choice("order", 0, kOrders) == 1;
+        subprogram_lines.begin = lines(section, "begin", kProgramPlaceholders);
+        subprogram_lines.end = lines(section, "end", kProgramPlaceholders);
+        subprogram_lines.call = lines(section, "call", kCallPlaceholders);
+        subprogram_lines.call_repeated = lines(section, "call_repeated", kCallPlaceholders);
+        subprogram_lines.file = section.text("file");
+        check_line(section, "file", subprogram_lines.file, kFilePlaceholders);
+        check_file_name(section, subprogram_lines.file);
     }
 
     // Posts come along with programs of others, so no name may have a special meaning elsewhere. Each
@@ -249,20 +253,20 @@ class PostReader {
     // '_'.
     static void check_file_name(TomlSection& section, std::string_view file) {
         std::string plain(file);
-        for (const std::string_view place : kFilePlaces) {
-            const std::string written = fmt::format("{{{}}}", place);
+        for (const std::string_view placeholder : kFilePlaceholders) {
+            const std::string written = fmt::format("{{{}}}", placeholder);
             for (std::size_t at = plain.find(written); at != std::string::npos; at = plain.find(written))
                 plain.replace(at, written.size(), "0");
         }
         const bool known = plain.find_first_not_of(kFileCharacters) == std::string::npos &&
                            plain.find("..") == std::string::npos;
-        if (!known || plain.empty() || plain.size() > kLongestFileName || plain[0] == '.' ||
+        if (!known || plain.empty() || plain.size() > kMaxFileNameLength || plain[0] == '.' ||
             plain[0] == '-') {
             section.fail("file",
                          fmt::format("'file' must be a name of letters, digits, '_', '-' and '.', of {} at "
                                      "most, that begins with a letter, a digit, '_' or a place, such as "
                                      "\"{{program}}_O{{number}}.nc\"",
-                                     kLongestFileName));
+                                     kMaxFileNameLength));
         } else if (file.find("{number}") == std::string_view::npos) {
             section.fail("file", "'file' must hold {number}, so that each subprogram has a file of its own");
         }
@@ -274,15 +278,15 @@ class PostReader {
             if (text == nullptr) {
                 error_.report(node.source().begin, fmt::format("'{}' must be a string", key.str()));
             } else {
-                const std::vector<std::string> places = places_in(key.str());
-                const std::vector<std::string_view> known(places.begin(), places.end());
+                const std::vector<std::string> placeholders = placeholder_names(key.str());
+                const std::vector<std::string_view> known(placeholders.begin(), placeholders.end());
                 check_text(node.source().begin, key.str(), text->get(), known);
                 post_.actions.emplace(key.str(), text->get());
             }
         }
     }
 
-    std::vector<std::string> lines(TomlSection& section, std::string_view key, Names places) {
+    std::vector<std::string> lines(TomlSection& section, std::string_view key, Names placeholders) {
         std::vector<std::string> found;
         const toml::node* node = section.require(key);
         if (node == nullptr) return found;
@@ -297,29 +301,31 @@ class PostReader {
             if (text == nullptr) {
                 error_.report(element.source().begin, fmt::format("'{}' must hold strings only", key));
             } else {
-                check_text(element.source().begin, key, text->get(), places);
+                check_text(element.source().begin, key, text->get(), placeholders);
                 found.push_back(text->get());
             }
         }
         return found;
     }
 
-    void check_line(TomlSection& section, std::string_view key, std::string_view line, Names places) {
-        check_text(section.where(key), key, line, places);
+    void check_line(TomlSection& section, std::string_view key, std::string_view line, Names placeholders) {
+        check_text(section.where(key), key, line, placeholders);
     }
 
     // Checks that a line is one line, and has no placeholders but these.
     void check_text(const toml::source_position& where, std::string_view key, std::string_view line,
-                    Names places) {
-        const bool control = std::any_of(line.begin(), line.end(),
-                                         [](char c) { return static_cast<unsigned char>(c) < 0x20; });
-        if (control) error_.report(where, fmt::format("'{}' must not hold line breaks or the like", key));
+                    Names placeholders) {
+        const bool is_control_character = std::any_of(
+            line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+        if (is_control_character)
+            error_.report(where, fmt::format("'{}' must not hold line breaks or the like", key));
         for (std::size_t open = line.find('{'); open != std::string_view::npos;
              open = line.find('{', open + 1)) {
             const std::string_view name = line.substr(open + 1, line.find('}', open) - open - 1);
-            if (std::find(places.begin(), places.end(), name) != places.end()) continue;
-            const std::string hint =
-                places.empty() ? std::string("nothing") : fmt::format("{{{}}}", text::joined(places, "}, {"));
+            if (std::find(placeholders.begin(), placeholders.end(), name) != placeholders.end()) continue;
+            const std::string hint = placeholders.empty()
+                                         ? std::string("nothing")
+                                         : fmt::format("{{{}}}", text::joined(placeholders, "}, {"));
             error_.report(where, fmt::format("'{}' knows no {{{}}}; it may hold {}", key, name, hint));
         }
     }
@@ -346,7 +352,7 @@ std::vector<std::string_view> built_in_posts() {
 tl::expected<Post, std::string> find_post(const std::string& name) {
     if (name.ends_with(kExtension)) {
         const tl::expected<std::string, std::string> text =
-            os::read_text_file(name, os::NamedBy::command_line);
+            os::read_text_file(name, os::NameSource::command_line);
         if (!text) return tl::unexpected(text.error());
         return read_post(*text, name);
     }

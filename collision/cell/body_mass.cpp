@@ -15,36 +15,36 @@ using Eigen::Vector3d;
 
 namespace {
 
-using Made = tl::expected<RigidBody, std::string>;
+using RigidBodyResult = tl::expected<RigidBody, std::string>;
 
 constexpr double kMetresPerMm = 1e-3;
 constexpr double kPi = std::numbers::pi;
 
-RigidBody centred(double mass_kg, double xx, double yy, double zz) {
+RigidBody centered(double mass_kg, double xx, double yy, double zz) {
     return {.mass_kg = mass_kg, .inertia_kg_m2 = Vector3d(xx, yy, zz).asDiagonal()};
 }
 
-RigidBody round(double mass_kg, double across, double along) {
-    return centred(mass_kg, across, across, along);
+RigidBody round(double mass_kg, double width, double along) {
+    return centered(mass_kg, width, width, along);
 }
 
-Made make(const machine::BoxShape& box, double density, const MeshFiles& /*files*/) {
+RigidBodyResult make(const machine::BoxShape& box, double density, const MeshFiles& /*files*/) {
     const double x = box.x_mm * kMetresPerMm;
     const double y = box.y_mm * kMetresPerMm;
     const double z = box.z_mm * kMetresPerMm;
     const double mass_kg = density * x * y * z;
     const double share = mass_kg / 12;
-    return centred(mass_kg, share * (y * y + z * z), share * (z * z + x * x), share * (x * x + y * y));
+    return centered(mass_kg, share * (y * y + z * z), share * (z * z + x * x), share * (x * x + y * y));
 }
 
-Made make(const machine::CylinderShape& cylinder, double density, const MeshFiles& /*files*/) {
+RigidBodyResult make(const machine::CylinderShape& cylinder, double density, const MeshFiles& /*files*/) {
     const double r = cylinder.diameter_mm * kMetresPerMm / 2;
     const double h = cylinder.height_mm * kMetresPerMm;
     const double mass_kg = density * kPi * r * r * h;
     return round(mass_kg, mass_kg * (3 * r * r + h * h) / 12, mass_kg * r * r / 2);
 }
 
-Made make(const machine::SphereShape& sphere, double density, const MeshFiles& /*files*/) {
+RigidBodyResult make(const machine::SphereShape& sphere, double density, const MeshFiles& /*files*/) {
     const double r = sphere.diameter_mm * kMetresPerMm / 2;
     const double mass_kg = density * 4 / 3 * kPi * r * r * r;
     return round(mass_kg, 0.4 * mass_kg * r * r, 0.4 * mass_kg * r * r);
@@ -52,7 +52,7 @@ Made make(const machine::SphereShape& sphere, double density, const MeshFiles& /
 
 // The centres of half spheres are 3/8 of the radius from the flat side. They turn about the middle of that
 // side like a full sphere of their mass.
-Made make(const machine::CapsuleShape& capsule, double density, const MeshFiles& files) {
+RigidBodyResult make(const machine::CapsuleShape& capsule, double density, const MeshFiles& files) {
     const double r = capsule.diameter_mm * kMetresPerMm / 2;
     const double h = capsule.height_mm * kMetresPerMm;
     const RigidBody rod =
@@ -67,11 +67,11 @@ Made make(const machine::CapsuleShape& capsule, double density, const MeshFiles&
 /// The corners of a triangle in the order of its file.
 using Corners = std::array<Vector3d, 3>;
 
-template <typename Take>
-void for_each_triangle(const TriangleMesh& mesh, const Take& take) {
+template <typename Visitor>
+void for_each_triangle(const TriangleMesh& mesh, const Visitor& on_triangle) {
     for (const TriangleMesh::Node& node : mesh.nodes()) {
         if (node.is_leaf())
-            take(Corners{node.triangle.points[0], node.triangle.points[1], node.triangle.points[2]});
+            on_triangle(Corners{node.triangle.points[0], node.triangle.points[1], node.triangle.points[2]});
     }
 }
 
@@ -97,7 +97,7 @@ std::optional<Vector3d> find_open_edge(const TriangleMesh& mesh) {
 
 /// Sums over the tetrahedra from a middle to each triangle: det / 6 is the volume of one, det / 24 times the
 /// sum of its corners its first moment, and the second one det / 120 (s s^T + a a^T + b b^T + c c^T).
-RigidBody enclosed(const TriangleMesh& mesh, double density) {
+RigidBody integrate_rigid_body(const TriangleMesh& mesh, double density) {
     Vector3d middle = Vector3d::Zero();
     for (const Vector3d& vertex : mesh.vertices_mm()) middle += vertex;
     middle /= static_cast<double>(mesh.vertices_mm().size());
@@ -122,13 +122,13 @@ RigidBody enclosed(const TriangleMesh& mesh, double density) {
     }
     if (!(volume > 0)) return {};
     const Vector3d centre = first / volume;
-    const Matrix3d spread = density * (second - volume * centre * centre.transpose());
+    const Matrix3d standard_deviation = density * (second - volume * centre * centre.transpose());
     return {.mass_kg = density * volume,
             .centre_m = kMetresPerMm * middle + centre,
-            .inertia_kg_m2 = spread.trace() * Matrix3d::Identity() - spread};
+            .inertia_kg_m2 = standard_deviation.trace() * Matrix3d::Identity() - standard_deviation};
 }
 
-Made make(const machine::MeshShape& shape, double density, const MeshFiles& files) {
+RigidBodyResult make(const machine::MeshShape& shape, double density, const MeshFiles& files) {
     const auto mesh = load_mesh(shape.file, shape.scale, shape.tolerance_mm, files);
     if (!mesh) return tl::unexpected(mesh.error());
     if (const auto open = find_open_edge(**mesh)) {
@@ -138,13 +138,13 @@ Made make(const machine::MeshShape& shape, double density, const MeshFiles& file
                         "triangle on one side alone",
                         shape.file.string(), open->x(), open->y(), open->z()));
     }
-    return enclosed(**mesh, density);
+    return integrate_rigid_body(**mesh, density);
 }
 
 }  // namespace
 
-tl::expected<RigidBody, std::string> mass_of(const machine::ShapeForm& form, double density_kg_m3,
-                                             const MeshFiles& files) {
+tl::expected<RigidBody, std::string> compute_rigid_body(const machine::ShapeForm& form, double density_kg_m3,
+                                                        const MeshFiles& files) {
     return std::visit([&](const auto& of) { return make(of, density_kg_m3, files); }, form);
 }
 

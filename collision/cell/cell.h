@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "collision/cell/carrier.h"
+#include "collision/cell/frame_trajectory.h"
 #include "collision/cell/frame_tree.h"
 #include "geometry/distance/shape.h"
 
@@ -30,17 +30,17 @@ struct Cell {
     FrameTree frames;
     std::vector<Item> items = {};
     /// Independent frames, in the order of their links.
-    std::vector<CarriedFrame> carried = {};
+    std::vector<MovingFrame> moving_frames = {};
     std::size_t replaced = 0;  ///< Number of shapes of the machine file that the cell replaces.
     /// Pairs of items, as indices, that may touch each other.
     std::vector<std::pair<std::size_t, std::size_t>> ignored = {};
 
     /// Makes a frame independent from now on; it is at standstill at first.
-    void carry(std::size_t frame, bool conveyor) {
-        const auto behind = std::find_if(carried.begin(), carried.end(),
-                                         [frame](const CarriedFrame& one) { return one.frame > frame; });
-        carried.insert(behind, {frame, conveyor, Carrier(frames.in_parent(frame))});
-        frames.carry(frame);
+    void make_movable(std::size_t frame, bool conveyor) {
+        const auto next = std::find_if(moving_frames.begin(), moving_frames.end(),
+                                       [frame](const MovingFrame& one) { return one.frame > frame; });
+        moving_frames.insert(next, {frame, conveyor, FrameTrajectory(frames.pose_in_parent(frame))});
+        frames.make_movable(frame);
     }
 };
 

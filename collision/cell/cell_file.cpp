@@ -8,7 +8,7 @@
 #include "base/text/format.h"
 #include "base/toml/toml_section.h"
 #include "collision/cell/machine_shapes.h"
-#include "collision/pairs/meeting_pairs.h"
+#include "collision/pairs/candidate_pairs.h"
 #include "machine/file/frame_section.h"
 #include "machine/file/shape_section.h"
 #include "machine/model/frame_pose.h"
@@ -25,7 +25,7 @@ namespace {
 constexpr std::array kFileKeys{"cell"sv, "frame"sv, "object"sv, "shape"sv, "ignore"sv,
                                // of the file of robots, which may be the same
                                "robot"sv, "conveyor"sv};
-constexpr std::array kCellKeys{"name"sv, "machine"sv, "machine_data"sv, "clearance_mm"sv};
+constexpr std::array kCellTableKeys{"name"sv, "machine"sv, "machine_data"sv, "clearance_mm"sv};
 constexpr std::array kFrameKeys{"name"sv, "attached_to"sv, "frame"sv};
 constexpr std::array kObjectKeys{"name"sv, "shape"sv, "frame"sv, "attached_to"sv, "role"sv};
 constexpr std::array kShapeKeys{"name"sv, "shape"sv, "frame"sv, "on"sv};
@@ -53,13 +53,13 @@ class CellReader {
                 root.source().begin,
                 fmt::format("the conveyor '{}' has the name of a frame of the machine", name));
         }
-        cell_.carry(cell_.frames.add(name, 0, rrs::CartPos::Identity()), true);
+        cell_.make_movable(cell_.frames.add(name, 0, rrs::CartPos::Identity()), true);
     }
 
     Cell read(const toml::table& root) {
         TomlSection file(error_, root, "a cell file", kFileKeys);
         file.require("cell");
-        if (const toml::table* head = file.table("cell")) read_head(*head);
+        if (const toml::table* head = file.table("cell")) read_cell_table(*head);
         for (const toml::table* table : tables(file, "frame")) read_frame(*table);
         for (const toml::table* table : tables(file, "object")) read_object(*table);
         for (const toml::table* table : tables(file, "shape")) read_link_shape(*table);
@@ -67,7 +67,7 @@ class CellReader {
         const auto ignored = machine::read_ignored(error_, file, root,
                                                    [this](std::string_view name) { return find_item(name); });
         cell_.ignored.insert(cell_.ignored.end(), ignored.begin(), ignored.end());
-        if (const auto fault = find_too_many(cell_.items, cell_.frames)) file.fail("object", *fault);
+        if (const auto error = check_pair_count(cell_.items, cell_.frames)) file.fail("object", *error);
         return std::move(cell_);
     }
 
@@ -76,8 +76,8 @@ class CellReader {
         return file.has(key) ? file.tables(key) : std::vector<const toml::table*>{};
     }
 
-    void read_head(const toml::table& table) {
-        TomlSection section(error_, table, "[cell]", kCellKeys);
+    void read_cell_table(const toml::table& table) {
+        TomlSection section(error_, table, "[cell]", kCellTableKeys);
         cell_.name = section.text("name");
         cell_.clearance_mm = section.number("clearance_mm", 0, NumberRule::not_negative);
     }
@@ -134,7 +134,7 @@ class CellReader {
         const std::string on = section.text("on");
         const bool jet = on == "jet";
         const std::size_t parent = find_frame(section, "on", jet ? "tool" : on);
-        if (!cell_.frames.is_of_machine(parent) || on == "world") {
+        if (!cell_.frames.is_machine_frame(parent) || on == "world") {
             section.fail(
                 "on",
                 "'on' must be \"base\", a letter of an axis, \"tool\", \"work\" or \"jet\"; what stands in "
@@ -169,27 +169,27 @@ class CellReader {
 };
 
 /// Returns the `on` values of a cell's [[shape]]s, even if the tables are not right.
-std::set<std::string, std::less<>> places_of_shapes(const toml::table& root) {
-    std::set<std::string, std::less<>> places;
+std::set<std::string, std::less<>> replaced_locations(const toml::table& root) {
+    std::set<std::string, std::less<>> attachments;
     const toml::array* shapes = root.get_as<toml::array>("shape");
-    if (shapes == nullptr) return places;
+    if (shapes == nullptr) return attachments;
     for (const toml::node& node : *shapes) {
         const toml::table* table = node.as_table();
         if (table == nullptr) continue;
-        if (const auto on = table->get_as<std::string>("on")) places.insert(on->get());
+        if (const auto on = table->get_as<std::string>("on")) attachments.insert(on->get());
     }
-    return places;
+    return attachments;
 }
 
 /// The tool of a cell replaces that of the machine file, and the same applies to the jet.
-machine::Machine without_replaced(const machine::Machine& machine, const toml::table& root) {
-    const auto places = places_of_shapes(root);
+machine::Machine remove_replaced_shapes(const machine::Machine& machine, const toml::table& root) {
+    const auto attachments = replaced_locations(root);
     machine::Machine left = machine;
     left.shapes.clear();
     std::map<std::size_t, std::size_t> numbers;
     for (std::size_t i = 0; i < machine.shapes.size(); ++i) {
         const std::string& on = machine.shapes[i].on;
-        if ((on == "tool" || on == "jet") && places.contains(on)) continue;
+        if ((on == "tool" || on == "jet") && attachments.contains(on)) continue;
         numbers.emplace(i, left.shapes.size());
         left.shapes.push_back(machine.shapes[i]);
     }
@@ -210,7 +210,7 @@ tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text,
     CellFiles files;
     const toml::table* head = root.get_as<toml::table>("cell");
     if (head != nullptr) {
-        TomlSection section(error, *head, "[cell]", kCellKeys);
+        TomlSection section(error, *head, "[cell]", kCellTableKeys);
         if (section.has("machine")) files.machine = folder / section.text("machine");
         if (section.has("machine_data")) files.machine_data = folder / section.text("machine_data");
     }
@@ -221,17 +221,17 @@ tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text,
 tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::string_view file_name,
                                           const machine::Machine& machine,
                                           std::span<const std::string> conveyors, const MeshFiles& files,
-                                          std::vector<std::string>* faults) {
+                                          std::vector<std::string>* errors) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
-    const machine::Machine equipped = without_replaced(machine, root);
-    auto bare = cell_of_machine(equipped, files);
-    if (!bare) return bare;
-    bare->replaced = machine.shapes.size() - equipped.shapes.size();
-    CellReader reader(error, std::filesystem::path(file_name).parent_path(), files, *std::move(bare));
+    const machine::Machine remaining_machine = remove_replaced_shapes(machine, root);
+    auto bare_cell = make_machine_cell(remaining_machine, files);
+    if (!bare_cell) return bare_cell;
+    bare_cell->replaced = machine.shapes.size() - remaining_machine.shapes.size();
+    CellReader reader(error, std::filesystem::path(file_name).parent_path(), files, *std::move(bare_cell));
     for (const std::string& conveyor : conveyors) reader.add_conveyor(conveyor, root);
     Cell cell = reader.read(root);
-    if (faults != nullptr) *faults = error.all();
+    if (errors != nullptr) *errors = error.all();
     if (error.text()) return tl::unexpected(*error.text());
     return cell;
 }

@@ -31,6 +31,6 @@ tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::strin
                                           const machine::Machine& machine,
                                           std::span<const std::string> conveyors = {},
                                           const MeshFiles& files = {},
-                                          std::vector<std::string>* faults = nullptr);
+                                          std::vector<std::string>* errors = nullptr);
 
 }  // namespace gsim::cell

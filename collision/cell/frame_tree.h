@@ -22,27 +22,29 @@ class FrameTree {
     std::optional<std::size_t> find(std::string_view name) const;
     const std::string& name(std::size_t frame) const { return frames_[frame].name; }
     std::size_t base() const { return base_; }
-    bool is_of_machine(std::size_t frame) const { return frame < machine_frames_; }
+    bool is_machine_frame(std::size_t frame) const { return frame < machine_frames_; }
     /// Adds a frame attached to `parent`, which exists. The name must be new.
-    std::size_t add(std::string name, std::size_t parent, const rrs::CartPos& in_parent);
+    std::size_t add(std::string name, std::size_t parent, const rrs::CartPos& pose_in_parent);
 
     /// Returns the pose relative to the frame to which it is attached (mm).
-    const rrs::CartPos& in_parent(std::size_t frame) const { return frames_[frame].in_parent; }
+    const rrs::CartPos& pose_in_parent(std::size_t frame) const { return frames_[frame].pose_in_parent; }
     /// Moves base(), or a frame that is not the machine's, and with it everything that is attached to it.
-    void move(std::size_t frame, const rrs::CartPos& in_parent) { frames_[frame].in_parent = in_parent; }
+    void move(std::size_t frame, const rrs::CartPos& pose_in_parent) {
+        frames_[frame].pose_in_parent = pose_in_parent;
+    }
 
     /// Makes a frame that is not the machine's independent from now on, with everything attached to it, as a
     /// separate link. Such links are numbered after the machine's, in the order of their frames, so that each
     /// comes after the one in which it moves.
-    void carry(std::size_t frame);
+    void make_movable(std::size_t frame);
     /// Returns the frame to which the frame is attached.
     std::size_t parent(std::size_t frame) const { return frames_[frame].parent; }
 
     /// Returns the link that the frame moves with, as LinkFrames numbers them.
     int link(std::size_t frame) const { return frames_[frame].link; }
     /// Returns the pose relative to that link.
-    rrs::CartPos in_link(std::size_t frame) const;
-    rrs::CartPos in_world(std::size_t frame, const LinkFrames& links) const;
+    rrs::CartPos pose_in_link(std::size_t frame) const;
+    rrs::CartPos pose_in_world(std::size_t frame, const LinkFrames& links) const;
     /// Returns the names of the frames, those of the machine first.
     std::vector<std::string_view> names() const;
 
@@ -50,7 +52,7 @@ class FrameTree {
     struct Frame {
         std::string name;
         std::size_t parent;
-        rrs::CartPos in_parent;
+        rrs::CartPos pose_in_parent;
         int link;
         bool is_link = false;  ///< True if the frame is at its link's pose.
     };
@@ -61,7 +63,7 @@ class FrameTree {
         std::size_t operator()(std::string_view name) const { return std::hash<std::string_view>()(name); }
     };
 
-    void put(Frame frame);
+    void insert(Frame frame);
 
     std::vector<Frame> frames_;
     std::unordered_map<std::string, std::size_t, NameHash, std::equal_to<>>

@@ -9,7 +9,7 @@ namespace gsim::cell {
 
 /// Poses of the links of a machine: number 0 is the world, to which the bases are fixed. Number i is the link
 /// after joint i - 1, for a joint that carries the tool or the work. Links that move independently
-/// (DriftingLink) may follow. Poses are in the world, mm.
+/// (MovingLink) may follow. Poses are in the world, mm.
 using LinkFrames = std::vector<rrs::CartPos>;
 
 /// Returns the poses of the links for joint values in mm and rad.

@@ -5,7 +5,7 @@
 
 #include "collision/cell/cell.h"
 #include "collision/pairs/body_pair.h"
-#include "collision/pairs/leeway.h"
+#include "collision/pairs/separation_budget.h"
 
 namespace gsim::cell {
 
@@ -30,6 +30,6 @@ MachineBodies machine_bodies(const Cell& cell,
                              const std::shared_ptr<const kinematics::Kinematics>& machine_kinematics);
 
 /// Returns how far the joints reach for these bodies, for joint values in mm and rad.
-JointReach reach_of(const MachineBodies& machine, const rrs::JointPos& joints);
+JointReach joint_reach(const MachineBodies& machine, const rrs::JointPos& joints);
 
 }  // namespace gsim::cell

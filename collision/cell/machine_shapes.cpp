@@ -10,21 +10,21 @@ namespace gsim::cell {
 
 namespace {
 
-using MadeShape = tl::expected<Shape, std::string>;
+using ExpectedShape = tl::expected<Shape, std::string>;
 
-MadeShape make(const machine::BoxShape& box, const MeshFiles& /*files*/) {
+ExpectedShape make(const machine::BoxShape& box, const MeshFiles& /*files*/) {
     return Shape::box({box.x_mm, box.y_mm, box.z_mm});
 }
-MadeShape make(const machine::CylinderShape& cylinder, const MeshFiles& /*files*/) {
+ExpectedShape make(const machine::CylinderShape& cylinder, const MeshFiles& /*files*/) {
     return Shape::cylinder(cylinder.diameter_mm, cylinder.height_mm);
 }
-MadeShape make(const machine::CapsuleShape& capsule, const MeshFiles& /*files*/) {
+ExpectedShape make(const machine::CapsuleShape& capsule, const MeshFiles& /*files*/) {
     return Shape::capsule(capsule.diameter_mm, capsule.height_mm);
 }
-MadeShape make(const machine::SphereShape& sphere, const MeshFiles& /*files*/) {
+ExpectedShape make(const machine::SphereShape& sphere, const MeshFiles& /*files*/) {
     return Shape::sphere(sphere.diameter_mm);
 }
-MadeShape make(const machine::MeshShape& mesh, const MeshFiles& files) {
+ExpectedShape make(const machine::MeshShape& mesh, const MeshFiles& files) {
     return load_mesh(mesh.file, mesh.scale, mesh.tolerance_mm, files).map(&Shape::mesh);
 }
 
@@ -34,7 +34,7 @@ tl::expected<Shape, std::string> make_shape(const machine::ShapeForm& form, cons
     return std::visit([&files](const auto& of) { return make(of, files); }, form);
 }
 
-tl::expected<Cell, std::string> cell_of_machine(const machine::Machine& machine, const MeshFiles& files) {
+tl::expected<Cell, std::string> make_machine_cell(const machine::Machine& machine, const MeshFiles& files) {
     Cell cell{.name = machine.name, .frames = FrameTree(machine)};
     for (const machine::LinkShape& link_shape : machine.shapes) {
         auto shape = make_shape(link_shape.form, files);

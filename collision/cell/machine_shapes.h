@@ -14,6 +14,7 @@ tl::expected<Shape, std::string> make_shape(const machine::ShapeForm& form, cons
 
 /// Returns a cell with only the machine's own shapes so far. The error is a message that names the shape with
 /// the mesh that cannot be read.
-tl::expected<Cell, std::string> cell_of_machine(const machine::Machine& machine, const MeshFiles& files = {});
+tl::expected<Cell, std::string> make_machine_cell(const machine::Machine& machine,
+                                                  const MeshFiles& files = {});
 
 }  // namespace gsim::cell

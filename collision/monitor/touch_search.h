@@ -8,24 +8,24 @@
 #include <tl/expected.hpp>
 
 #include "collision/cell/cell.h"
-#include "collision/pairs/meeting_pairs.h"
+#include "collision/pairs/candidate_pairs.h"
 
 namespace gsim::cell {
 
 /// Returns true if this body of a cell probes: it is on the tool, as a part of the machine or as an object.
-bool probes(const Cell& cell, std::size_t item);
+bool is_probe(const Cell& cell, std::size_t item);
 
 /// Search for the instants at which the probe of a machine begins to touch the bodies of its cell, and at
 /// which it ceases to. The probe consists of the bodies for which probes() is true. They touch what they may
-/// meet (meeting_pairs()). Without such bodies the probe is the tool tip: a point that touches everything
+/// meet (candidate_pairs()). Without such bodies the probe is the tool tip: a point that touches everything
 /// except what carries it. The jet is not felt.
 class TouchSearch {
   public:
     /// Makes the search. `cell` and `machine`, for which it was read, must outlive this; its frames stay
-    /// unchanged. `tip_mm` is the tool tip in the frame of the tool centre point. The error is a message: a
+    /// unchanged. `tcp_mm` is the tool tip in the frame of the tool centre point. The error is a message: a
     /// cell with independently moving frames allows no search.
     static tl::expected<TouchSearch, std::string> make(const Cell& cell, const machine::Machine& machine,
-                                                       const Eigen::Vector3d& tip_mm);
+                                                       const Eigen::Vector3d& tcp_mm);
 
     /// Returns true if the probe touches something at these joint values, in mm and rad.
     bool touches(const rrs::JointPos& joints) const;
@@ -38,10 +38,10 @@ class TouchSearch {
   private:
     explicit TouchSearch(std::shared_ptr<const kinematics::Kinematics> kinematics)
         : kinematics_(std::move(kinematics)) {}
-    void add_tip_pairs(const Cell& cell, const Eigen::Vector3d& tip_mm);
+    void add_tip_pairs(const Cell& cell, const Eigen::Vector3d& tcp_mm);
 
     std::shared_ptr<const kinematics::Kinematics> kinematics_;
-    std::shared_ptr<const Shape> tip_;
+    std::shared_ptr<const Shape> probe_point_;
     std::vector<BodyPair> pairs_;
 };
 

@@ -9,8 +9,8 @@ std::vector<ItemPair> touching_pairs(const Cell& cell, const machine::Machine& m
     const auto kinematics = placed_kinematics(machine::make_kinematics(machine), cell.frames);
     const LinkFrames links = link_frames(*kinematics, joints);
     std::vector<ItemPair> touching;
-    for (const MeetingPair& pair : meeting_pairs(cell, *kinematics)) {
-        if (!pair.with_jet && pair.bodies.touch_at(links)) touching.push_back(pair.items);
+    for (const CandidatePair& pair : candidate_pairs(cell, *kinematics)) {
+        if (!pair.with_jet && pair.bodies.are_in_contact(links)) touching.push_back(pair.items);
     }
     return touching;
 }

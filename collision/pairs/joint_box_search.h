@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "collision/pairs/meeting_pairs.h"
+#include "collision/pairs/candidate_pairs.h"
 #include "machine/model/joint_box.h"
 
 namespace gsim::cell {
@@ -15,7 +15,7 @@ enum class Verdict : std::uint8_t {
 };
 
 /// Distance of two items over all joint values.
-struct MeetingFinding {
+struct PairFinding {
     ItemPair items;
     Verdict verdict;
     double nearest_mm;     ///< Smallest distance that was found, not the true minimum.
@@ -28,8 +28,8 @@ struct MeetingFinding {
 /// most. If they find none, the box is halved again and again, the part with the smallest lower bound first.
 /// Between the middle of a part and its ends no point of a body moves farther than ChainMotion::bound(). So a
 /// part is free if its bodies are farther from each other at its middle, or if the plane between them is not
-/// reached (ways_along_mm()). The jet is not checked. The same input gives the same findings.
-std::vector<MeetingFinding> search_joint_box(const Cell& cell, const machine::Machine& machine,
-                                             const machine::JointBox& box);
+/// reached (travels_along_mm()). The jet is not checked. The same input gives the same findings.
+std::vector<PairFinding> search_joint_box(const Cell& cell, const machine::Machine& machine,
+                                          const machine::JointBox& box);
 
 }  // namespace gsim::cell

@@ -10,19 +10,19 @@ namespace gsim::cell {
 struct JointTravel {
     /// Path length of each joint, mm or rad; 0 for joints on an arc, because `arc_mm` counts for them
     /// together.
-    std::array<double, rrs::kMaxJoints> way{};
+    std::array<double, rrs::kMaxJoints> distance{};
     /// Max deviation of each joint from a motion of all in proportion from start to end.
-    std::array<double, rrs::kMaxJoints> bend{};
+    std::array<double, rrs::kMaxJoints> deviation{};
     std::array<int, 3> arc_joints{-1, -1, -1};  ///< -1 without an arc.
     double arc_mm = 0;
-    double arc_bend_mm = 0;  ///< As `bend`, of the point that moves on the arc.
+    double arc_deviation_mm = 0;  ///< As `bend`, of the point that moves on the arc.
 
-    bool on_arc(int joint) const;
+    bool is_on_arc(int joint) const;
     bool moves() const;
 };
 
-/// Returns the travel between two times, in s since the start of the segment. `by_time`: something else moves
-/// meanwhile, so deviations are over time; otherwise they are over the distance of the leading law.
-JointTravel travel_of(const motion::Segment& segment, double from_s, double to_s, bool by_time = false);
+/// Returns the travel between two times, in s since the start of the segment. `over_time`: something else
+/// moves meanwhile, so deviations are over time; otherwise they are over the distance of the leading law.
+JointTravel joint_travel(const motion::Segment& segment, double from_s, double to_s, bool over_time = false);
 
 }  // namespace gsim::cell

@@ -18,7 +18,7 @@ double reach(const Ball& body, const Eigen::Vector3d& point_mm, const Eigen::Vec
 /// right angles, one after the other.
 class Slides {
   public:
-    void add(const Eigen::Vector3d& direction, double way_mm) {
+    void add(const Eigen::Vector3d& direction, double travel_mm) {
         for (int i = 0; i < count_; ++i) {
             if (std::abs(directions_[static_cast<std::size_t>(i)].dot(direction)) > kOrthogonal)
                 orthogonal_ = false;
@@ -28,17 +28,17 @@ class Slides {
         } else {
             directions_[static_cast<std::size_t>(count_++)] = direction;
         }
-        sum_ += way_mm;
-        square_ += way_mm * way_mm;
+        sum_ += travel_mm;
+        square_ += travel_mm * travel_mm;
     }
     /// Adds an arc in the space of some of the joints: its length counts for all of them.
-    void add_arc(double way_mm) {
+    void add_arc(double travel_mm) {
         if (has_arc_) return;
         has_arc_ = true;
-        sum_ += way_mm;
-        square_ += way_mm * way_mm;
+        sum_ += travel_mm;
+        square_ += travel_mm * travel_mm;
     }
-    double way_mm() const { return orthogonal_ ? std::sqrt(square_) : kSkewedArc * sum_; }
+    double travel_mm() const { return orthogonal_ ? std::sqrt(square_) : kSkewedArcFactor * sum_; }
 
   private:
     std::array<Eigen::Vector3d, 3> directions_;
@@ -54,35 +54,35 @@ class BoundSum {
   public:
     explicit BoundSum(const Ball& body) : body_(body) {}
 
-    void slide(const Eigen::Vector3d& direction, double way_mm, double bend_mm) {
-        slides_.add(direction, way_mm);
-        slide_bends_.add(direction, bend_mm);
+    void slide(const Eigen::Vector3d& direction, double travel_mm, double deviation_mm) {
+        slides_.add(direction, travel_mm);
+        slide_deviations_.add(direction, deviation_mm);
     }
-    void slide_on_arc(double way_mm, double bend_mm) {
-        slides_.add_arc(way_mm);
-        slide_bends_.add_arc(bend_mm);
+    void add_arc_slide(double travel_mm, double deviation_mm) {
+        slides_.add_arc(travel_mm);
+        slide_deviations_.add_arc(deviation_mm);
     }
     /// Adds a slide in any direction.
-    void drift(double way_mm) {
+    void link_travel(double travel_mm) {
         end_slides();
-        bound_.way_mm += way_mm;
+        bound_.travel_mm += travel_mm;
     }
-    void turn(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& axis, double angle, double bend) {
+    void turn(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& axis, double angle, double deviation) {
         end_slides();
-        const double reach_mm = reach(body_, point_mm, axis) + bound_.way_mm;
-        second_order_ += angle * (2 * bound_.way_mm + angle * reach_mm);
-        bound_.bend_mm += bend * reach_mm;
-        bound_.way_mm += angle * reach_mm;
+        const double reach_mm = reach(body_, point_mm, axis) + bound_.travel_mm;
+        second_order_ += angle * (2 * bound_.travel_mm + angle * reach_mm);
+        bound_.deviation_mm += deviation * reach_mm;
+        bound_.travel_mm += angle * reach_mm;
     }
     /// Closes the current slides, because later ones do not add up with them.
     void end_slides() {
-        bound_.way_mm += slides_.way_mm();
-        bound_.bend_mm += slide_bends_.way_mm();
-        slides_ = slide_bends_ = {};
+        bound_.travel_mm += slides_.travel_mm();
+        bound_.deviation_mm += slide_deviations_.travel_mm();
+        slides_ = slide_deviations_ = {};
     }
     MotionBound result() {
         end_slides();
-        bound_.bend_mm += second_order_ / 8;
+        bound_.deviation_mm += second_order_ / 8;
         return bound_;
     }
 
@@ -91,7 +91,7 @@ class BoundSum {
     MotionBound bound_;
     double second_order_ = 0;
     Slides slides_;
-    Slides slide_bends_;
+    Slides slide_deviations_;
 };
 
 }  // namespace
@@ -109,28 +109,29 @@ MotionBound ChainMotion::bound(const Ball& body, std::span<const int> between) c
         if (chain != last) sum.end_slides();  // slides of different machines are at no known angle
         last = chain;
         if (index >= chain->axes_.size()) {
-            const std::size_t own = index - chain->axes_.size();
-            const DriftTravel& drift = chain->drifted_[own / 2];
-            if (own % 2 == 0) {
-                sum.drift(drift.way_mm);
+            const std::size_t drift_index = index - chain->axes_.size();
+            const LinkTravel& link_travel = chain->link_travels_[drift_index / 2];
+            if (drift_index % 2 == 0) {
+                sum.link_travel(link_travel.travel_mm);
             } else {
-                sum.turn(drift.origin_mm, drift.axis, drift.angle_rad, 0);
+                sum.turn(link_travel.origin_mm, link_travel.axis, link_travel.angle_rad, 0);
             }
             continue;
         }
         const JointAxis& axis = chain->axes_[index];
         const JointTravel& travel = chain->travel_;
         if (axis.kind == rrs::JointKind::prismatic) {
-            sum.slide(axis.direction, travel.way[index], travel.bend[index]);
-            if (travel.on_arc(static_cast<int>(index))) sum.slide_on_arc(travel.arc_mm, travel.arc_bend_mm);
+            sum.slide(axis.direction, travel.distance[index], travel.deviation[index]);
+            if (travel.is_on_arc(static_cast<int>(index)))
+                sum.add_arc_slide(travel.arc_mm, travel.arc_deviation_mm);
         } else {
-            sum.turn(axis.point_mm, axis.direction, travel.way[index], travel.bend[index]);
+            sum.turn(axis.point_mm, axis.direction, travel.distance[index], travel.deviation[index]);
         }
     }
     return sum.result();
 }
 
-void ChainMotion::widen(JointReach& reach_mm, const Ball& body, std::span<const int> between) const {
+void ChainMotion::expand(JointReach& reach_mm, const Ball& body, std::span<const int> between) const {
     for (const int joint : between) {
         const auto index = static_cast<std::size_t>(joint);
         if (index >= axes_.size() || axes_[index].kind == rrs::JointKind::prismatic) continue;

@@ -10,13 +10,13 @@ namespace gsim::cell {
 
 /// Factor for an arc of three joints that are not at right angles. The arc is no longer than this times its
 /// length in them: no longer than all three together.
-inline constexpr double kSkewedArc = 1.7320508075688774;
+inline constexpr double kSkewedArcFactor = 1.7320508075688774;
 
 /// Bounds that no point of a body exceeds in a part of a motion, in mm.
 struct MotionBound {
-    double way_mm = 0;  ///< Length of the point's path.
+    double travel_mm = 0;  ///< Length of the point's path.
     /// Distance from the straight path from start to end. 0 if the body moves straight without turning.
-    double bend_mm = 0;
+    double deviation_mm = 0;
 };
 
 /// Ball in the world that holds a body.
@@ -30,8 +30,8 @@ struct Ball {
 using JointReach = std::array<double, rrs::kMaxJoints>;
 
 /// Straight and even travel of an independently moving link: its own two joints (joints_to()).
-struct DriftTravel {
-    double way_mm;
+struct LinkTravel {
+    double travel_mm;
     double angle_rad;
     Eigen::Vector3d origin_mm;  ///< Link origin at the start of the motion; in the world, as
     Eigen::Vector3d axis;       ///< the unit vector about which it turns.
@@ -41,8 +41,9 @@ struct DriftTravel {
 /// world, joints of the second are numbered after all of the first one's.
 class ChainMotion {
   public:
-    ChainMotion(std::vector<JointAxis> axes, const JointTravel& travel, std::vector<DriftTravel> drifted = {})
-        : axes_(std::move(axes)), travel_(travel), drifted_(std::move(drifted)) {}
+    ChainMotion(std::vector<JointAxis> axes, const JointTravel& travel,
+                std::vector<LinkTravel> link_travels = {})
+        : axes_(std::move(axes)), travel_(travel), link_travels_(std::move(link_travels)) {}
     /// Combines two machines without independently moving links.
     ChainMotion(ChainMotion first, ChainMotion second) : ChainMotion(std::move(first)) {
         second_.push_back(std::move(second));
@@ -55,12 +56,12 @@ class ChainMotion {
     /// bound, plus that of the joints' own paths.
     MotionBound bound(const Ball& body, std::span<const int> between) const;
     /// Enlarges the reaches of the machine's joints among these to their values at the start of the motion.
-    void widen(JointReach& reach_mm, const Ball& body, std::span<const int> between) const;
+    void expand(JointReach& reach_mm, const Ball& body, std::span<const int> between) const;
 
   private:
     std::vector<JointAxis> axes_;
     JointTravel travel_;
-    std::vector<DriftTravel> drifted_;
+    std::vector<LinkTravel> link_travels_;
     std::vector<ChainMotion> second_;  ///< At most one.
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "collision/cell/carrier.h"
+#include "collision/cell/frame_trajectory.h"
 #include "collision/pairs/link_motion.h"
 
 namespace gsim::cell {
@@ -10,19 +10,19 @@ namespace gsim::cell {
 class SegmentMotion final : public LinkMotion {
   public:
     SegmentMotion(const kinematics::Kinematics& kinematics, const motion::Segment& segment,
-                  std::span<const DriftingLink> drifting = {})
-        : kinematics_(kinematics), segment_(segment), drifting_(drifting) {}
+                  std::span<const MovingLink> moving_links = {})
+        : kinematics_(kinematics), segment_(segment), moving_links_(moving_links) {}
 
     const motion::Segment& segment() const { return segment_; }
     LinkFrames links_at(double t_s) const override;
-    MotionPart whole() const { return between(0, segment_.duration_s); }
+    MotionPart full_motion() const { return between(0, segment_.duration_s); }
 
   private:
     MotionPart part(double from_s, const LinkFrames& from, double to_s, const LinkFrames& to) const override;
 
     const kinematics::Kinematics& kinematics_;
     const motion::Segment& segment_;
-    std::span<const DriftingLink> drifting_;
+    std::span<const MovingLink> moving_links_;
 };
 
 }  // namespace gsim::cell

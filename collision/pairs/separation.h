@@ -24,7 +24,7 @@ struct JointPart {
 /// move a point of the body along a unit vector. The vector is fixed to the link after the last of them, and
 /// is `direction` in the world at the middle of the part. A joint that slides across it moves nothing along
 /// it, except as later joints turn its path. The path of a revolute joint begins across its lever.
-std::vector<double> ways_along_mm(const Ball& body, const JointPart& part, std::span<const int> between,
-                                  const Eigen::Vector3d& direction);
+std::vector<double> travels_along_mm(const Ball& body, const JointPart& part, std::span<const int> between,
+                                     const Eigen::Vector3d& direction);
 
 }  // namespace gsim::cell

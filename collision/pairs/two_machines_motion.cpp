@@ -7,7 +7,7 @@ namespace gsim::cell {
 
 namespace {
 
-ChainMotion chain_of(const MachineStretch& machine, double from_s, double to_s) {
+ChainMotion make_chain_motion(const MachineMotion& machine, double from_s, double to_s) {
     std::vector<JointAxis> axes = joint_axes(machine.kinematics, machine.joints_at(from_s));
     for (JointAxis& axis : axes) {
         axis.point_mm = machine.world * axis.point_mm;
@@ -16,24 +16,25 @@ ChainMotion chain_of(const MachineStretch& machine, double from_s, double to_s) 
     return {std::move(axes), machine.travel(from_s, to_s)};
 }
 
-double time_in(const motion::Segment& segment, double t_s) {
+double clamp_to_segment(const motion::Segment& segment, double t_s) {
     return std::clamp(t_s, 0.0, segment.duration_s);
 }
 
 }  // namespace
 
-rrs::JointPos MachineStretch::joints_at(double t_s) const {
-    return segment.position_at(time_in(segment, from_s + t_s));
+rrs::JointPos MachineMotion::joints_at(double t_s) const {
+    return segment.position_at(clamp_to_segment(segment, from_s + t_s));
 }
 
-JointTravel MachineStretch::travel(double begin_s, double end_s) const {
-    constexpr bool kByTime = true;  // the other machine moves by different laws
-    return travel_of(segment, time_in(segment, from_s + begin_s), time_in(segment, from_s + end_s), kByTime);
+JointTravel MachineMotion::travel(double begin_s, double end_s) const {
+    constexpr bool kOverTime = true;  // the other machine moves by different laws
+    return joint_travel(segment, clamp_to_segment(segment, from_s + begin_s),
+                        clamp_to_segment(segment, from_s + end_s), kOverTime);
 }
 
 LinkFrames TwoMachinesMotion::links_at(double t_s) const {
     LinkFrames all;
-    for (const MachineStretch& machine : machines_) {
+    for (const MachineMotion& machine : machines_) {
         const LinkFrames links = link_frames(machine.kinematics, machine.joints_at(t_s));
         all.reserve(2 * links.size());
         for (const rrs::CartPos& link : links) all.push_back(machine.world * link);
@@ -44,7 +45,8 @@ LinkFrames TwoMachinesMotion::links_at(double t_s) const {
 MotionPart TwoMachinesMotion::part(double from_s, const LinkFrames& from, double to_s,
                                    const LinkFrames& to) const {
     return {from_s, to_s, from, to,
-            ChainMotion(chain_of(machines_[0], from_s, to_s), chain_of(machines_[1], from_s, to_s))};
+            ChainMotion(make_chain_motion(machines_[0], from_s, to_s),
+                        make_chain_motion(machines_[1], from_s, to_s))};
 }
 
 }  // namespace gsim::cell

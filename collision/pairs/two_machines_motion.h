@@ -7,7 +7,7 @@
 namespace gsim::cell {
 
 /// Motion of a machine from an instant of a segment on.
-struct MachineStretch {
+struct MachineMotion {
     const kinematics::Kinematics& kinematics;
     const rrs::CartPos& world;  ///< World of the machine in that of both.
     const motion::Segment& segment;
@@ -24,14 +24,14 @@ struct MachineStretch {
 /// those of the first. All arguments must outlive this.
 class TwoMachinesMotion final : public LinkMotion {
   public:
-    TwoMachinesMotion(const MachineStretch& first, const MachineStretch& second) : machines_{first, second} {}
+    TwoMachinesMotion(const MachineMotion& first, const MachineMotion& second) : machines_{first, second} {}
 
     LinkFrames links_at(double t_s) const override;
 
   private:
     MotionPart part(double from_s, const LinkFrames& from, double to_s, const LinkFrames& to) const override;
 
-    std::array<MachineStretch, 2> machines_;
+    std::array<MachineMotion, 2> machines_;
 };
 
 }  // namespace gsim::cell

@@ -42,11 +42,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kUsage = 2;
-constexpr auto kLongestAhead = std::chrono::milliseconds(100);  // of steps between two responses
+constexpr int kUsageStatus = 2;
+constexpr auto kMaxPrefetchTime = std::chrono::milliseconds(100);  // of steps between two responses
 
 /// Crashes are visible from outside as signals and use no disk space; memory use is limited.
-void bound_process(std::uint64_t memory_bytes) {
+void limit_process(std::uint64_t memory_bytes) {
     const rlimit none{};
     ::setrlimit(RLIMIT_CORE, &none);
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM}) std::signal(signal, SIG_DFL);
@@ -63,7 +63,7 @@ void bound_process(std::uint64_t memory_bytes) {
 /// If the other end is closed, no caller waits for this process, whatever the module is doing. It ends with
 /// all processes that the module has started in its group. It uses a thread, because a module may not return,
 /// and may block signals.
-void end_with_caller(int socket) {
+void exit_with_caller(int socket) {
     std::thread([socket] {
         pollfd closed{.fd = socket, .events = 0, .revents = 0};
         while (::poll(&closed, 1, -1) < 0 && errno == EINTR) {
@@ -72,7 +72,7 @@ void end_with_caller(int socket) {
     }).detach();
 }
 
-double process_time_s() {
+double cpu_time_s() {
     timespec time{};
     ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
@@ -100,49 +100,51 @@ class Host {
     void serve();
 
   private:
-    RcsQuestion next() const;
-    std::int32_t answer_to(const RcsQuestion& question);
+    RcsRequestPacket next() const;
+    std::int32_t handle_request(const RcsRequestPacket& request_packet);
     std::int32_t load();
     std::int32_t serve(std::int32_t opcode, const void* input, void* output);
     std::int32_t call(std::int32_t opcode);
     std::int32_t call_once(std::int32_t opcode);
     std::int32_t make_steps();
     std::int32_t make_step(RcsSharedStep& step);
-    bool ask_target(RcsSharedStep& step);
+    bool query_target(RcsSharedStep& step);
 
     std::string path_;
     int socket_;
     const RcsMemory& memory_;
     RcsShared& shared_;
     std::optional<RcsModule> module_;
-    alignas(16) std::array<char, kLargestStructure> input_{};
-    alignas(16) std::array<char, kLargestStructure> output_{};
+    alignas(16) std::array<char, kMaxStructureSize> input_{};
+    alignas(16) std::array<char, kMaxStructureSize> output_{};
 };
 
-RcsQuestion Host::next() const {
-    RcsQuestion question{};
+RcsRequestPacket Host::next() const {
+    RcsRequestPacket request_packet{};
     ssize_t size = 0;
     do {
-        size = ::recv(socket_, &question, sizeof question, 0);
+        size = ::recv(socket_, &request_packet, sizeof request_packet, 0);
     } while (size < 0 && errno == EINTR);
-    if (size != sizeof question) ::_exit(kSocketLost);
-    return question;
+    if (size != sizeof request_packet) ::_exit(kSocketLost);
+    return request_packet;
 }
 
 void Host::serve() {
-    for (RcsQuestion question = next(); question.request != RcsRequest::end; question = next()) {
-        const std::int32_t status = answer_to(question);
-        shared_.serves = 0;
-        const RcsAnswer answer{
-            .number = question.number, .status = status, .reserved = 0, .cpu_s = process_time_s()};
-        if (::send(socket_, &answer, sizeof answer, MSG_NOSIGNAL) != sizeof answer) ::_exit(kSocketLost);
+    for (RcsRequestPacket request_packet = next(); request_packet.request != RcsRequest::end;
+         request_packet = next()) {
+        const std::int32_t status = handle_request(request_packet);
+        shared_.active_service = 0;
+        const RcsResponse response{
+            .number = request_packet.number, .status = status, .reserved = 0, .cpu_s = cpu_time_s()};
+        if (::send(socket_, &response, sizeof response, MSG_NOSIGNAL) != sizeof response)
+            ::_exit(kSocketLost);
     }
 }
 
-std::int32_t Host::answer_to(const RcsQuestion& question) {
-    if (question.request == RcsRequest::load) return load();
+std::int32_t Host::handle_request(const RcsRequestPacket& request_packet) {
+    if (request_packet.request == RcsRequest::load) return load();
     if (!module_) ::_exit(kSocketLost);
-    return question.request == RcsRequest::steps ? make_steps() : call(question.opcode);
+    return request_packet.request == RcsRequest::steps ? make_steps() : call(request_packet.opcode);
 }
 
 /// Returns 0, or 1 and a message.
@@ -151,12 +153,12 @@ std::int32_t Host::load() {
     const std::vector<gsim_rcs_parameter> texts = parameters(memory_);
     machine.parameters = texts.data();
     machine.parameter_count = texts.size();
-    auto module =
-        RcsLibrary::load_here(path_, machine).and_then([&](const std::shared_ptr<const RcsLibrary>& library) {
-            return RcsModule::create(library, machine);
-        });
+    auto module = RcsLibrary::load_in_process(path_, machine)
+                      .and_then([&](const std::shared_ptr<const RcsLibrary>& library) {
+                          return RcsModule::create(library, machine);
+                      });
     if (!module) {
-        put_text(module.error(), shared_.output);
+        copy_text(module.error(), shared_.output);
         return 1;
     }
     module_.emplace(*std::move(module));
@@ -165,7 +167,7 @@ std::int32_t Host::load() {
 
 /// The module cannot report its own crash, so its current service is recorded before the call.
 std::int32_t Host::serve(std::int32_t opcode, const void* input, void* output) {
-    shared_.serves.store(opcode, std::memory_order_relaxed);
+    shared_.active_service.store(opcode, std::memory_order_relaxed);
     return module_->call(opcode, input, output);
 }
 
@@ -181,9 +183,9 @@ std::int32_t Host::call_once(std::int32_t opcode) {
 }
 
 std::int32_t Host::call(std::int32_t opcode) {
-    const bool steps_if_full = shared_.ahead == static_cast<std::int32_t>(RcsAhead::if_full);
+    const bool prefetch_if_full = shared_.prefetch == static_cast<std::int32_t>(RcsPrefetch::if_full);
     const std::int32_t status = call_once(opcode);
-    if (status != GSIM_RCS_QUEUE_FULL || !steps_if_full) return status;
+    if (status != GSIM_RCS_QUEUE_FULL || !prefetch_if_full) return status;
     shared_.was_full = 1;
     if (make_steps() == GSIM_RCS_TARGET_REACHED) {
         shared_.retry_status = call_once(opcode);
@@ -193,8 +195,8 @@ std::int32_t Host::call(std::int32_t opcode) {
 }
 
 /// True if the caller continues; it does not if the module has no such service.
-bool Host::ask_target(RcsSharedStep& step) {
-    gsim_rcs_target_id target = shared_.no_target;
+bool Host::query_target(RcsSharedStep& step) {
+    gsim_rcs_target_id target = shared_.empty_target;
     const std::int32_t status = serve(GSIM_RCS_GET_TARGET_OF_LAST_STEP, nullptr, &target);
     step.target = target;
     step.target_status.store(status, std::memory_order_release);
@@ -202,30 +204,30 @@ bool Host::ask_target(RcsSharedStep& step) {
 }
 
 std::int32_t Host::make_step(RcsSharedStep& step) {
-    gsim_rcs_step made = shared_.no_step;
-    step.status = serve(GSIM_RCS_GET_NEXT_STEP, nullptr, &made);
-    step.step = made;
-    const bool sound = step.status == GSIM_RCS_SUCCESS || step.status == GSIM_RCS_TARGET_REACHED ||
-                       step.status == GSIM_RCS_NEED_MORE_DATA;
-    const bool asks = sound && shared_.asks_targets != 0 && made.elapsed_s > 0;
-    step.target_status = asks ? kUnanswered : kNotAsked;
+    gsim_rcs_step module_step = shared_.empty_step;
+    step.status = serve(GSIM_RCS_GET_NEXT_STEP, nullptr, &module_step);
+    step.step = module_step;
+    const bool is_valid_step = step.status == GSIM_RCS_SUCCESS || step.status == GSIM_RCS_TARGET_REACHED ||
+                               step.status == GSIM_RCS_NEED_MORE_DATA;
+    const bool asks_target = is_valid_step && shared_.queries_targets != 0 && module_step.elapsed_s > 0;
+    step.target_status = asks_target ? kPending : kNotQueried;
     return step.status;
 }
 
 /// Returns the last status; GSIM_RCS_SUCCESS if the steps are to continue.
 std::int32_t Host::make_steps() {
-    const auto until = Clock::now() + kLongestAhead;
-    const bool to_end = shared_.ahead == static_cast<std::int32_t>(RcsAhead::to_end);
-    const bool one = shared_.ahead == static_cast<std::int32_t>(RcsAhead::nothing);
-    for (std::uint32_t i = 0; i < kStepsAtOnce; ++i) {
+    const auto deadline = Clock::now() + kMaxPrefetchTime;
+    const bool to_end = shared_.prefetch == static_cast<std::int32_t>(RcsPrefetch::to_end);
+    const bool one = shared_.prefetch == static_cast<std::int32_t>(RcsPrefetch::unknown);
+    for (std::uint32_t i = 0; i < kMaxPrefetchedSteps; ++i) {
         RcsSharedStep& step = shared_.steps[i];
         const std::int32_t status = make_step(step);
         // Must be visible before the next call, which may be the module's last.
         shared_.step_count.store(i + 1, std::memory_order_release);
-        if (step.target_status == kUnanswered && !ask_target(step)) return GSIM_RCS_SUCCESS;
-        const bool goes_on = status == GSIM_RCS_SUCCESS || (to_end && status == GSIM_RCS_TARGET_REACHED);
-        if (!goes_on) return status;
-        if (one || Clock::now() >= until) break;
+        if (step.target_status == kPending && !query_target(step)) return GSIM_RCS_SUCCESS;
+        const bool continues = status == GSIM_RCS_SUCCESS || (to_end && status == GSIM_RCS_TARGET_REACHED);
+        if (!continues) return status;
+        if (one || Clock::now() >= deadline) break;
     }
     return GSIM_RCS_SUCCESS;
 }
@@ -234,16 +236,16 @@ int run(const std::string& path) {
     auto memory = RcsMemory::of(kHostMemory);
     // A separate descriptor for each thread, away from numbers at which a module may look for descriptors.
     const int socket = ::fcntl(kHostSocket, F_DUPFD_CLOEXEC, 64);
-    const int watched = ::fcntl(kHostSocket, F_DUPFD_CLOEXEC, 64);
-    if (!memory || socket < 0 || watched < 0) {
+    const int watched_descriptor = ::fcntl(kHostSocket, F_DUPFD_CLOEXEC, 64);
+    if (!memory || socket < 0 || watched_descriptor < 0) {
         std::fputs("gsim-rcs-host: gsim run --rcs begins this program; it is not called by people\n", stderr);
-        return kUsage;
+        return kUsageStatus;
     }
     ::close(kHostSocket);
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGTTOU, SIG_IGN);  // it is in the background of the terminal that it may print to
-    bound_process((*memory)->shared().memory_bytes);
-    end_with_caller(watched);
+    limit_process((*memory)->shared().memory_bytes);
+    exit_with_caller(watched_descriptor);
     Host(path, socket, **memory).serve();
     return 0;
 }

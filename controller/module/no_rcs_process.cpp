@@ -3,7 +3,7 @@
 
 namespace gsim::rrs {
 
-tl::expected<RcsModule, std::string> begin_rcs_process(const std::filesystem::path& /*program*/,
+tl::expected<RcsModule, std::string> start_rcs_process(const std::filesystem::path& /*program*/,
                                                        const std::string& path,
                                                        const gsim_rcs_machine& /*machine*/,
                                                        RcsProcessLimits /*limits*/) {

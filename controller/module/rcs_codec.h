@@ -23,17 +23,17 @@ namespace gsim::rrs {
 struct gsim_rcs_none {};
 
 /// Reason why a value does not fit in its field.
-struct Misfit {
+struct FieldError {
     std::string_view subject;  ///< "The name of the frame"; empty: the service.
-    std::string_view fault;    ///< Remainder of the message: "is too long".
+    std::string_view error;    ///< Remainder of the message: "is too long".
 };
 
 namespace codec {
 
 /// A text, and its name in messages.
-template <typename Place>
+template <typename Storage>
 struct Text {
-    Place& place;
+    Storage& record;
     std::string_view what;
 };
 
@@ -44,9 +44,9 @@ struct List {
     Count& count;
 };
 
-template <typename Place>
-Text<Place> text(Place& place, std::string_view what) {
-    return {place, what};
+template <typename Storage>
+Text<Storage> text(Storage& record, std::string_view what) {
+    return {record, what};
 }
 
 template <typename Value, std::size_t size, typename Count>
@@ -56,14 +56,14 @@ List<Value, Count> list(Value (&values)[size], Count& count) {
 }
 
 // Fields of each structure; `s` is const if they are read.
-#define GSIM_RCS_FIELDS(structure, ...)                            \
-    template <typename Place>                                      \
-    requires std::is_same_v<std::remove_const_t<Place>, structure> \
-    auto fields(Place& s) {                                        \
-        return std::tuple_cat(__VA_ARGS__);                        \
+#define GSIM_RCS_FIELDS(structure, ...)                              \
+    template <typename Storage>                                      \
+    requires std::is_same_v<std::remove_const_t<Storage>, structure> \
+    auto fields(Storage& s) {                                        \
+        return std::tuple_cat(__VA_ARGS__);                          \
     }
-template <typename Place>
-requires std::is_same_v<std::remove_const_t<Place>, gsim_rcs_none> std::tuple<> fields(Place& /*s*/) {
+template <typename Storage>
+requires std::is_same_v<std::remove_const_t<Storage>, gsim_rcs_none> std::tuple<> fields(Storage& /*s*/) {
     return {};
 }
 GSIM_RCS_FIELDS(gsim_rcs_number, std::tie(s.value))
@@ -98,116 +98,118 @@ GSIM_RCS_FIELDS(gsim_rcs_event, std::tie(s.event, s.time_s))
 GSIM_RCS_FIELDS(gsim_rcs_target_id, std::tie(s.id))
 #undef GSIM_RCS_FIELDS
 
-// put_in() fills a field, taken_from() reads it.
+// write_field() fills a field, read_field() reads it.
 
 template <typename Field, typename Value>
-requires std::is_arithmetic_v<Field> std::optional<Misfit> put_in(
+requires std::is_arithmetic_v<Field> std::optional<FieldError> write_field(
     Field& field, const Value& value) {  // also switches, enumerations
     field = static_cast<Field>(value);
     return std::nullopt;
 }
 
-inline std::optional<Misfit> put_in(gsim_rcs_pose& field, const CartPos& pose) {
+inline std::optional<FieldError> write_field(gsim_rcs_pose& field, const CartPos& pose) {
     field = to_rcs(pose);
     return std::nullopt;
 }
 
-inline std::optional<Misfit> put_in(gsim_rcs_joints& field, const JointPos& joints) {
+inline std::optional<FieldError> write_field(gsim_rcs_joints& field, const JointPos& joints) {
     field = to_rcs(joints);
     return std::nullopt;
 }
 
-inline std::optional<Misfit> put_in(double (&field)[3], const Eigen::Vector3d& vector) {
+inline std::optional<FieldError> write_field(double (&field)[3], const Eigen::Vector3d& vector) {
     std::copy(vector.begin(), vector.end(), field);
     return std::nullopt;
 }
 
-template <typename Place>
-std::optional<Misfit> put_in(const Text<Place>& field, std::string_view value) {
-    if (put_text(value, field.place)) return std::nullopt;
-    return Misfit{field.what, "is too long"};
+template <typename Storage>
+std::optional<FieldError> write_field(const Text<Storage>& field, std::string_view value) {
+    if (copy_text(value, field.record)) return std::nullopt;
+    return FieldError{field.what, "is too long"};
 }
 
 template <typename Value, typename Count>
-std::optional<Misfit> put_in(const List<Value, Count>& field, std::span<const Value> values) {
+std::optional<FieldError> write_field(const List<Value, Count>& field, std::span<const Value> values) {
     static_assert(GSIM_RCS_MAX_JOINTS == 16);
-    if (values.size() > GSIM_RCS_MAX_JOINTS) return Misfit{{}, "takes at most 16 values"};
+    if (values.size() > GSIM_RCS_MAX_JOINTS) return FieldError{{}, "takes at most 16 values"};
     field.count = static_cast<Count>(values.size());
     std::copy(values.begin(), values.end(), field.values);
     return std::nullopt;
 }
 
 template <typename Field>
-requires std::is_arithmetic_v<Field> Field taken_from(const Field& field) {
+requires std::is_arithmetic_v<Field> Field read_field(const Field& field) {
     return field;
 }
 
-inline CartPos taken_from(const gsim_rcs_pose& field) {
+inline CartPos read_field(const gsim_rcs_pose& field) {
     return from_rcs(field);
 }
 
-inline JointPos taken_from(const gsim_rcs_joints& field) {
+inline JointPos read_field(const gsim_rcs_joints& field) {
     return from_rcs(field);
 }
 
-inline Eigen::Vector3d taken_from(const double (&field)[3]) {
+inline Eigen::Vector3d read_field(const double (&field)[3]) {
     return Eigen::Vector3d(field);
 }
 
-template <typename Place>
-std::string taken_from(const Text<Place>& field) {
-    return rcs_text(field.place, sizeof field.place);
+template <typename Storage>
+std::string read_field(const Text<Storage>& field) {
+    return rcs_text(field.record, sizeof field.record);
 }
 
 template <typename Value, typename Count>
-std::span<Value> taken_from(const List<Value, Count>& field) {
+std::span<Value> read_field(const List<Value, Count>& field) {
     return std::span<Value>(field.values, static_cast<std::size_t>(field.count));
 }
 
 template <typename Field>
-bool is_sound(const Field& /*field*/) {
+bool is_valid(const Field& /*field*/) {
     return true;
 }
 
 template <typename Value, typename Count>
-bool is_sound(const List<Value, Count>& field) {
+bool is_valid(const List<Value, Count>& field) {
     return field.count >= 0 && field.count <= GSIM_RCS_MAX_JOINTS;
 }
 
 /// True for a parameter's value without a joint, which the C structure still contains.
-template <typename Place, std::size_t count>
-inline constexpr bool kWithoutJoint = std::is_same_v<Place, gsim_rcs_parameter_value>&& count == 2;
+template <typename Storage, std::size_t count>
+inline constexpr bool kHasNoJoint = std::is_same_v<Storage, gsim_rcs_parameter_value>&& count == 2;
 
 }  // namespace codec
 
 /// Fills a structure from values, in their order. Further fields stay as they are, because services may share
 /// a structure. Returns an error for a value that does not fit.
-template <typename Place, typename... Values>
-std::optional<Misfit> put(Place& place, const Values&... values) {
-    if constexpr (codec::kWithoutJoint<Place, sizeof...(values)>) {
-        return [&](int number, double value) { return put(place, number, 0, value); }(values...);
+template <typename Storage, typename... Values>
+std::optional<FieldError> write(Storage& record, const Values&... values) {
+    if constexpr (codec::kHasNoJoint<Storage, sizeof...(values)>) {
+        return [&](int number, double value) { return write(record, number, 0, value); }(values...);
     } else {
-        auto fields = codec::fields(place);
+        auto fields = codec::fields(record);
         static_assert(sizeof...(values) <= std::tuple_size_v<decltype(fields)>);
-        std::optional<Misfit> misfit;
+        std::optional<FieldError> field_error;
         [&]<std::size_t... at>(std::index_sequence<at...>) {
-            ((misfit = misfit ? misfit : codec::put_in(std::get<at>(fields), values)), ...);
+            ((field_error = field_error ? field_error : codec::write_field(std::get<at>(fields), values)),
+             ...);
         }
         (std::index_sequence_for<Values...>());
-        return misfit;
+        return field_error;
     }
 }
 
 /// Returns the first `count` values of a structure; none if it has a count out of range.
-template <std::size_t count, typename Place>
-auto take(const Place& place) {
-    const auto fields = codec::fields(place);
+template <std::size_t count, typename Storage>
+auto get_values(const Storage& record) {
+    const auto fields = codec::fields(record);
     const auto values = [&]<std::size_t... at>(std::index_sequence<at...>) {
-        using Taken = std::tuple<decltype(codec::taken_from(std::get<at>(fields)))...>;
-        const bool sound = (codec::is_sound(std::get<at>(fields)) && ...);
-        return sound ? std::optional<Taken>(Taken(codec::taken_from(std::get<at>(fields))...)) : std::nullopt;
+        using FieldValues = std::tuple<decltype(codec::read_field(std::get<at>(fields)))...>;
+        const bool are_valid = (codec::is_valid(std::get<at>(fields)) && ...);
+        return are_valid ? std::optional<FieldValues>(FieldValues(codec::read_field(std::get<at>(fields))...))
+                         : std::nullopt;
     };
-    if constexpr (codec::kWithoutJoint<Place, count>) {
+    if constexpr (codec::kHasNoJoint<Storage, count>) {
         return values(std::index_sequence<0, 2>());
     } else {
         return values(std::make_index_sequence<count>());

@@ -62,22 +62,22 @@ tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::open(co
 }
 
 /// Returns an empty text, or why the module cannot be used.
-std::string RcsLibrary::try_out(const std::shared_ptr<const RcsLibrary>& library,
-                                const gsim_rcs_machine& machine) {
+std::string RcsLibrary::check_library(const std::shared_ptr<const RcsLibrary>& library,
+                                      const gsim_rcs_machine& machine) {
     auto module = RcsModule::create(library, machine);
     if (!module) return module.error();
     gsim_rcs_message message{};
     const std::int32_t initialized = module->call(GSIM_RCS_INITIALIZE, nullptr, nullptr);
-    const std::int32_t told = module->call(GSIM_RCS_GET_MESSAGE, nullptr, &message);
-    const std::pair<const char*, std::int32_t> answers[] = {{"Initialize", initialized},
-                                                            {"GetMessage", told}};
-    for (const auto& [service, answer] : answers) {
-        if (answer == GSIM_RCS_SUCCESS) continue;
-        if (answer == GSIM_RCS_NOT_SUPPORTED)
+    const std::int32_t result = module->call(GSIM_RCS_GET_MESSAGE, nullptr, &message);
+    const std::pair<const char*, std::int32_t> statuses[] = {{"Initialize", initialized},
+                                                             {"GetMessage", result}};
+    for (const auto& [service, status] : statuses) {
+        if (status == GSIM_RCS_SUCCESS) continue;
+        if (status == GSIM_RCS_NOT_SUPPORTED)
             return fmt::format("{} does not offer the service {}", module->name(), service);
-        const std::string why = rcs_text(message.text, sizeof message.text);
-        return fmt::format("{} answered {} with {}{}{}", module->name(), service, answer,
-                           why.empty() ? "" : ": ", why);
+        const std::string reason = rcs_text(message.text, sizeof message.text);
+        return fmt::format("{} answered {} with {}{}{}", module->name(), service, status,
+                           reason.empty() ? "" : ": ", reason);
     }
     return {};
 }
@@ -86,25 +86,25 @@ tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::load(co
                                                                               const gsim_rcs_machine& machine,
                                                                               int trial_ms) {
     const std::string name = std::filesystem::path(path).filename().string();
-    const auto tried = run_trial(
+    const auto trial_result = run_trial(
         [&] {
-            const auto library = load_here(path, machine);
+            const auto library = load_in_process(path, machine);
             return library ? std::string() : library.error();
         },
         trial_ms);
-    if (!tried)
+    if (!trial_result)
         return tl::unexpected(
-            fmt::format("the controller module {} {} while it was loaded", name, tried.error()));
-    if (!tried->empty()) return tl::unexpected(*tried);
+            fmt::format("the controller module {} {} while it was loaded", name, trial_result.error()));
+    if (!trial_result->empty()) return tl::unexpected(*trial_result);
     return open(path);
 }
 
-tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::load_here(
+tl::expected<std::shared_ptr<const RcsLibrary>, std::string> RcsLibrary::load_in_process(
     const std::string& path, const gsim_rcs_machine& machine) {
     auto library = open(path);
     if (!library) return library;
-    if (std::string fault = try_out(*library, machine); !fault.empty())
-        return tl::unexpected(std::move(fault));
+    if (std::string error = check_library(*library, machine); !error.empty())
+        return tl::unexpected(std::move(error));
     return library;
 }
 
@@ -135,9 +135,9 @@ tl::expected<RcsModule, std::string> RcsModule::create(std::shared_ptr<const Rcs
     gsim_rcs_message message{};
     LoadedModule::Handle handle = LoadedModule::create(*library, machine, message);
     if (handle) return RcsModule(std::make_unique<LoadedModule>(std::move(library), std::move(handle)));
-    const std::string why = rcs_text(message.text, sizeof message.text);
+    const std::string reason = rcs_text(message.text, sizeof message.text);
     return tl::unexpected(fmt::format("{} makes no controller for this machine: {}", library->name(),
-                                      why.empty() ? "it does not say why" : why));
+                                      reason.empty() ? "it does not say why" : reason));
 }
 
 }  // namespace gsim::rrs

@@ -24,7 +24,7 @@ class RcsLibrary {
                                                                              const gsim_rcs_machine& machine,
                                                                              int trial_ms = 10'000);
     /// Works as load(), but tries it in this process, in which a crash is a crash of the process.
-    static tl::expected<std::shared_ptr<const RcsLibrary>, std::string> load_here(
+    static tl::expected<std::shared_ptr<const RcsLibrary>, std::string> load_in_process(
         const std::string& path, const gsim_rcs_machine& machine);
     RcsLibrary(const RcsLibrary&) = delete;
     RcsLibrary& operator=(const RcsLibrary&) = delete;
@@ -38,8 +38,8 @@ class RcsLibrary {
 
     RcsLibrary() = default;
     static tl::expected<std::shared_ptr<const RcsLibrary>, std::string> open(const std::string& path);
-    static std::string try_out(const std::shared_ptr<const RcsLibrary>& library,
-                               const gsim_rcs_machine& machine);
+    static std::string check_library(const std::shared_ptr<const RcsLibrary>& library,
+                                     const gsim_rcs_machine& machine);
 
     std::string name_;
     void* handle_ = nullptr;
@@ -61,7 +61,7 @@ class RcsModule {
     std::int32_t call(std::int32_t opcode, const void* input, void* output) {
         return calls_->call(opcode, input, output);
     }
-    void announce(RcsAhead ahead, bool asks_targets) { calls_->announce(ahead, asks_targets); }
+    void announce(RcsPrefetch prefetch, bool queries_targets) { calls_->announce(prefetch, queries_targets); }
     std::optional<std::string> loss() const { return calls_->loss(); }
     double cpu_s() const { return calls_->cpu_s(); }
 

@@ -19,7 +19,7 @@ namespace gsim::rrs {
 /// between them or added at the end.
 struct RcsLoss {
     std::string what;
-    std::string why;
+    std::string reason;
     std::int32_t service = 0;  ///< Active service of the module; 0: none.
 };
 
@@ -63,26 +63,26 @@ class RcsLink {
 
     RcsShared& shared() const { return memory_->shared(); }
     /// Sends a request and returns the response; nothing if the process is lost.
-    std::optional<std::int32_t> ask(RcsRequest request, std::int32_t opcode = 0);
+    std::optional<std::int32_t> send_request(RcsRequest request, std::int32_t opcode = 0);
     const std::optional<RcsLoss>& loss() const { return loss_; }
     double cpu_s() const { return cpu_s_; }
 
   private:
-    RcsLink(pid_t process, os::Descriptor socket, std::unique_ptr<RcsMemory> memory, int answer_ms);
-    bool receive(RcsAnswer& answer);
+    RcsLink(pid_t process, os::Descriptor socket, std::unique_ptr<RcsMemory> memory, int response_timeout_ms);
+    bool receive(RcsResponse& response);
     bool has_ended() const;
-    bool wait_for_end(int milliseconds) const;
-    void lose(std::string what, std::string why);
-    void lose_ended();
+    bool wait_for_exit(int milliseconds) const;
+    void mark_lost(std::string what, std::string reason);
+    void mark_exited();
     void end();
 
     pid_t process_;
     os::Descriptor socket_;
     std::unique_ptr<RcsMemory> memory_;
-    int answer_ms_;
-    int slice_ms_;
+    int response_timeout_ms_;
+    int poll_interval_ms_;
     std::uint64_t number_ = 0;
-    std::int32_t awaited_ = 0;  ///< Service with a pending response; 0: none.
+    std::int32_t pending_service_ = 0;  ///< Service with a pending response; 0: none.
     double cpu_s_ = 0;
     std::optional<int> status_;  ///< Status of the process, as of waitpid().
     std::optional<RcsLoss> loss_;

@@ -12,7 +12,7 @@ namespace gsim::rrs {
 
 /// Limits of a module in a separate process.
 struct RcsProcessLimits {
-    int answer_ms = 10'000;                    ///< For one service, by the clock on the wall.
+    int response_timeout_ms = 10'000;          ///< For one service, by the clock on the wall.
     std::uint64_t memory_bytes = 4ULL << 30U;  ///< Total address space; 0: no limit.
 };
 
@@ -25,7 +25,7 @@ struct RcsProcessLimits {
 /// delivered.
 ///
 /// The error is a message, that of RcsLibrary::load() if it is the module's.
-tl::expected<RcsModule, std::string> begin_rcs_process(const std::filesystem::path& program,
+tl::expected<RcsModule, std::string> start_rcs_process(const std::filesystem::path& program,
                                                        const std::string& path,
                                                        const gsim_rcs_machine& machine,
                                                        RcsProcessLimits limits = {});

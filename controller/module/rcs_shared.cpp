@@ -11,7 +11,7 @@ namespace {
 
 template <typename Structure>
 constexpr std::size_t size() {
-    static_assert(std::is_trivially_copyable_v<Structure> && sizeof(Structure) <= kLargestStructure);
+    static_assert(std::is_trivially_copyable_v<Structure> && sizeof(Structure) <= kMaxStructureSize);
     return sizeof(Structure);
 }
 
@@ -22,18 +22,18 @@ constexpr std::size_t size<gsim_rcs_none>() {
 
 }  // namespace
 
-RcsSizes rcs_sizes(std::int32_t asked) {
-#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
-    if (asked == GSIM_RCS_##opcode) return {size<gsim_rcs_##input>(), 0};
-#define GSIM_RCS_QUERY(method, opcode, number, rrs, input, output, answers, parameters, arguments) \
-    if (asked == GSIM_RCS_##opcode) return {size<gsim_rcs_##input>(), size<gsim_rcs_##output>()};
+RcsSizes rcs_sizes(std::int32_t service_number) {
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, statuses, parameters, arguments) \
+    if (service_number == GSIM_RCS_##opcode) return {size<gsim_rcs_##input>(), 0};
+#define GSIM_RCS_QUERY(method, opcode, number, rrs, input, output, statuses, parameters, arguments) \
+    if (service_number == GSIM_RCS_##opcode) return {size<gsim_rcs_##input>(), size<gsim_rcs_##output>()};
 #include "controller/module/rcs_services.def"
     return {};
 }
 
-std::string_view rcs_service_name(std::int32_t asked) {
-#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
-    if (asked == GSIM_RCS_##opcode) return services::method.name;
+std::string_view rcs_service_name(std::int32_t service_number) {
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, statuses, parameters, arguments) \
+    if (service_number == GSIM_RCS_##opcode) return services::method.name;
 #include "controller/module/rcs_services.def"
     return {};
 }

@@ -20,20 +20,20 @@ inline constexpr int kHostMemory = 4;
 /// Exit status of the host if its socket is not as it was.
 inline constexpr int kSocketLost = 99;
 
-inline constexpr std::size_t kStepsAtOnce = 256;
-inline constexpr std::size_t kLargestStructure = 4096;
+inline constexpr std::size_t kMaxPrefetchedSteps = 256;
+inline constexpr std::size_t kMaxStructureSize = 4096;
 
 enum class RcsRequest : std::int32_t { load, call, steps, end };
 
 /// A packet to the host: the request and its running number.
-struct RcsQuestion {
+struct RcsRequestPacket {
     std::uint64_t number;
     RcsRequest request;
     std::int32_t opcode;
 };
 
 /// A packet from the host. For RcsRequest::load, 0 means that the module exists.
-struct RcsAnswer {
+struct RcsResponse {
     std::uint64_t number;
     std::int32_t status;
     std::int32_t reserved;
@@ -41,8 +41,8 @@ struct RcsAnswer {
 };
 
 /// Values instead of a status of GetTargetOfLastStep.
-inline constexpr std::int32_t kNotAsked = 1000;
-inline constexpr std::int32_t kUnanswered = 1001;
+inline constexpr std::int32_t kNotQueried = 1000;
+inline constexpr std::int32_t kPending = 1001;
 
 struct RcsSharedStep {
     gsim_rcs_step step;
@@ -54,20 +54,20 @@ struct RcsSharedStep {
 struct RcsShared {
     gsim_rcs_machine machine;  ///< Its pointers have no meaning: parameters follow all this, as texts.
     std::uint64_t texts_size;
-    std::uint64_t memory_bytes;        ///< Max memory of the process in all; 0: no limit.
-    std::atomic<std::int32_t> serves;  ///< Active service of the module; 0: none.
-    alignas(16) std::array<char, kLargestStructure> input;
+    std::uint64_t memory_bytes;                ///< Max memory of the process in all; 0: no limit.
+    std::atomic<std::int32_t> active_service;  ///< Active service of the module; 0: none.
+    alignas(16) std::array<char, kMaxStructureSize> input;
     alignas(
-        16) std::array<char, kLargestStructure> output;  ///< For RcsRequest::load: why it cannot be loaded.
-    std::int32_t ahead;                                  ///< RcsAhead, and whether targets are asked for.
-    std::int32_t asks_targets;
-    gsim_rcs_step no_step;  ///< Outputs of GetNextStep and GetTargetOfLastStep to be filled in.
-    gsim_rcs_target_id no_target;
+        16) std::array<char, kMaxStructureSize> output;  ///< For RcsRequest::load: why it cannot be loaded.
+    std::int32_t prefetch;                               ///< RcsPrefetch, and whether targets are asked for.
+    std::int32_t queries_targets;
+    gsim_rcs_step empty_step;  ///< Outputs of GetNextStep and GetTargetOfLastStep to be filled in.
+    gsim_rcs_target_id empty_target;
     std::atomic<std::uint32_t> step_count;
     std::atomic<std::int32_t> was_full;   ///< True if steps are made because a target returned QUEUE_FULL,
     std::atomic<std::int32_t> has_retry;  ///< and true if it was enqueued again after them.
     std::int32_t retry_status;
-    std::array<RcsSharedStep, kStepsAtOnce> steps;
+    std::array<RcsSharedStep, kMaxPrefetchedSteps> steps;
 };
 static_assert(std::atomic<std::int32_t>::is_always_lock_free);
 

@@ -24,14 +24,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr char kDone = '\0';  // ends what the work says: a child that ends before has not done it
+constexpr char kEndOfMessage = '\0';  // ends what the work says: a child that ends before has not done it
 
 std::string system_error(const char* what) {
     return fmt::format("could not be tried ({}: {})", what, std::generic_category().message(errno));
 }
 
 /// Crashes must reach the parent as signals: no core files, no foreign handlers.
-void be_plain() {
+void reset_process_state() {
     const rlimit none{};
     ::setrlimit(RLIMIT_CORE, &none);
     for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM}) {
@@ -40,39 +40,40 @@ void be_plain() {
     std::signal(SIGPIPE, SIG_IGN);
 }
 
-[[noreturn]] void be_child(const std::function<std::string()>& work, int output) {
-    be_plain();
-    std::string said;
+[[noreturn]] void run_child(const std::function<std::string()>& work, int output) {
+    reset_process_state();
+    std::string reply;
     try {
-        said = work();
+        reply = work();
     } catch (...) {
         ::_exit(1);
     }
-    said += kDone;
+    reply += kEndOfMessage;
     std::size_t written = 0;
-    while (written < said.size()) {
-        const ssize_t size = ::write(output, said.data() + written, said.size() - written);
+    while (written < reply.size()) {
+        const ssize_t size = ::write(output, reply.data() + written, reply.size() - written);
         if (size <= 0) break;
         written += static_cast<std::size_t>(size);
     }
     ::_exit(0);
 }
 
-/// Returns the input until the end of the pipe or kDone; nothing if that takes too long.
-std::optional<std::string> read_answer(int input, int timeout_ms) {
+/// Returns the input until the end of the pipe or kEndOfMessage; nothing if that takes too long.
+std::optional<std::string> read_output(int input, int timeout_ms) {
     const auto end = Clock::now() + std::chrono::milliseconds(timeout_ms);
-    std::string said;
-    while (said.empty() || said.back() != kDone) {
-        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
-        if (left <= 0) return std::nullopt;
+    std::string reply;
+    while (reply.empty() || reply.back() != kEndOfMessage) {
+        const auto remaining =
+            std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+        if (remaining <= 0) return std::nullopt;
         pollfd waiting{.fd = input, .events = POLLIN, .revents = 0};
-        if (::poll(&waiting, 1, static_cast<int>(left)) <= 0) continue;
+        if (::poll(&waiting, 1, static_cast<int>(remaining)) <= 0) continue;
         std::array<char, 4096> bytes;
         const ssize_t size = ::read(input, bytes.data(), bytes.size());
         if (size == 0) break;
-        if (size > 0) said.append(bytes.data(), static_cast<std::size_t>(size));
+        if (size > 0) reply.append(bytes.data(), static_cast<std::size_t>(size));
     }
-    return said;
+    return reply;
 }
 
 int wait_for(pid_t child) {
@@ -92,16 +93,17 @@ tl::expected<std::string, std::string> run_trial(const std::function<std::string
     std::fflush(nullptr);  // a child that calls exit() would write what is in the buffers once more
     const pid_t child = ::fork();
     if (child < 0) return tl::unexpected(system_error("fork"));
-    if (child == 0) be_child(work, output.number());
+    if (child == 0) run_child(work, output.number());
     output.close();
-    std::optional<std::string> said = read_answer(input.number(), timeout_ms);
-    if (!said) ::kill(child, SIGKILL);
+    std::optional<std::string> reply = read_output(input.number(), timeout_ms);
+    if (!reply) ::kill(child, SIGKILL);
     const int status = wait_for(child);
-    if (!said) return tl::unexpected(fmt::format("gave no answer within {} s", timeout_ms / 1000.0));
+    if (!reply) return tl::unexpected(fmt::format("gave no answer within {} s", timeout_ms / 1000.0));
     if (WIFSIGNALED(status)) return tl::unexpected(fmt::format("crashed (signal {})", WTERMSIG(status)));
-    if (said->empty() || said->back() != kDone) return tl::unexpected<std::string>("ended the program");
-    said->pop_back();
-    return *said;
+    if (reply->empty() || reply->back() != kEndOfMessage)
+        return tl::unexpected<std::string>("ended the program");
+    reply->pop_back();
+    return *reply;
 }
 
 }  // namespace gsim::rrs

@@ -32,16 +32,16 @@ gsim_rcs_joints to_rcs(const JointPos& joints) {
 }
 
 JointPos from_rcs(const gsim_rcs_joints& joints) {
-    const bool fits = joints.count >= 0 && joints.count <= kMaxJoints;
-    JointPos result(fits ? joints.count : 0);
+    const bool is_valid = joints.count >= 0 && joints.count <= kMaxJoints;
+    JointPos result(is_valid ? joints.count : 0);
     std::copy_n(joints.values, result.size(), result.begin());
     return result;
 }
 
-bool put_text(std::string_view text, std::span<char> place) {
-    const std::size_t size = std::min(text.size(), place.size() - 1);
-    std::copy_n(text.begin(), size, place.begin());
-    std::fill(place.begin() + static_cast<std::ptrdiff_t>(size), place.end(), '\0');
+bool copy_text(std::string_view text, std::span<char> field) {
+    const std::size_t size = std::min(text.size(), field.size() - 1);
+    std::copy_n(text.begin(), size, field.begin());
+    std::fill(field.begin() + static_cast<std::ptrdiff_t>(size), field.end(), '\0');
     return size == text.size() && text.find('\0') == std::string_view::npos;
 }
 

@@ -20,6 +20,6 @@ JointPos from_rcs(const gsim_rcs_joints& joints);
 
 /// Writes `text` with a zero byte after it. Returns false, and truncates, if it does not fit or holds a zero
 /// byte.
-bool put_text(std::string_view text, std::span<char> place);
+bool copy_text(std::string_view text, std::span<char> field);
 
 }  // namespace gsim::rrs

@@ -125,7 +125,7 @@ struct ControllerRules {
     double unretract_extra_length_mm = 0;
     double unretract_speed_mm_s = 10;
     /// True if the feed of an arc in inverse time mode counts once for each chord, in mm/min (grbl 1.1).
-    bool inverse_time_of_chords = false;
+    bool inverse_time_per_chord = false;
     /// Max distance of the TCP from its path if the joints move on curved paths to keep it there
     /// (tool-centre-point control, Cartesian targets): these paths become lines of the joints.
     double tcp_tolerance_mm = 0.001;
@@ -133,12 +133,12 @@ struct ControllerRules {
     /// True if the joints outside the tool's path (rotary ones, and a second set of linear ones) arrive with
     /// it, but by independent ramps. Else all joints of a linear or circular move run in proportion at every
     /// instant. Only for PlannerKind::rest_to_rest: the others know no such moves.
-    bool own_ramps = false;
+    bool independent_ramps = false;
     /// True if all joints of a rapid move arrive together, in proportion. Else each moves by its own limits
     /// and arrives at its own time, so that the path is not a straight line ("dog-leg"). The latter is only
     /// for PlannerKind::rest_to_rest.
     bool interpolated_rapids = true;
-    double least_feed_mm_min = 0;  ///< A lower one is raised to it.
+    double min_feed_mm_min = 0;  ///< A lower one is raised to it.
 
     double settle_s = 0;  ///< Time at each exact stop until the axes are in position.
     /// Gain of the axes' position loops: they follow with a speed of this times the following error. Exact
@@ -156,7 +156,7 @@ struct ControllerRules {
     bool pecks_feed_down =
         false;  ///< G83 leaves the hole as after the last peck, and feeds the full distance down.
     bool boring_cycles = true;  ///< G85, G86 and G89 bore; else they are read without motion.
-    double rest_s = 0;        ///< Time at each stop that waits for the program's next block (dwell, M code).
+    double dwell_s = 0;       ///< Time at each stop that waits for the program's next block (dwell, M code).
     double dwell_step_s = 0;  ///< Dwells are raised to a multiple of it; 0: they are not.
     double servo_period_s = 0;  ///< Period of the controller's position loop; 0: continuous.
 

@@ -13,8 +13,8 @@ struct OverrideRules {
     std::vector<double> rapid_percents;
     double spindle_min_percent = 0;
     double spindle_max_percent = 200;
-    double delay_s = 0;          ///< Delay until a change acts: prepared motion continues.
-    bool feed_of_probes = true;  ///< The feed override counts for probing moves, too.
+    double delay_s = 0;               ///< Delay until a change acts: prepared motion continues.
+    bool override_probe_feed = true;  ///< The feed override counts for probing moves, too.
     /// The feed override for which the speeds of junctions are planned, whatever its setting (LinuxCNC:
     /// [DISPLAY] MAX_FEED_OVERRIDE).
     double planned_feed_percent = 100;

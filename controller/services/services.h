@@ -12,12 +12,12 @@
 namespace gsim::rrs {
 
 /// Statuses that a service may return in addition to those that any may return (rcs_services.def).
-class Answers {
+class AllowedStatuses {
   public:
-    constexpr Answers(std::initializer_list<Status> statuses) : count_(statuses.size()) {
+    constexpr AllowedStatuses(std::initializer_list<Status> statuses) : count_(statuses.size()) {
         std::copy(statuses.begin(), statuses.end(), statuses_.begin());
     }
-    constexpr bool holds(Status status) const { return std::find(begin(), end(), status) != end(); }
+    constexpr bool contains(Status status) const { return std::find(begin(), end(), status) != end(); }
     constexpr const Status* begin() const { return statuses_.begin(); }
     constexpr const Status* end() const { return begin() + count_; }
 
@@ -30,7 +30,7 @@ class Answers {
 struct Service {
     gsim_rcs_opcode opcode;
     std::string_view name;
-    Answers answers;
+    AllowedStatuses statuses;
 };
 
 /// The services by their names: services::SetRapid.
@@ -38,12 +38,12 @@ namespace services {
 
 using enum Status;
 
-#define GSIM_RCS_ANSWERS(...) \
+#define GSIM_RCS_STATUSES(...) \
     { __VA_ARGS__ }
-#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
-    inline constexpr Service method{GSIM_RCS_##opcode, #method, GSIM_RCS_ANSWERS answers};
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, statuses, parameters, arguments) \
+    inline constexpr Service method{GSIM_RCS_##opcode, #method, GSIM_RCS_STATUSES statuses};
 #include "controller/module/rcs_services.def"
-#undef GSIM_RCS_ANSWERS
+#undef GSIM_RCS_STATUSES
 
 }  // namespace services
 

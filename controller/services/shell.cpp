@@ -6,9 +6,9 @@ namespace gsim::rrs {
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 // NOLINTBEGIN(misc-unused-parameters)
-#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
-    Status Shell::method parameters {                                                        \
-        return not_supported(#method);                                                       \
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, statuses, parameters, arguments) \
+    Status Shell::method parameters {                                                         \
+        return not_supported(#method);                                                        \
     }
 #include "controller/module/rcs_services.def"
 // NOLINTEND(misc-unused-parameters)

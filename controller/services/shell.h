@@ -25,7 +25,7 @@ class Shell {
   public:
     virtual ~Shell() = default;
 
-#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, statuses, parameters, arguments) \
     virtual Status method parameters;
 #include "controller/module/rcs_services.def"
 

@@ -28,7 +28,7 @@ enum class Status : int {
 };
 
 /// True if it is an error.
-constexpr bool is_refused(Status status) {
+constexpr bool is_error_status(Status status) {
     return static_cast<int>(status) < 0;
 }
 

@@ -35,15 +35,15 @@ struct gsim_run {
 
 namespace gsim::engine {
 
-Request request_of(const gsim_request& given);
-Tell tell_of(gsim_tell tell, void* user);
+Request make_request(const gsim_request& given);
+DiagnosticHandler make_diagnostic_handler(gsim_tell on_diagnostic, void* user);
 /// Stores the message; returns the status.
-std::int32_t keep_failure(gsim_run& run, const Failure& failure);
+std::int32_t store_error(gsim_run& run, const Error& error);
 
 /// Returns the result of `work`, or GSIM_FAILED if memory is exhausted: exceptions never reach callers from
 /// C.
 template <typename Work>
-std::int32_t without_throwing(const Work& work) noexcept {
+std::int32_t call_noexcept(const Work& work) noexcept {
     try {
         return work();
     } catch (...) {

@@ -6,7 +6,7 @@
 
 namespace gsim::engine {
 
-static_assert(kMostAxes == GSIM_MOST_AXES);
+static_assert(kMaxAxes == GSIM_MOST_AXES);
 
 #define GSIM_MOVE_KIND(name, number, constant) static_assert((constant) == (number));
 #include "base/kinds/move_kind.def"
@@ -25,48 +25,48 @@ std::uint32_t file_number(gsim_run& run, std::string_view name) {
 }
 
 gsim_move plain(const Move& move, std::uint32_t file) {
-    gsim_move made{};
-    made.n = move.n;
-    made.start_s = move.start_s;
-    made.end_s = move.end_s;
-    made.length_mm = move.length_mm;
-    made.feed_per_min = move.feed_per_min;
-    made.deviation_mm = move.deviation_mm;
-    std::copy(move.end.begin(), move.end.end(), made.end);
+    gsim_move result{};
+    result.n = move.n;
+    result.start_s = move.start_s;
+    result.end_s = move.end_s;
+    result.length_mm = move.length_mm;
+    result.feed_per_min = move.feed_per_min;
+    result.deviation_mm = move.deviation_mm;
+    std::copy(move.end.begin(), move.end.end(), result.end);
     if (move.circular) {
-        std::copy(move.arc.center_mm.begin(), move.arc.center_mm.end(), made.center_mm);
-        std::copy(move.arc.axis.begin(), move.arc.axis.end(), made.axis);
-        made.radius_mm = move.arc.radius_mm;
-        made.sweep_rad = move.arc.sweep_rad;
+        std::copy(move.arc.center_mm.begin(), move.arc.center_mm.end(), result.center_mm);
+        std::copy(move.arc.axis.begin(), move.arc.axis.end(), result.axis);
+        result.radius_mm = move.arc.radius_mm;
+        result.sweep_rad = move.arc.sweep_rad;
     }
-    made.kind = static_cast<std::int32_t>(move.kind);
-    made.jet_on = move.jet_on ? 1 : 0;
-    made.line = move.line;
-    made.file = file;
-    return made;
+    result.kind = static_cast<std::int32_t>(move.kind);
+    result.jet_on = move.process_on ? 1 : 0;
+    result.line = move.line;
+    result.file = file;
+    return result;
 }
 
 gsim_segment plain(const Segment& segment) {
-    gsim_segment made{};
-    made.start_s = segment.start_s;
-    made.duration_s = segment.duration_s;
-    made.length_mm = segment.length_mm;
-    std::copy(segment.start.begin(), segment.start.end(), made.start);
-    std::copy(segment.end.begin(), segment.end.end(), made.end);
-    made.kind = static_cast<std::int32_t>(segment.kind);
-    made.jet_on = segment.jet_on ? 1 : 0;
-    made.line = segment.line;
-    made.exact = &segment;
-    return made;
+    gsim_segment result{};
+    result.start_s = segment.start_s;
+    result.duration_s = segment.duration_s;
+    result.length_mm = segment.length_mm;
+    std::copy(segment.start.begin(), segment.start.end(), result.start);
+    std::copy(segment.end.begin(), segment.end.end(), result.end);
+    result.kind = static_cast<std::int32_t>(segment.kind);
+    result.jet_on = segment.process_on ? 1 : 0;
+    result.line = segment.line;
+    result.exact = &segment;
+    return result;
 }
 
 gsim_sample plain(const Sample& sample) {
-    gsim_sample made{};
-    made.t_s = sample.t_s;
-    made.speed_mm_s = sample.speed_mm_s;
-    std::copy(sample.axes.begin(), sample.axes.end(), made.axes);
-    made.line = sample.line;
-    return made;
+    gsim_sample result{};
+    result.t_s = sample.t_s;
+    result.speed_mm_s = sample.speed_mm_s;
+    std::copy(sample.axes.begin(), sample.axes.end(), result.axes);
+    result.line = sample.line;
+    return result;
 }
 
 /// Returns "moves, trajectory and plot".
@@ -80,16 +80,16 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 /// Calls `ask` on a run that is about to start; returns the status.
-template <typename Ask>
-std::int32_t ask_of(gsim_run* run, std::size_t robot, const Ask& ask) {
-    return without_throwing([&]() -> std::int32_t {
+template <typename RunAction>
+std::int32_t call_on_ready_run(gsim_run* run, std::size_t robot, const RunAction& run_action) {
+    return call_noexcept([&]() -> std::int32_t {
         const bool ready = run->run && run->status == GSIM_OK && !run->report;
         if (!ready || robot >= run->run->robots().size()) {
             if (run->error.empty()) run->error = ready ? "there is no such robot" : "the run has gone";
             return GSIM_FAILED;
         }
-        const tl::expected<void, Failure> done = ask(*run->run);
-        return done ? GSIM_OK : keep_failure(*run, done.error());
+        const tl::expected<void, Error> done = run_action(*run->run);
+        return done ? GSIM_OK : store_error(*run, done.error());
     });
 }
 
@@ -98,62 +98,62 @@ std::int32_t ask_of(gsim_run* run, std::size_t robot, const Ask& ask) {
 
 using namespace gsim::engine;
 
-int32_t gsim_run_take_moves(gsim_run* run, size_t robot, gsim_take_moves take, void* user) {
-    return ask_of(run, robot, [&](Run& asked) -> tl::expected<void, Failure> {
-        asked.take_moves(
-            [run, take, user](std::span<const Move> moves) {
+int32_t gsim_run_take_moves(gsim_run* run, size_t robot, gsim_take_moves callback, void* user) {
+    return call_on_ready_run(run, robot, [&](Run& queried_run) -> tl::expected<void, Error> {
+        queried_run.on_moves(
+            [run, callback, user](std::span<const Move> moves) {
                 std::vector<gsim_move> chunk;
                 chunk.reserve(moves.size());
                 for (const Move& move : moves) chunk.push_back(plain(move, file_number(*run, move.file)));
-                take(user, chunk.data(), chunk.size());
+                callback(user, chunk.data(), chunk.size());
             },
             robot);
         return {};
     });
 }
 
-int32_t gsim_run_take_segments(gsim_run* run, size_t robot, gsim_take_segments take, void* user) {
-    return ask_of(run, robot, [&](Run& asked) -> tl::expected<void, Failure> {
-        asked.take_segments(
-            [take, user](std::span<const Segment> segments) {
+int32_t gsim_run_take_segments(gsim_run* run, size_t robot, gsim_take_segments callback, void* user) {
+    return call_on_ready_run(run, robot, [&](Run& queried_run) -> tl::expected<void, Error> {
+        queried_run.on_segments(
+            [callback, user](std::span<const Segment> segments) {
                 std::vector<gsim_segment> chunk;
                 chunk.reserve(segments.size());
                 for (const Segment& segment : segments) chunk.push_back(plain(segment));
-                take(user, chunk.data(), chunk.size());
+                callback(user, chunk.data(), chunk.size());
             },
             robot);
         return {};
     });
 }
 
-int32_t gsim_run_take_samples(gsim_run* run, size_t robot, double step_s, gsim_take_samples take,
+int32_t gsim_run_take_samples(gsim_run* run, size_t robot, double step_s, gsim_take_samples callback,
                               void* user) {
-    return ask_of(run, robot, [&](Run& asked) {
-        return asked.take_samples(
-            [take, user](std::span<const Sample> samples) {
+    return call_on_ready_run(run, robot, [&](Run& queried_run) {
+        return queried_run.on_samples(
+            [callback, user](std::span<const Sample> samples) {
                 std::vector<gsim_sample> chunk;
                 chunk.reserve(samples.size());
                 for (const Sample& sample : samples) chunk.push_back(plain(sample));
-                take(user, chunk.data(), chunk.size());
+                callback(user, chunk.data(), chunk.size());
             },
             step_s, robot);
     });
 }
 
-int32_t gsim_run_write(gsim_run* run, size_t robot, const char* document, double step_s, gsim_take_text take,
-                       void* user) {
-    return ask_of(run, robot, [&](Run& asked) -> tl::expected<void, Failure> {
-        const auto known = document_named(document);
+int32_t gsim_run_write(gsim_run* run, size_t robot, const char* output_kind, double step_s,
+                       gsim_take_text callback, void* user) {
+    return call_on_ready_run(run, robot, [&](Run& queried_run) -> tl::expected<void, Error> {
+        const auto known = find_output(output_kind);
         if (!known) {
-            return tl::unexpected(Failure{
-                .code = "usage",
-                .message =
-                    std::string("'") + document + "' is no document; there are " + listed(document_names())});
+            return tl::unexpected(Error{.code = "usage",
+                                        .message = std::string("'") + output_kind +
+                                                   "' is no document; there are " + listed(output_names())});
         }
-        DocumentOptions options;
+        OutputOptions options;
         options.step_s = step_s;
-        return asked.write(
-            *known, [take, user](std::string_view text) { return take(user, text.data(), text.size()) != 0; },
+        return queried_run.write(
+            *known,
+            [callback, user](std::string_view text) { return callback(user, text.data(), text.size()) != 0; },
             options, robot);
     });
 }

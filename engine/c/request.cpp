@@ -12,7 +12,7 @@ struct TextKey {
     std::string* (*value)(Request&);
 };
 
-constexpr TextKey kTexts[] = {
+constexpr TextKey kTextKeys[] = {
     {"program", [](Request& r) { return &r.program; }},
     {"machine", [](Request& r) { return &r.machine; }},
     {"machine_data", [](Request& r) { return &r.machine_data; }},
@@ -30,20 +30,20 @@ constexpr TextKey kTexts[] = {
 /// A number, with its minimum and its setter.
 struct NumberKey {
     std::string_view key;
-    double least;
-    double most;
+    double min;
+    double max;
     void (*set)(Request&, double);
 };
 
-constexpr double kMostCount = 1e18;
-constexpr double kMostSeconds = 1e15;
+constexpr double kMaxCount = 1e18;
+constexpr double kMaxSeconds = 1e15;
 
-constexpr NumberKey kNumbers[] = {
-    {"machine_s", 0, kMostSeconds, [](Request& r, double v) { r.limits.machine_s = v; }},
-    {"cpu_s", 0, kMostSeconds, [](Request& r, double v) { r.limits.cpu_s = v; }},
-    {"blocks", 1, kMostCount, [](Request& r, double v) { r.limits.blocks = static_cast<std::uint64_t>(v); }},
-    {"steps", 0, kMostCount, [](Request& r, double v) { r.limits.steps = static_cast<std::uint64_t>(v); }},
-    {"memory_bytes", 1 << 24, kMostCount,
+constexpr NumberKey kNumberKeys[] = {
+    {"machine_s", 0, kMaxSeconds, [](Request& r, double v) { r.limits.machine_s = v; }},
+    {"cpu_s", 0, kMaxSeconds, [](Request& r, double v) { r.limits.cpu_s = v; }},
+    {"blocks", 1, kMaxCount, [](Request& r, double v) { r.limits.blocks = static_cast<std::uint64_t>(v); }},
+    {"steps", 0, kMaxCount, [](Request& r, double v) { r.limits.steps = static_cast<std::uint64_t>(v); }},
+    {"memory_bytes", 1 << 24, kMaxCount,
      [](Request& r, double v) { r.limits.memory_bytes = static_cast<std::uint64_t>(v); }},
     {"passes", 1, 1e6, [](Request& r, double v) { r.passes = static_cast<std::uint64_t>(v); }},
     {"feed_override_percent", 0, 1e6, [](Request& r, double v) { r.overrides.feed_percent = v; }},
@@ -56,7 +56,7 @@ constexpr NumberKey kNumbers[] = {
     {"explain", 0, 1, [](Request& r, double v) { r.explain = v != 0; }},
 };
 
-Files files_by(gsim_read_file read, void* user) {
+Files files_from_callback(gsim_read_file read, void* user) {
     return Files::given([read, user](const std::string& name) -> std::optional<std::string> {
         gsim_bytes bytes;
         if (read(user, name.c_str(), &bytes) == 0) return std::nullopt;
@@ -66,7 +66,7 @@ Files files_by(gsim_read_file read, void* user) {
 
 }  // namespace
 
-Request request_of(const gsim_request& given) {
+Request make_request(const gsim_request& given) {
     Request request = given.request;
     request.cancel = Cancel();
     if (given.text) request.text = Text(*given.text, given.text_name);
@@ -86,8 +86,8 @@ void gsim_request_destroy(gsim_request* request) {
 }
 
 int32_t gsim_request_set_text(gsim_request* request, const char* key, const char* value) {
-    return without_throwing([&] {
-        for (const TextKey& known : kTexts) {
+    return call_noexcept([&] {
+        for (const TextKey& known : kTextKeys) {
             if (known.key != key) continue;
             *known.value(request->request) = value;
             return GSIM_OK;
@@ -97,9 +97,9 @@ int32_t gsim_request_set_text(gsim_request* request, const char* key, const char
 }
 
 int32_t gsim_request_set_number(gsim_request* request, const char* key, double value) {
-    for (const NumberKey& known : kNumbers) {
+    for (const NumberKey& known : kNumberKeys) {
         if (known.key != key) continue;
-        if (!(value >= known.least && value <= known.most)) return GSIM_FAILED;
+        if (!(value >= known.min && value <= known.max)) return GSIM_FAILED;
         known.set(request->request, value);
         return GSIM_OK;
     }
@@ -107,7 +107,7 @@ int32_t gsim_request_set_number(gsim_request* request, const char* key, double v
 }
 
 int32_t gsim_request_set_program(gsim_request* request, const char* text, size_t size, const char* name) {
-    return without_throwing([&] {
+    return call_noexcept([&] {
         request->text.emplace(text, size);
         request->text_name = name;
         return GSIM_OK;
@@ -115,14 +115,14 @@ int32_t gsim_request_set_program(gsim_request* request, const char* text, size_t
 }
 
 int32_t gsim_request_set_files(gsim_request* request, gsim_read_file read, void* user) {
-    return without_throwing([&] {
-        request->request.host.files = read == nullptr ? Files() : files_by(read, user);
+    return call_noexcept([&] {
+        request->request.host.files = read == nullptr ? Files() : files_from_callback(read, user);
         return GSIM_OK;
     });
 }
 
 int32_t gsim_bytes_put(gsim_bytes* bytes, const void* data, size_t size) {
-    return without_throwing([&] {
+    return call_noexcept([&] {
         bytes->bytes.append(static_cast<const char*>(data), size);
         return GSIM_OK;
     });

@@ -11,38 +11,38 @@ namespace gsim::engine {
 #define GSIM_SEVERITY(name, number, constant) static_assert((constant) == (number));
 #include "base/kinds/severity.def"
 
-Tell tell_of(gsim_tell tell, void* user) {
-    if (tell == nullptr) return {};
-    return [tell, user](const Diagnostic& told) {
-        const gsim_diagnostic diagnostic{.severity = static_cast<std::int32_t>(told.severity),
-                                         .line = told.line,
-                                         .column = told.column,
-                                         .end_column = told.end_column,
-                                         .code = told.code.c_str(),
-                                         .file = told.file.c_str(),
-                                         .text = told.text.c_str(),
-                                         .hint = told.hint.c_str()};
-        tell(user, &diagnostic);
+DiagnosticHandler make_diagnostic_handler(gsim_tell on_diagnostic, void* user) {
+    if (on_diagnostic == nullptr) return {};
+    return [on_diagnostic, user](const Diagnostic& reported) {
+        const gsim_diagnostic diagnostic{.severity = static_cast<std::int32_t>(reported.severity),
+                                         .line = reported.line,
+                                         .column = reported.column,
+                                         .end_column = reported.end_column,
+                                         .code = reported.code.c_str(),
+                                         .file = reported.file.c_str(),
+                                         .text = reported.text.c_str(),
+                                         .hint = reported.hint.c_str()};
+        on_diagnostic(user, &diagnostic);
     };
 }
 
-std::int32_t keep_failure(gsim_run& run, const Failure& failure) {
-    run.error = failure.message;
-    return failure.in_program ? GSIM_REFUSED : GSIM_FAILED;
+std::int32_t store_error(gsim_run& run, const Error& error) {
+    run.error = error.message;
+    return error.in_program ? GSIM_REFUSED : GSIM_FAILED;
 }
 
 namespace {
 
-std::int32_t open(gsim_run& run, const gsim_request& given, const Tell& tell) {
-    Request request = request_of(given);
+std::int32_t open(gsim_run& run, const gsim_request& given, const DiagnosticHandler& on_diagnostic) {
+    Request request = make_request(given);
     request.cancel = run.cancel;
-    auto opened = Run::open(std::move(request), tell);
-    if (!opened) return keep_failure(run, opened.error());
+    auto opened = Run::open(std::move(request), on_diagnostic);
+    if (!opened) return store_error(run, opened.error());
     run.run.emplace(*std::move(opened));
     const auto prepared = run.run->prepare();
     if (prepared) return GSIM_OK;
-    if (prepared.error().in_program) run.report = run.run->report_of(prepared.error());
-    return keep_failure(run, prepared.error());
+    if (prepared.error().in_program) run.report = run.run->make_report(prepared.error());
+    return store_error(run, prepared.error());
 }
 
 bool is_ready(const gsim_run& run, std::size_t robot) {
@@ -50,18 +50,18 @@ bool is_ready(const gsim_run& run, std::size_t robot) {
 }
 
 /// Stores a message in place of an unavailable result.
-std::int32_t not_ready(gsim_run& run) {
+std::int32_t report_not_ready(gsim_run& run) {
     if (run.error.empty()) run.error = "there is no such robot";
     return GSIM_FAILED;
 }
 
-const char* kept(gsim_run& run, std::string& place, const tl::expected<std::string, Failure>& text) {
+const char* kept(gsim_run& run, std::string& storage, const tl::expected<std::string, Error>& text) {
     if (!text) {
-        keep_failure(run, text.error());
+        store_error(run, text.error());
         return nullptr;
     }
-    place = *text;
-    return place.c_str();
+    storage = *text;
+    return storage.c_str();
 }
 
 }  // namespace
@@ -77,10 +77,11 @@ const char* gsim_version() {
     return gsim::engine::version();
 }
 
-gsim_run* gsim_run_open(const gsim_request* request, gsim_tell tell, void* user) {
+gsim_run* gsim_run_open(const gsim_request* request, gsim_tell on_diagnostic, void* user) {
     gsim_run* run = new (std::nothrow) gsim_run();
     if (run == nullptr) return nullptr;
-    run->status = without_throwing([&] { return open(*run, *request, tell_of(tell, user)); });
+    run->status =
+        call_noexcept([&] { return open(*run, *request, make_diagnostic_handler(on_diagnostic, user)); });
     return run;
 }
 
@@ -118,25 +119,25 @@ double gsim_run_home(const gsim_run* run, size_t robot, size_t axis) {
 }
 
 int32_t gsim_run_show_progress(gsim_run* run, gsim_show_progress show, void* user) {
-    return without_throwing([&] {
-        if (!is_ready(*run, 0)) return not_ready(*run);
-        run->run->show_progress(
+    return call_noexcept([&] {
+        if (!is_ready(*run, 0)) return report_not_ready(*run);
+        run->run->on_progress(
             [show, user](std::uint64_t done, std::uint64_t total) { show(user, done, total); });
         return std::int32_t{GSIM_OK};
     });
 }
 
 int32_t gsim_run_go(gsim_run* run) {
-    return without_throwing([&] {
-        if (!is_ready(*run, 0)) return not_ready(*run);
+    return call_noexcept([&] {
+        if (!is_ready(*run, 0)) return report_not_ready(*run);
         if (run->report) {
             run->error = "a run goes once";
             return std::int32_t{GSIM_FAILED};
         }
         auto report = run->run->go();
-        if (!report) return keep_failure(*run, report.error());
+        if (!report) return store_error(*run, report.error());
         run->report = *std::move(report);
-        for (const Failure& fault : run->run->faults()) keep_failure(*run, fault);
+        for (const Error& error : run->run->errors()) store_error(*run, error);
         return std::int32_t{GSIM_OK};
     });
 }
@@ -154,7 +155,7 @@ double gsim_run_cycle_time_s(const gsim_run* run) {
 }
 
 const char* gsim_run_report_json(gsim_run* run) {
-    without_throwing([&] {
+    call_noexcept([&] {
         if (run->report && run->json.empty()) run->json = run->report->json();
         return GSIM_OK;
     });
@@ -162,7 +163,7 @@ const char* gsim_run_report_json(gsim_run* run) {
 }
 
 const char* gsim_run_report_text(gsim_run* run) {
-    without_throwing([&] {
+    call_noexcept([&] {
         if (run->report && run->text.empty()) run->text = run->report->text();
         return GSIM_OK;
     });
@@ -175,8 +176,8 @@ const char* gsim_run_file(const gsim_run* run, uint32_t file) {
 
 const char* gsim_run_variables(gsim_run* run) {
     const char* text = nullptr;
-    without_throwing([&] {
-        if (!run->report || !is_ready(*run, 0)) return not_ready(*run);
+    call_noexcept([&] {
+        if (!run->report || !is_ready(*run, 0)) return report_not_ready(*run);
         text = kept(*run, run->variables, run->run->variables());
         return std::int32_t{GSIM_OK};
     });
@@ -185,39 +186,40 @@ const char* gsim_run_variables(gsim_run* run) {
 
 const char* gsim_run_machine_data(gsim_run* run) {
     const char* text = nullptr;
-    without_throwing([&] {
-        if (!run->report || !is_ready(*run, 0)) return not_ready(*run);
+    call_noexcept([&] {
+        if (!run->report || !is_ready(*run, 0)) return report_not_ready(*run);
         text = kept(*run, run->machine_data, run->run->machine_data());
         return std::int32_t{GSIM_OK};
     });
     return text;
 }
 
-int32_t gsim_translate(const gsim_request* request, gsim_tell tell, void* tell_user, gsim_take_text take,
-                       void* take_user) {
-    return without_throwing([&]() -> std::int32_t {
-        Request given = request_of(*request);
-        TranslationRequest asked;
-        asked.program = given.program;
-        asked.text = given.text;
-        asked.machine = given.machine;
-        asked.machine_data = given.machine_data;
-        asked.language = given.language;
-        asked.cpu_s = given.limits.cpu_s;
-        asked.host = given.host;
-        const Tell telling = tell_of(tell, tell_user);
-        const auto fail = [&](const Failure& failure) -> std::int32_t {
-            if (failure.in_program) return GSIM_REFUSED;
-            if (telling) telling({.code = failure.code, .file = failure.file, .text = failure.message});
+int32_t gsim_translate(const gsim_request* request, gsim_tell on_diagnostic, void* handler_user,
+                       gsim_take_text callback, void* sink_user) {
+    return call_noexcept([&]() -> std::int32_t {
+        Request given = make_request(*request);
+        TranslationRequest translation_options;
+        translation_options.program = given.program;
+        translation_options.text = given.text;
+        translation_options.machine = given.machine;
+        translation_options.machine_data = given.machine_data;
+        translation_options.language = given.language;
+        translation_options.cpu_s = given.limits.cpu_s;
+        translation_options.host = given.host;
+        const DiagnosticHandler cpp_handler = make_diagnostic_handler(on_diagnostic, handler_user);
+        const auto fail = [&](const Error& error) -> std::int32_t {
+            if (error.in_program) return GSIM_REFUSED;
+            if (cpp_handler) cpp_handler({.code = error.code, .file = error.file, .text = error.message});
             return GSIM_FAILED;
         };
-        auto translation = Translation::open(std::move(asked));
+        auto translation = Translation::open(std::move(translation_options));
         if (!translation) return fail(translation.error());
-        if (const auto made = translation->make(telling); !made) return fail(made.error());
-        bool taken = true;
-        const auto written = translation->write(
-            [&](std::string_view text) { return taken = take(take_user, text.data(), text.size()) != 0; });
+        if (const auto result = translation->make(cpp_handler); !result) return fail(result.error());
+        bool is_accepted = true;
+        const auto written = translation->write([&](std::string_view text) {
+            return is_accepted = callback(sink_user, text.data(), text.size()) != 0;
+        });
         if (!written) return fail(written.error());
-        return taken ? GSIM_OK : GSIM_FAILED;
+        return is_accepted ? GSIM_OK : GSIM_FAILED;
     });
 }

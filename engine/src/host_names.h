@@ -9,6 +9,6 @@
 namespace gsim::engine {
 
 /// Returns the file that a name means: Host::find, or the name itself. An empty name stays empty.
-tl::expected<std::string, std::string> find_name(const Host& host, NameKind kind, const std::string& name);
+tl::expected<std::string, std::string> resolve_name(const Host& host, NameKind kind, const std::string& name);
 
 }  // namespace gsim::engine

@@ -15,10 +15,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kMachineEnding = ".toml";
+constexpr std::string_view kMachineExtension = ".toml";
 
 // A path that cannot be checked counts as existing: opening it reports the reason.
-bool is_there(const fs::path& path) {
+bool file_exists(const fs::path& path) {
     std::error_code error;
     return fs::exists(path, error) || error;
 }
@@ -28,7 +28,7 @@ bool has_folder(const std::string& name) {
 }
 
 // Returns all positions in which an installation may have it.
-std::vector<fs::path> places(const fs::path& bin_folder, NameKind kind, const std::string& name) {
+std::vector<fs::path> candidate_paths(const fs::path& bin_folder, NameKind kind, const std::string& name) {
     std::vector<fs::path> found;
     if (fs::path(name).is_absolute()) return found;
     if (kind == NameKind::module) {
@@ -43,7 +43,7 @@ std::vector<fs::path> places(const fs::path& bin_folder, NameKind kind, const st
         if (has_folder(name) || kind == NameKind::library) found.push_back(folder / name);
         // A name with its extension means a file of the user.
         if (kind == NameKind::machine && !has_folder(name) && !fs::path(name).has_extension())
-            found.push_back(folder / "samples" / "machines" / (name + std::string(kMachineEnding)));
+            found.push_back(folder / "samples" / "machines" / (name + std::string(kMachineExtension)));
     }
     return found;
 }
@@ -59,7 +59,7 @@ std::vector<std::string> machine_names(const fs::path& bin_folder) {
     return names;
 }
 
-std::string near_machine(const fs::path& bin_folder, const std::string& name) {
+std::string suggest_machine(const fs::path& bin_folder, const std::string& name) {
     const std::vector<std::string> names = machine_names(bin_folder);
     const std::vector<std::string_view> known(names.begin(), names.end());
     const auto nearest = text::nearest_name(fs::path(name).stem().string(), known);
@@ -70,18 +70,19 @@ std::string near_machine(const fs::path& bin_folder, const std::string& name) {
 
 tl::expected<std::string, std::string> find_file_from(const fs::path& bin_folder, NameKind kind,
                                                       const std::string& name) {
-    if (name.empty() || name == "-" || is_there(name)) return name;
-    const std::vector<fs::path> looked_in = places(bin_folder, kind, name);
-    for (const fs::path& place : looked_in) {
-        if (is_there(place)) return place.string();
+    if (name.empty() || name == "-" || file_exists(name)) return name;
+    const std::vector<fs::path> searched_paths = candidate_paths(bin_folder, kind, name);
+    for (const fs::path& resolved_path : searched_paths) {
+        if (file_exists(resolved_path)) return resolved_path.string();
     }
-    std::string sentence = fmt::format("cannot read '{}': No such file or directory", name);
-    std::vector<std::string> shown;
-    shown.reserve(looked_in.size());
-    for (const fs::path& place : looked_in) shown.push_back(fmt::format("'{}'", place.string()));
-    if (!shown.empty()) sentence += fmt::format(", nor is there {}", text::joined(shown, " or "));
-    if (kind == NameKind::machine) sentence += near_machine(bin_folder, name);
-    return tl::unexpected(sentence);
+    std::string message = fmt::format("cannot read '{}': No such file or directory", name);
+    std::vector<std::string> names_shown;
+    names_shown.reserve(searched_paths.size());
+    for (const fs::path& resolved_path : searched_paths)
+        names_shown.push_back(fmt::format("'{}'", resolved_path.string()));
+    if (!names_shown.empty()) message += fmt::format(", nor is there {}", text::joined(names_shown, " or "));
+    if (kind == NameKind::machine) message += suggest_machine(bin_folder, name);
+    return tl::unexpected(message);
 }
 
 tl::expected<std::string, std::string> find_file(NameKind kind, const std::string& name) {

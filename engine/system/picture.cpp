@@ -21,7 +21,7 @@ using os::OutputFile;
 
 // Returns a file in memory that holds `text`, to be read from its beginning; null with errno if that fails.
 FileHandle temporary_file(const std::string& text) {
-    FileHandle file = os::file_in_memory("plot");
+    FileHandle file = os::open_memory_file("plot");
     if (!file) return nullptr;
     const bool written = std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
     if (!written || std::fflush(file.get()) != 0) return nullptr;
@@ -29,7 +29,7 @@ FileHandle temporary_file(const std::string& text) {
     return file;
 }
 
-std::string text_of(std::FILE* file) {
+std::string read_file_text(std::FILE* file) {
     std::rewind(file);
     std::string text;
     std::array<char, 1U << 16U> bytes;
@@ -38,8 +38,8 @@ std::string text_of(std::FILE* file) {
     return text;
 }
 
-std::string cannot_draw(const std::filesystem::path& path, const std::string& why) {
-    return fmt::format("cannot draw '{}': {}", path.string(), why);
+std::string drawing_error(const std::filesystem::path& path, const std::string& reason) {
+    return fmt::format("cannot draw '{}': {}", path.string(), reason);
 }
 
 }  // namespace
@@ -52,9 +52,9 @@ tl::expected<void, std::string> find_gnuplot() {
     return os::run_child({"gnuplot", "--version"}, input.get(), output.get());
 }
 
-tl::expected<std::string, std::string> drawn(const std::string& script) {
+tl::expected<std::string, std::string> draw_picture(const std::string& script) {
     const FileHandle input = temporary_file(script);
-    const FileHandle output = os::file_in_memory("picture");  // gnuplot does not report a full disk
+    const FileHandle output = os::open_memory_file("picture");  // gnuplot does not report a full disk
     if (!input || !output) {
         return tl::unexpected(
             fmt::format("cannot make a file in memory: {}", std::generic_category().message(errno)));
@@ -62,26 +62,26 @@ tl::expected<std::string, std::string> drawn(const std::string& script) {
     // -d ignores the user's settings.
     if (auto done = os::run_child({"gnuplot", "-d"}, input.get(), output.get()); !done)
         return tl::unexpected(done.error());
-    std::string picture = text_of(output.get());
+    std::string picture = read_file_text(output.get());
     if (picture.empty()) return tl::unexpected<std::string>("gnuplot has drawn nothing");
     return picture;
 }
 
-tl::expected<Picture, std::string> Picture::named(const std::filesystem::path& path) {
+tl::expected<Picture, std::string> Picture::picture_for_file(const std::filesystem::path& path) {
     const bool bitmap = path.extension() == ".png";
     if (!bitmap && path.extension() != ".svg")
-        return tl::unexpected(cannot_draw(path, "a picture's name ends in .svg or .png"));
+        return tl::unexpected(drawing_error(path, "a picture's name ends in .svg or .png"));
     if (auto writable = OutputFile::check(path); !writable) return tl::unexpected(writable.error());
-    if (auto found = find_gnuplot(); !found) return tl::unexpected(cannot_draw(path, found.error()));
+    if (auto found = find_gnuplot(); !found) return tl::unexpected(drawing_error(path, found.error()));
     return Picture(path, bitmap);
 }
 
 tl::expected<void, std::string> Picture::draw(const std::string& text) const {
     auto picture = OutputFile::open(path_);
     if (!picture) return tl::unexpected(picture.error());
-    const auto made = drawn(text);
-    if (!made) return tl::unexpected(cannot_draw(path_, made.error()));
-    picture->write(*made);
+    const auto drawn_picture = draw_picture(text);
+    if (!drawn_picture) return tl::unexpected(drawing_error(path_, drawn_picture.error()));
+    picture->write(*drawn_picture);
     return picture->commit();
 }
 

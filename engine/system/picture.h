@@ -9,7 +9,7 @@ namespace gsim::engine {
 
 /// Returns the picture (SVG, or PNG) of a script that Document::plot has made, by gnuplot. The error is a
 /// message.
-tl::expected<std::string, std::string> drawn(const std::string& script);
+tl::expected<std::string, std::string> draw_picture(const std::string& script);
 /// Checks that gnuplot is installed. The error is a message.
 tl::expected<void, std::string> find_gnuplot();
 
@@ -20,7 +20,7 @@ class Picture {
   public:
     /// Checks the name before a run, so that no run is wasted: its extension, its folder, and the presence of
     /// gnuplot. The error is a message.
-    static tl::expected<Picture, std::string> named(const std::filesystem::path& path);
+    static tl::expected<Picture, std::string> picture_for_file(const std::filesystem::path& path);
 
     /// Draws the picture. The error is a message; then no new picture remains, and an existing one is not
     /// changed.

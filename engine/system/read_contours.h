@@ -9,6 +9,6 @@
 namespace gsim::engine {
 
 /// Implements Host::read_contours with the program that reads STEP and IGES files.
-tl::expected<Contours, std::string> read_contours(const std::string& file, const ContourChoice& choice);
+tl::expected<Contours, std::string> read_contours(const std::string& file, const ContourSelection& selection);
 
 }  // namespace gsim::engine

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kExact_mm = 1e-9;
+constexpr double kExactTolerance_mm = 1e-9;
 constexpr int kMaxSteps = 100;
 
 Vector3d placed_support(const Convex& body, const Isometry3d& pose, const Vector3d& direction) {
@@ -26,16 +26,17 @@ DifferencePoint touching_point(const Simplex& simplex, const DifferencePoint& la
 }
 
 // Subtracts the margins from the distance between the cores, to get that between the bodies.
-Gap with_margins(double lower_mm, const DifferencePoint& nearest, double first_mm, double second_mm) {
-    const double margins = first_mm + second_mm;
-    const Vector3d way = nearest.on_second - nearest.on_first;
-    const double length = way.norm();
+Gap subtract_margins(double lower_mm, const DifferencePoint& nearest, double first_margin_mm,
+                     double second_margin_mm) {
+    const double margins = first_margin_mm + second_margin_mm;
+    const Vector3d displacement = nearest.on_second - nearest.on_first;
+    const double length = displacement.norm();
     Gap gap{std::max(0.0, lower_mm - margins), std::max(0.0, length - margins), nearest.on_first,
             nearest.on_second};
     if (length > 0) {
         const double share = std::min(1.0, length / std::max(margins, 1e-300));
-        gap.on_first += way / length * first_mm * share;
-        gap.on_second -= way / length * second_mm * share;
+        gap.on_first += displacement / length * first_margin_mm * share;
+        gap.on_second -= displacement / length * second_margin_mm * share;
     }
     return gap;
 }
@@ -83,18 +84,18 @@ Gap gap_between(const SweptConvex& moving, const Convex& fixed, const Isometry3d
         const double length = v.norm();
         lower = std::max(lower, v.dot(next.at) / length);
         if (simplex.size() == 0) nearest = next;
-        if (lower - margins >= request.enough_mm) break;
-        const double exact = std::max(kExact_mm, request.inexact_share * length);
-        if (simplex.size() > 0 && (length - lower <= exact || simplex.holds(next.at))) break;
+        if (lower - margins >= request.cutoff_mm) break;
+        const double exact = std::max(kExactTolerance_mm, request.relative_tolerance * length);
+        if (simplex.size() > 0 && (length - lower <= exact || simplex.contains(next.at))) break;
         simplex.add(next);
         v = simplex.reduce();
         nearest = touching_point(simplex, next);
         const double now = v.squaredNorm();
-        if (now <= kExact_mm * kExact_mm) return {0, 0, nearest.on_first, nearest.on_first};
+        if (now <= kExactTolerance_mm * kExactTolerance_mm) return {0, 0, nearest.on_first, nearest.on_first};
         if (now >= square) break;  // rounding leaves no more to gain
         square = now;
     }
-    return with_margins(lower, nearest, moving.body.margin_mm, fixed.margin_mm);
+    return subtract_margins(lower, nearest, moving.body.margin_mm, fixed.margin_mm);
 }
 
 }  // namespace gsim::cell

@@ -44,8 +44,8 @@ struct Gap {
 
 /// Requested accuracy of a distance.
 struct GapRequest {
-    double enough_mm;          ///< A distance that is known to be as large need not be known better.
-    double inexact_share = 0;  ///< Share of upper_mm by which lower_mm may fall short of it.
+    double cutoff_mm;               ///< A distance that is known to be as large need not be known better.
+    double relative_tolerance = 0;  ///< Share of upper_mm by which lower_mm may fall short of it.
 };
 
 /// Returns the distance between a moving body and one at standstill, by the algorithm of Gilbert, Johnson and

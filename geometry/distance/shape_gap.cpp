@@ -11,7 +11,7 @@ using Eigen::Isometry3d;
 
 namespace {
 
-constexpr double kBoxShare = 0.3;  // to pass over a box of a tree a rough distance will do
+constexpr double kBoxTolerance = 0.3;  // to pass over a box of a tree a rough distance will do
 
 /// A part of a shape: a box of a mesh's tree, one of its triangles, or the complete convex body.
 class ShapePart {
@@ -19,17 +19,17 @@ class ShapePart {
     explicit ShapePart(const Shape& shape)
         : body_(shape.convex()), mesh_(shape.triangles()), node_(mesh_ ? mesh_->nodes().data() : nullptr) {}
 
-    bool splits() const { return node_ != nullptr && !node_->is_leaf(); }
-    ShapePart child(int which) const {
+    bool is_splittable() const { return node_ != nullptr && !node_->is_leaf(); }
+    ShapePart child(int child_index) const {
         ShapePart part = *this;
-        part.node_ = mesh_->nodes().data() + node_->first_child + which;
+        part.node_ = mesh_->nodes().data() + node_->first_child + child_index;
         return part;
     }
     const Convex& body() const {
         if (node_ == nullptr) return *body_;
         return node_->is_leaf() ? node_->triangle : node_->box;
     }
-    Isometry3d placed(const Isometry3d& pose) const { return splits() ? pose * node_->pose : pose; }
+    Isometry3d placed(const Isometry3d& pose) const { return is_splittable() ? pose * node_->pose : pose; }
     double size_mm() const { return node_ != nullptr ? node_->box.half_mm.maxCoeff() : 0; }
 
   private:
@@ -40,29 +40,29 @@ class ShapePart {
 
 class Search {
   public:
-    Search(const Isometry3d& from, const Isometry3d& to, double enough_mm)
-        : from_(from), to_(to), moves_(&from != &to), best_{enough_mm, enough_mm, {}, {}} {}
+    Search(const Isometry3d& from, const Isometry3d& to, double cutoff_mm)
+        : from_(from), to_(to), moves_(&from != &to), best_{cutoff_mm, cutoff_mm, {}, {}} {}
 
     Gap run(const ShapePart& moving, const ShapePart& fixed) {
         visit(moving, fixed);
-        while (!waiting_.empty()) {
-            const Waiting next = waiting_.back();
-            waiting_.pop_back();
+        while (!pending_pairs_.empty()) {
+            const PendingPair next = pending_pairs_.back();
+            pending_pairs_.pop_back();
             if (next.lower_mm < best_.upper_mm) split(next.moving, next.fixed);
         }
         return best_;
     }
 
   private:
-    struct Waiting {
+    struct PendingPair {
         ShapePart moving;
         ShapePart fixed;
         double lower_mm;
     };
 
     Gap measure(const ShapePart& moving, const ShapePart& fixed) const {
-        const bool rough = moving.splits() || fixed.splits();
-        const GapRequest request{best_.upper_mm, rough ? kBoxShare : 0};
+        const bool is_rough = moving.is_splittable() || fixed.is_splittable();
+        const GapRequest request{best_.upper_mm, is_rough ? kBoxTolerance : 0};
         const Isometry3d at = fixed.placed(Isometry3d::Identity());
         const Isometry3d from = moving.placed(from_);
         if (!moves_) return gap_between({moving.body(), from, from}, fixed.body(), at, request);
@@ -73,8 +73,8 @@ class Search {
     void visit(const ShapePart& moving, const ShapePart& fixed) {
         const Gap gap = measure(moving, fixed);
         if (gap.lower_mm >= best_.upper_mm) return;
-        if (moving.splits() || fixed.splits()) {
-            waiting_.push_back({moving, fixed, gap.lower_mm});
+        if (moving.is_splittable() || fixed.is_splittable()) {
+            pending_pairs_.push_back({moving, fixed, gap.lower_mm});
             return;
         }
         best_.lower_mm = std::min(best_.lower_mm, gap.lower_mm);
@@ -86,35 +86,37 @@ class Search {
 
     // Splits the larger of both parts; the nearer one of its halves comes on top.
     void split(const ShapePart& moving, const ShapePart& fixed) {
-        const bool split_moving = moving.splits() && (!fixed.splits() || moving.size_mm() > fixed.size_mm());
-        const std::size_t before = waiting_.size();
-        for (const int which : {0, 1}) {
+        const bool split_moving =
+            moving.is_splittable() && (!fixed.is_splittable() || moving.size_mm() > fixed.size_mm());
+        const std::size_t before = pending_pairs_.size();
+        for (const int child_index : {0, 1}) {
             if (split_moving) {
-                visit(moving.child(which), fixed);
+                visit(moving.child(child_index), fixed);
             } else {
-                visit(moving, fixed.child(which));
+                visit(moving, fixed.child(child_index));
             }
         }
-        if (waiting_.size() == before + 2 && waiting_[before].lower_mm < waiting_[before + 1].lower_mm)
-            std::swap(waiting_[before], waiting_[before + 1]);
+        if (pending_pairs_.size() == before + 2 &&
+            pending_pairs_[before].lower_mm < pending_pairs_[before + 1].lower_mm)
+            std::swap(pending_pairs_[before], pending_pairs_[before + 1]);
     }
 
     const Isometry3d& from_;
     const Isometry3d& to_;
     bool moves_;
     Gap best_;
-    std::vector<Waiting> waiting_;
+    std::vector<PendingPair> pending_pairs_;
 };
 
 }  // namespace
 
 Gap gap_between(const Shape& moving, const Isometry3d& from, const Isometry3d& to, const Shape& fixed,
-                double enough_mm) {
-    return Search(from, to, enough_mm).run(ShapePart(moving), ShapePart(fixed));
+                double cutoff_mm) {
+    return Search(from, to, cutoff_mm).run(ShapePart(moving), ShapePart(fixed));
 }
 
-Gap gap_between(const Shape& first, const Isometry3d& pose, const Shape& second, double enough_mm) {
-    return gap_between(first, pose, pose, second, enough_mm);
+Gap gap_between(const Shape& first, const Isometry3d& pose, const Shape& second, double cutoff_mm) {
+    return gap_between(first, pose, pose, second, cutoff_mm);
 }
 
 }  // namespace gsim::cell

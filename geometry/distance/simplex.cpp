@@ -9,7 +9,7 @@ namespace gsim::cell {
 
 using Eigen::Vector3d;
 
-bool Simplex::holds(const Vector3d& point) const {
+bool Simplex::contains(const Vector3d& point) const {
     return std::any_of(corners_.begin(), corners_.begin() + count_,
                        [&](const DifferencePoint& corner) { return corner.at == point; });
 }
@@ -25,9 +25,9 @@ void Simplex::keep(const Corners& kept, int count, const Vector3d& weights) {
 }
 
 void Simplex::reduce_segment(int a, int b) {
-    const Vector3d way = at(b) - at(a);
-    const double square = way.squaredNorm();
-    const double share = square > 0 ? -at(a).dot(way) / square : 0;
+    const Vector3d displacement = at(b) - at(a);
+    const double square = displacement.squaredNorm();
+    const double share = square > 0 ? -at(a).dot(displacement) / square : 0;
     if (!(share > 0)) return keep({a, 0, 0}, 1, {1, 0, 0});
     if (share >= 1) return keep({b, 0, 0}, 1, {1, 0, 0});
     keep({a, b, 0}, 2, {1 - share, share, 0});
@@ -46,14 +46,14 @@ void Simplex::reduce_triangle(int a, int b, int c) {
     if (a_ab <= 0 && a_ac <= 0) return keep({a, 0, 0}, 1, {1, 0, 0});
     if (b_ab >= 0 && b_ac <= b_ab) return keep({b, 0, 0}, 1, {1, 0, 0});
     if (c_ac >= 0 && c_ab <= c_ac) return keep({c, 0, 0}, 1, {1, 0, 0});
-    const double of_c = a_ab * b_ac - b_ab * a_ac;
-    const double of_b = c_ab * a_ac - a_ab * c_ac;
-    const double of_a = b_ab * c_ac - c_ab * b_ac;
-    if (of_c <= 0 && a_ab >= 0 && b_ab <= 0) return reduce_segment(a, b);
-    if (of_b <= 0 && a_ac >= 0 && c_ac <= 0) return reduce_segment(a, c);
-    if (of_a <= 0) return reduce_segment(b, c);
-    const double sum = of_a + of_b + of_c;
-    keep({a, b, c}, 3, Vector3d(of_a, of_b, of_c) / sum);
+    const double weight_c = a_ab * b_ac - b_ab * a_ac;
+    const double weight_b = c_ab * a_ac - a_ab * c_ac;
+    const double weight_a = b_ab * c_ac - c_ab * b_ac;
+    if (weight_c <= 0 && a_ab >= 0 && b_ab <= 0) return reduce_segment(a, b);
+    if (weight_b <= 0 && a_ac >= 0 && c_ac <= 0) return reduce_segment(a, c);
+    if (weight_a <= 0) return reduce_segment(b, c);
+    const double sum = weight_a + weight_b + weight_c;
+    keep({a, b, c}, 3, Vector3d(weight_a, weight_b, weight_c) / sum);
 }
 
 // The origin is inside, or nearest to one of the faces that it is in front of. Rounding hides the front of a
@@ -61,22 +61,23 @@ void Simplex::reduce_triangle(int a, int b, int c) {
 void Simplex::reduce_tetrahedron() {
     constexpr std::array<std::array<int, 4>, 4> kFaces{
         {{0, 1, 2, 3}, {0, 1, 3, 2}, {0, 2, 3, 1}, {1, 2, 3, 0}}};
-    constexpr double kFlat = 1e-9;
+    constexpr double kFlatTolerance = 1e-9;
     const double size = std::max({(at(1) - at(0)).norm(), (at(2) - at(0)).norm(), (at(3) - at(0)).norm()});
     Simplex best;
-    double best_square = std::numeric_limits<double>::infinity();
+    double min_squared_distance = std::numeric_limits<double>::infinity();
     for (const auto& [a, b, c, opposite] : kFaces) {
         const Vector3d normal = (at(b) - at(a)).cross(at(c) - at(a));
         const double area = normal.norm();
         const double height = normal.dot(at(opposite) - at(a));
-        const bool flat = area <= kFlat * size * size || std::abs(height) <= kFlat * area * size;
+        const bool flat =
+            area <= kFlatTolerance * size * size || std::abs(height) <= kFlatTolerance * area * size;
         if (!flat && normal.dot(at(a)) * height < 0) continue;  // it is behind this face
         Simplex face = *this;
         face.reduce_triangle(a, b, c);
         const double square = face.nearest().at.squaredNorm();
-        if (square >= best_square) continue;
+        if (square >= min_squared_distance) continue;
         best = face;
-        best_square = square;
+        min_squared_distance = square;
     }
     if (best.count_ > 0) *this = best;
 }

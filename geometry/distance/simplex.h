@@ -17,7 +17,7 @@ struct DifferencePoint {
 class Simplex {
   public:
     int size() const { return count_; }
-    bool holds(const Eigen::Vector3d& point) const;
+    bool contains(const Eigen::Vector3d& point) const;
     void add(const DifferencePoint& point) { corners_[static_cast<std::size_t>(count_++)] = point; }
     /// Keeps only the corners that carry the point nearest to the origin, and returns it. If four corners are
     /// left, the origin is inside.

@@ -16,8 +16,8 @@ namespace {
 
 void check(std::span<const Vector3d> vertices, std::span<const Triangle> triangles) {
     if (triangles.empty()) throw std::invalid_argument("a mesh needs a triangle");
-    const auto finite = [](const Vector3d& v) { return v.allFinite(); };
-    if (!std::all_of(vertices.begin(), vertices.end(), finite))
+    const auto is_finite = [](const Vector3d& v) { return v.allFinite(); };
+    if (!std::all_of(vertices.begin(), vertices.end(), is_finite))
         throw std::invalid_argument("a vertex of a mesh is not finite");
     for (const Triangle& triangle : triangles) {
         for (const std::uint32_t corner : triangle) {
@@ -48,33 +48,35 @@ class TreeBuilder {
 
   private:
     using Part = std::span<std::uint32_t>;
-    using Along = std::pair<double, std::uint32_t>;  // position of a triangle, and its index
+    using AxisPosition = std::pair<double, std::uint32_t>;  // position of a triangle, and its index
 
-    template <typename Take>
-    void each_corner(Part part, const Take& take) const {
+    template <typename Visitor>
+    void for_each_corner(Part part, const Visitor& visit) const {
         for (const std::uint32_t triangle : part) {
-            for (const std::uint32_t corner : triangles_[triangle]) take(vertices_[corner]);
+            for (const std::uint32_t corner : triangles_[triangle]) visit(vertices_[corner]);
         }
     }
 
     /// Returns the main axes of the corners of a part, that of the largest extent last.
     Matrix3d axes_of(Part part) const {
         Vector3d sum = Vector3d::Zero();
-        each_corner(part, [&](const Vector3d& corner) { sum += corner; });
+        for_each_corner(part, [&](const Vector3d& corner) { sum += corner; });
         const Vector3d mean = sum / static_cast<double>(3 * part.size());
-        Matrix3d spread = Matrix3d::Zero();
-        each_corner(part,
-                    [&](const Vector3d& corner) { spread += (corner - mean) * (corner - mean).transpose(); });
-        Matrix3d axes = Eigen::SelfAdjointEigenSolver<Matrix3d>(spread).eigenvectors();
+        Matrix3d standard_deviation = Matrix3d::Zero();
+        for_each_corner(part, [&](const Vector3d& corner) {
+            standard_deviation += (corner - mean) * (corner - mean).transpose();
+        });
+        Matrix3d axes = Eigen::SelfAdjointEigenSolver<Matrix3d>(standard_deviation).eigenvectors();
         if (!axes.allFinite()) return Matrix3d::Identity();  // from values with infinite or NaN squares
         if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
         return axes;
     }
 
-    void put_box(Part part, Node& node) const {
+    void set_box(Part part, Node& node) const {
         const Matrix3d axes = axes_of(part);
         Eigen::AlignedBox3d box;
-        each_corner(part, [&](const Vector3d& corner) { box.extend(Vector3d(axes.transpose() * corner)); });
+        for_each_corner(part,
+                        [&](const Vector3d& corner) { box.extend(Vector3d(axes.transpose() * corner)); });
         node.box.core = Convex::Core::box;
         node.box.half_mm = box.sizes() / 2;
         node.pose = Eigen::Isometry3d::Identity();
@@ -83,8 +85,8 @@ class TreeBuilder {
     }
 
     void fill(std::size_t index, Part part) {
-        put_box(part, nodes_[index]);
-        if (part.size() == 1) return put_triangle(part.front(), nodes_[index]);
+        set_box(part, nodes_[index]);
+        if (part.size() == 1) return set_triangle(part.front(), nodes_[index]);
         Eigen::Index widest = 0;
         nodes_[index].box.half_mm.maxCoeff(&widest);
         halve(nodes_[index].pose.linear().col(widest), part);
@@ -99,25 +101,27 @@ class TreeBuilder {
     /// Splits a part: the half that is lower along an axis comes first; in each the triangles stay in their
     /// order.
     void halve(const Vector3d& axis, Part part) {
-        std::vector<Along> along;
-        along.reserve(part.size());
+        std::vector<AxisPosition> positions;
+        positions.reserve(part.size());
         for (const std::uint32_t triangle : part)
-            along.push_back({along_axis(axis, triangles_[triangle]), triangle});
-        std::vector<Along> sorted = along;
+            positions.push_back({axis_coordinate(axis, triangles_[triangle]), triangle});
+        std::vector<AxisPosition> sorted = positions;
         const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(part.size() / 2);
         std::nth_element(sorted.begin(), middle, sorted.end());
-        const Along first_of_upper = *middle;
-        std::stable_partition(along.begin(), along.end(), [&](const Along& a) { return a < first_of_upper; });
-        std::transform(along.begin(), along.end(), part.begin(), [](const Along& a) { return a.second; });
+        const AxisPosition upper_half_begin = *middle;
+        std::stable_partition(positions.begin(), positions.end(),
+                              [&](const AxisPosition& a) { return a < upper_half_begin; });
+        std::transform(positions.begin(), positions.end(), part.begin(),
+                       [](const AxisPosition& a) { return a.second; });
     }
 
-    double along_axis(const Vector3d& axis, const Triangle& corners) const {
+    double axis_coordinate(const Vector3d& axis, const Triangle& corners) const {
         double sum = 0;
         for (const std::uint32_t corner : corners) sum += axis.dot(vertices_[corner]);
         return std::isfinite(sum) ? sum : 0;
     }
 
-    void put_triangle(std::uint32_t triangle, Node& node) const {
+    void set_triangle(std::uint32_t triangle, Node& node) const {
         node.triangle.point_count = 3;
         for (std::size_t c = 0; c < 3; ++c) node.triangle.points[c] = vertices_[triangles_[triangle][c]];
     }

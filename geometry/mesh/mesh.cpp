@@ -9,12 +9,12 @@
 namespace gsim::solid {
 
 bool is_solid_file(const std::filesystem::path& file) {
-    const std::string ending = text::lower(file.extension().string());
-    return ending == ".step" || ending == ".stp" || ending == ".iges" || ending == ".igs";
+    const std::string extension = text::lower(file.extension().string());
+    return extension == ".step" || extension == ".stp" || extension == ".iges" || extension == ".igs";
 }
 
 tl::expected<Mesh, std::string> read_mesh(const std::filesystem::path& file, double tolerance_mm) {
-    return ask_reader_for("mesh", file, {fmt::format("{}", tolerance_mm)}, take_mesh);
+    return query_reader_as("mesh", file, {fmt::format("{}", tolerance_mm)}, unpack_mesh);
 }
 
 }  // namespace gsim::solid

@@ -17,14 +17,14 @@ bool is_obj(std::string_view file_name) {
     return text::lower(file_name).ends_with(".obj");
 }
 
-tl::expected<TriangleSoup, std::string> read_soup(std::string_view bytes, std::string_view file_name) {
+tl::expected<TriangleSoup, std::string> read_triangles(std::string_view bytes, std::string_view file_name) {
     if (is_obj(file_name)) return read_obj(bytes);
     // Some binary files begin with "solid", too, so the size distinguishes them from text.
     if (is_stl_binary(bytes) || !bytes.starts_with("solid")) return read_stl_binary(bytes);
     return read_stl_text(bytes);
 }
 
-std::optional<std::string> find_fault(const TriangleSoup& soup) {
+std::optional<std::string> find_error(const TriangleSoup& soup) {
     if (soup.triangles.empty()) return "there is no triangle in it";
     for (std::size_t i = 0; i < soup.vertices.size(); ++i) {
         const double largest = soup.vertices[i].cwiseAbs().maxCoeff();
@@ -39,11 +39,11 @@ tl::expected<std::shared_ptr<const TriangleMesh>, std::string> make_mesh(Triangl
                                                                          std::string_view file_name,
                                                                          double scale) {
     for (Eigen::Vector3d& vertex : soup.vertices) vertex *= scale;
-    if (const auto fault = find_fault(soup)) return tl::unexpected(fmt::format("{}: {}", file_name, *fault));
+    if (const auto error = find_error(soup)) return tl::unexpected(fmt::format("{}: {}", file_name, *error));
     return std::make_shared<const TriangleMesh>(std::move(soup.vertices), soup.triangles);
 }
 
-TriangleSoup soup_of(const solid::Mesh& mesh) {
+TriangleSoup to_triangle_soup(const solid::Mesh& mesh) {
     TriangleSoup soup;
     soup.vertices.reserve(mesh.vertices_mm.size());
     for (const auto& [x, y, z] : mesh.vertices_mm) soup.vertices.emplace_back(x, y, z);
@@ -56,7 +56,7 @@ TriangleSoup soup_of(const solid::Mesh& mesh) {
 tl::expected<std::shared_ptr<const TriangleMesh>, std::string> read_mesh(std::string_view bytes,
                                                                          std::string_view file_name,
                                                                          double scale) {
-    auto soup = read_soup(bytes, file_name);
+    auto soup = read_triangles(bytes, file_name);
     if (!soup) return tl::unexpected(fmt::format("{}{}", file_name, soup.error()));
     return make_mesh(*std::move(soup), file_name, scale);
 }
@@ -68,9 +68,9 @@ tl::expected<std::shared_ptr<const TriangleMesh>, std::string> load_mesh(const s
     if (solid::is_solid_file(path)) {
         const auto mesh = files.read_solid(path, tolerance_mm);
         if (!mesh) return tl::unexpected(mesh.error());
-        return make_mesh(soup_of(*mesh), name, scale);
+        return make_mesh(to_triangle_soup(*mesh), name, scale);
     }
-    const auto bytes = files.files.read(path, os::NamedBy::a_file, kMaxBytes);
+    const auto bytes = files.files.read(path, os::NameSource::in_file, kMaxBytes);
     if (!bytes) return tl::unexpected(bytes.error());
     return read_mesh(*bytes, name, scale);
 }

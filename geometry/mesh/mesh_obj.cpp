@@ -16,10 +16,10 @@ namespace {
 
 // Statements without effect on the surface. Free-form surfaces are not among them, because they would be
 // missing.
-constexpr std::array kPassedOver{"vt"sv,     "vn"sv,     "vp"sv,         "o"sv,        "g"sv,
-                                 "s"sv,      "mg"sv,     "l"sv,          "p"sv,        "usemtl"sv,
-                                 "lod"sv,    "mtllib"sv, "bevel"sv,      "c_interp"sv, "d_interp"sv,
-                                 "usemap"sv, "maplib"sv, "shadow_obj"sv, "trace_obj"sv};
+constexpr std::array kIgnoredKeywords{"vt"sv,     "vn"sv,     "vp"sv,         "o"sv,        "g"sv,
+                                      "s"sv,      "mg"sv,     "l"sv,          "p"sv,        "usemtl"sv,
+                                      "lod"sv,    "mtllib"sv, "bevel"sv,      "c_interp"sv, "d_interp"sv,
+                                      "usemap"sv, "maplib"sv, "shadow_obj"sv, "trace_obj"sv};
 
 class ObjReader {
   public:
@@ -33,23 +33,24 @@ class ObjReader {
                 vertex();
             } else if (word == "f") {
                 face();
-            } else if (std::find(kPassedOver.begin(), kPassedOver.end(), word) == kPassedOver.end()) {
+            } else if (std::find(kIgnoredKeywords.begin(), kIgnoredKeywords.end(), word) ==
+                       kIgnoredKeywords.end()) {
                 fail(fmt::format("'{:.20}' is not read; vertices (v) and faces (f) are", word));
             }
-        } while (!fault_ && words_.skip_line());
-        if (!fault_) return std::move(soup_);
-        return tl::unexpected(*fault_);
+        } while (!error_ && words_.skip_line());
+        if (!error_) return std::move(soup_);
+        return tl::unexpected(*error_);
     }
 
   private:
-    void fail(std::string_view sentence) {
-        if (!fault_) fault_ = fmt::format(":{}: {}", words_.line(), sentence);
+    void fail(std::string_view message) {
+        if (!error_) error_ = fmt::format(":{}: {}", words_.line(), message);
     }
     void vertex() {
         Eigen::Vector3d at;
         for (double& coordinate : at) {
             const std::string_view word = words_.next_in_line();
-            const auto value = number_of(word);
+            const auto value = parse_number(word);
             if (!value) return fail(fmt::format("a vertex has three numbers; there is '{:.20}'", word));
             coordinate = *value;
         }
@@ -60,9 +61,9 @@ class ObjReader {
     std::optional<std::uint32_t> index(std::string_view word) {
         const std::string_view number = word.substr(0, word.find('/'));
         long long value = 0;
-        const auto [end, fault] = std::from_chars(number.data(), number.data() + number.size(), value);
+        const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
         const auto count = static_cast<long long>(soup_.vertices.size());
-        const bool read = fault == std::errc{} && end == number.data() + number.size();
+        const bool read = error == std::errc{} && end == number.data() + number.size();
         if (!read || value == 0 || value > count || value < -count) {
             fail(fmt::format("'{:.20}' is no vertex; there are {} above this line", word, count));
             return std::nullopt;
@@ -89,9 +90,9 @@ class ObjReader {
             fail(fmt::format("more than {} triangles", kMaxTriangles));
     }
 
-    TextWords words_;
+    WordReader words_;
     TriangleSoup soup_;
-    std::optional<std::string> fault_;
+    std::optional<std::string> error_;
 };
 
 }  // namespace

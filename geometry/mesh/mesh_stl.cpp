@@ -19,15 +19,15 @@ constexpr std::size_t kCountBytes = 4;
 constexpr std::size_t kTriangleBytes = 50;
 constexpr std::size_t kNormalBytes = 12;
 
-std::uint32_t little_endian(std::string_view bytes) {
+std::uint32_t read_little_endian(std::string_view bytes) {
     std::uint32_t value = 0;
     for (unsigned i = 0; i < 4; ++i)
         value |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[i])) << (8U * i);
     return value;
 }
 
-double float_at(std::string_view bytes, std::size_t offset) {
-    return static_cast<double>(bits_as<float>(little_endian(bytes.substr(offset, 4))));
+double read_float(std::string_view bytes, std::size_t offset) {
+    return static_cast<double>(bits_as<float>(read_little_endian(bytes.substr(offset, 4))));
 }
 
 /// Reader of the facets of a text; it keeps the first error.
@@ -38,7 +38,7 @@ class TextReader {
     tl::expected<TriangleSoup, std::string> read() {
         expect("solid");
         words_.skip_line();  // its name
-        while (!fault_) {
+        while (!error_) {
             const std::string_view word = words_.next();
             if (word == "endsolid") {
                 words_.skip_line();
@@ -52,24 +52,24 @@ class TextReader {
                 fail("facet' or 'endsolid", word);
             }
         }
-        return tl::unexpected(*fault_);
+        return tl::unexpected(*error_);
     }
 
   private:
-    void fail(std::string_view wanted, std::string_view found) {
-        if (fault_) return;
+    void fail(std::string_view expected_word, std::string_view found) {
+        if (error_) return;
         const std::string what =
             found.empty() ? std::string("the file ends") : fmt::format("there is '{:.20}'", found);
-        fault_ = fmt::format(":{}: '{}' should stand here; {}", words_.line(), wanted, what);
+        error_ = fmt::format(":{}: '{}' should stand here; {}", words_.line(), expected_word, what);
     }
-    void expect(std::string_view wanted) {
-        if (fault_) return;
-        if (const std::string_view word = words_.next(); word != wanted) fail(wanted, word);
+    void expect(std::string_view expected_word) {
+        if (error_) return;
+        if (const std::string_view word = words_.next(); word != expected_word) fail(expected_word, word);
     }
     double number(std::string_view of) {
-        if (fault_) return 0;
+        if (error_) return 0;
         const std::string_view word = words_.next();
-        const auto value = number_of(word);
+        const auto value = parse_number(word);
         if (!value) fail(of, word);
         return value.value_or(0);
     }
@@ -82,7 +82,7 @@ class TextReader {
     // The normal is not used, because some programs write unreasonable values.
     void facet() {
         expect("normal");
-        for (int i = 0; i < 3 && !fault_; ++i) {
+        for (int i = 0; i < 3 && !error_; ++i) {
             if (words_.next_in_line().empty()) fail("a normal of three numbers", "");
         }
         expect("outer");
@@ -91,21 +91,21 @@ class TextReader {
         for (Vector3d& corner : corners) corner = vertex();
         expect("endloop");
         expect("endfacet");
-        if (!fault_) soup_.add(corners);
+        if (!error_) soup_.add(corners);
         if (soup_.triangles.size() > kMaxTriangles)
-            fault_ = fmt::format(": more than {} triangles", kMaxTriangles);
+            error_ = fmt::format(": more than {} triangles", kMaxTriangles);
     }
 
-    TextWords words_;
+    WordReader words_;
     TriangleSoup soup_;
-    std::optional<std::string> fault_;
+    std::optional<std::string> error_;
 };
 
 }  // namespace
 
 bool is_stl_binary(std::string_view bytes) {
     if (bytes.size() < kHeaderBytes + kCountBytes) return false;
-    const std::size_t count = little_endian(bytes.substr(kHeaderBytes));
+    const std::size_t count = read_little_endian(bytes.substr(kHeaderBytes));
     return bytes.size() == kHeaderBytes + kCountBytes + count * kTriangleBytes;
 }
 
@@ -114,7 +114,7 @@ tl::expected<TriangleSoup, std::string> read_stl_binary(std::string_view bytes) 
         return tl::unexpected(fmt::format(
             ": {} bytes are too few for an STL file, and it does not begin with 'solid'", bytes.size()));
     }
-    const std::size_t count = little_endian(bytes.substr(kHeaderBytes));
+    const std::size_t count = read_little_endian(bytes.substr(kHeaderBytes));
     if (!is_stl_binary(bytes)) {
         return tl::unexpected(fmt::format(": a binary STL file of {} triangles has {} bytes; this one has {}",
                                           count, kHeaderBytes + kCountBytes + count * kTriangleBytes,
@@ -130,8 +130,8 @@ tl::expected<TriangleSoup, std::string> read_stl_binary(std::string_view bytes) 
         std::array<Vector3d, 3> corners;
         std::size_t offset = kNormalBytes;
         for (Vector3d& corner : corners) {
-            corner = {float_at(triangle, offset), float_at(triangle, offset + 4),
-                      float_at(triangle, offset + 8)};
+            corner = {read_float(triangle, offset), read_float(triangle, offset + 4),
+                      read_float(triangle, offset + 8)};
             offset += 12;
             if (corner.allFinite()) continue;
             return tl::unexpected(fmt::format(": triangle {} has a coordinate that is not finite", i + 1));

@@ -27,9 +27,9 @@ struct TriangleSoup {
 };
 
 /// The words of a text, line by line.
-class TextWords {
+class WordReader {
   public:
-    explicit TextWords(std::string_view text) : rest_(text) {}
+    explicit WordReader(std::string_view text) : remaining_(text) {}
 
     /// Returns the next word, of this line or of a later one; empty at the end.
     std::string_view next();
@@ -40,12 +40,12 @@ class TextWords {
     std::size_t line() const { return line_; }
 
   private:
-    std::string_view rest_;
+    std::string_view remaining_;
     std::size_t line_ = 1;
 };
 
 /// Returns the finite number that the complete word is.
-std::optional<double> number_of(std::string_view word);
+std::optional<double> parse_number(std::string_view word);
 
 /// Reads one of the formats, as the next functions do; errors are ": message" or ":line: message", to be
 /// appended to a file name.

@@ -23,28 +23,28 @@ namespace {
 constexpr std::uintmax_t kMaxBytes = 256ULL << 20U;
 constexpr bool kHasReader = GSIM_HAS_OPENCASCADE != 0;
 
-using Fault = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
 std::string message(int error) {
     return std::generic_category().message(error);
 }
 
 tl::expected<std::filesystem::path, std::string> reader_program() {
-    return os::helper_program(os::program_folder(), "gsim-solid").map_error([](const std::string& sentence) {
-        return sentence + "; it reads STEP and IGES files";
+    return os::helper_program(os::program_folder(), "gsim-solid").map_error([](const std::string& message) {
+        return message + "; it reads STEP and IGES files";
     });
 }
 
 tl::expected<void, std::string> check_file(const std::filesystem::path& file) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
-    if (error) return Fault(fmt::format("cannot read '{}': {}", file.string(), error.message()));
+    if (error) return Unexpected(fmt::format("cannot read '{}': {}", file.string(), error.message()));
     if (!std::filesystem::is_regular_file(status))
-        return Fault(fmt::format("cannot read '{}': it is no regular file", file.string()));
+        return Unexpected(fmt::format("cannot read '{}': it is no regular file", file.string()));
     const std::uintmax_t size = std::filesystem::file_size(file, error);
-    if (error) return Fault(fmt::format("cannot read '{}': {}", file.string(), error.message()));
+    if (error) return Unexpected(fmt::format("cannot read '{}': {}", file.string(), error.message()));
     if (size > kMaxBytes)
-        return Fault(fmt::format("'{}' is larger than {} MiB", file.string(), kMaxBytes >> 20U));
+        return Unexpected(fmt::format("'{}' is larger than {} MiB", file.string(), kMaxBytes >> 20U));
     return {};
 }
 
@@ -60,7 +60,7 @@ std::string read_to_end(int descriptor) {
 }
 
 // Returns why a reader ended without a result.
-std::string end_of(int status) {
+std::string exit_reason(int status) {
     if (!WIFSIGNALED(status)) return fmt::format("OpenCASCADE ended with status {}", WEXITSTATUS(status));
     if (WTERMSIG(status) == SIGXCPU) return "OpenCASCADE does not come to an end with it";
     return fmt::format(
@@ -70,38 +70,38 @@ std::string end_of(int status) {
 
 }  // namespace
 
-tl::expected<std::string, std::string> ask_reader(const std::string& question,
-                                                  const std::filesystem::path& file,
-                                                  const std::vector<std::string>& settings) {
+tl::expected<std::string, std::string> query_reader(const std::string& request,
+                                                    const std::filesystem::path& file,
+                                                    const std::vector<std::string>& settings) {
     if (!kHasReader) {
-        return Fault(
+        return Unexpected(
             fmt::format("'{}': this build does not read STEP and IGES files; install OpenCASCADE "
                         "(scripts/setup.sh step), then build again with -DGSIM_OPENCASCADE=ON",
                         file.string()));
     }
-    if (const auto good = check_file(file); !good) return Fault(good.error());
+    if (const auto checked = check_file(file); !checked) return Unexpected(checked.error());
     const auto program = reader_program();
-    if (!program) return Fault(program.error());
+    if (!program) return Unexpected(program.error());
     std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Fault(fmt::format("no pipe: {}", message(errno)));
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Unexpected(fmt::format("no pipe: {}", message(errno)));
     const os::Descriptor input(ends[0]);
     os::Descriptor output(ends[1]);
-    std::vector<std::string> command{program->string(), question, std::filesystem::absolute(file).string()};
+    std::vector<std::string> command{program->string(), request, std::filesystem::absolute(file).string()};
     command.insert(command.end(), settings.begin(), settings.end());
     os::SpawnActions actions;
-    actions.read_nothing(STDIN_FILENO);
+    actions.redirect_from_null(STDIN_FILENO);
     actions.redirect(output.number(), STDOUT_FILENO);
     const auto child = os::spawn(command, actions);
-    if (!child) return Fault(fmt::format("cannot run {}: {}", command[0], message(child.error())));
+    if (!child) return Unexpected(fmt::format("cannot run {}: {}", command[0], message(child.error())));
     output.close();
-    std::string answer = read_to_end(input.number());
+    std::string response = read_to_end(input.number());
     const auto status = os::wait_for(*child);
-    if (!status) return Fault(fmt::format("lost {}: {}", command[0], message(status.error())));
-    if (!WIFEXITED(*status) || WEXITSTATUS(*status) != 0 || answer.empty())
-        return Fault(fmt::format("'{}' cannot be read: {}", file.string(), end_of(*status)));
-    PacketReader packet(answer);
-    if (packet.get_flag()) return answer.substr(1);
-    return Fault(fmt::format("{}: {}", file.string(), packet.get_text()));
+    if (!status) return Unexpected(fmt::format("lost {}: {}", command[0], message(status.error())));
+    if (!WIFEXITED(*status) || WEXITSTATUS(*status) != 0 || response.empty())
+        return Unexpected(fmt::format("'{}' cannot be read: {}", file.string(), exit_reason(*status)));
+    PacketReader packet(response);
+    if (packet.read_flag()) return response.substr(1);
+    return Unexpected(fmt::format("{}: {}", file.string(), packet.read_text()));
 }
 
 }  // namespace gsim::solid

@@ -7,7 +7,7 @@ namespace gsim::geometry {
 namespace {
 
 // Returns the bits of x with a gap after each.
-std::uint64_t spread(std::uint64_t x) {
+std::uint64_t standard_deviation(std::uint64_t x) {
     x = (x | x << 16) & 0x0000ffff0000ffffULL;
     x = (x | x << 8) & 0x00ff00ff00ff00ffULL;
     x = (x | x << 4) & 0x0f0f0f0f0f0f0f0fULL;
@@ -16,15 +16,16 @@ std::uint64_t spread(std::uint64_t x) {
 }
 
 std::uint64_t cell(double value, double low, double high) {
-    constexpr double kCells = 4294967295.0;
+    constexpr double kCellsPerAxis = 4294967295.0;
     const double share = high > low ? (value - low) / (high - low) : 0;
-    return static_cast<std::uint64_t>(std::clamp(share, 0.0, 1.0) * kCells);
+    return static_cast<std::uint64_t>(std::clamp(share, 0.0, 1.0) * kCellsPerAxis);
 }
 
 // Returns the position of the middle of a box on the Z-curve through `all`.
-std::uint64_t place_on_curve(const Box& box, const Box& all) {
+std::uint64_t morton_code(const Box& box, const Box& all) {
     const Point middle = 0.5 * (box.low + box.high);
-    return spread(cell(middle.x, all.low.x, all.high.x)) | spread(cell(middle.y, all.low.y, all.high.y)) << 1;
+    return standard_deviation(cell(middle.x, all.low.x, all.high.x)) |
+           standard_deviation(cell(middle.y, all.low.y, all.high.y)) << 1;
 }
 
 }  // namespace
@@ -33,13 +34,13 @@ BoxTree::BoxTree(std::span<const Box> boxes) {
     if (boxes.empty()) return;
     Box all;
     for (const Box& box : boxes) all.add(box);
-    std::vector<std::uint64_t> places;
-    places.reserve(boxes.size());
-    for (const Box& box : boxes) places.push_back(place_on_curve(box, all));
+    std::vector<std::uint64_t> curve_indices;
+    curve_indices.reserve(boxes.size());
+    for (const Box& box : boxes) curve_indices.push_back(morton_code(box, all));
     leaf_items_.resize(boxes.size());
     std::iota(leaf_items_.begin(), leaf_items_.end(), 0U);
     std::sort(leaf_items_.begin(), leaf_items_.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return places[a] != places[b] ? places[a] < places[b] : a < b;
+        return curve_indices[a] != curve_indices[b] ? curve_indices[a] < curve_indices[b] : a < b;
     });
     nodes_.reserve(boxes.size() + boxes.size() / (kFanOut - 1) + kFanOut);
     for (const std::uint32_t item : leaf_items_) nodes_.push_back(boxes[item]);

@@ -28,7 +28,7 @@ class BoxTree {
     struct Level {
         std::size_t first, count;  // in nodes_
     };
-    struct Place {
+    struct TreePosition {
         std::size_t level, node;
     };
 
@@ -40,19 +40,20 @@ class BoxTree {
 template <typename Visit>
 void BoxTree::visit(const Box& range, Visit&& visit) const {
     if (levels_.empty()) return;
-    Place stack[kMaxStack];
+    TreePosition stack[kMaxStack];
     std::size_t depth = 0;
     stack[depth++] = {levels_.size() - 1, 0};
     while (depth > 0) {
-        const Place place = stack[--depth];
-        if (!nodes_[levels_[place.level].first + place.node].meets(range)) continue;
-        if (place.level == 0) {
-            if (!visit(static_cast<std::size_t>(leaf_items_[place.node]))) return;
+        const TreePosition node_position = stack[--depth];
+        if (!nodes_[levels_[node_position.level].first + node_position.node].overlaps(range)) continue;
+        if (node_position.level == 0) {
+            if (!visit(static_cast<std::size_t>(leaf_items_[node_position.node]))) return;
             continue;
         }
-        const std::size_t first = place.node * kFanOut;
-        const std::size_t last = std::min(first + kFanOut, levels_[place.level - 1].count);
-        for (std::size_t child = first; child < last; ++child) stack[depth++] = {place.level - 1, child};
+        const std::size_t first = node_position.node * kFanOut;
+        const std::size_t last = std::min(first + kFanOut, levels_[node_position.level - 1].count);
+        for (std::size_t child = first; child < last; ++child)
+            stack[depth++] = {node_position.level - 1, child};
     }
 }
 

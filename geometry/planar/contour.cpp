@@ -8,8 +8,8 @@ namespace {
 
 // Relative to the middle of the box the products of coordinates keep their digits, however far off the origin
 // is.
-Point origin_near(const Contour& contour) {
-    const Box box = box_of(contour);
+Point local_origin(const Contour& contour) {
+    const Box box = bounding_box(contour);
     return box.empty() ? Point{} : 0.5 * (box.low + box.high);
 }
 
@@ -20,7 +20,7 @@ void append_edge(Contour& contour, const Edge& edge, std::uint32_t source) {
     if (std::abs(edge.bulge) > 1 + 1e-12) {
         // center() is not needed: the half of an arc follows from its height over the chord.
         const Point chord = edge.end - edge.start;
-        const Point top = 0.5 * (edge.start + edge.end) + (edge.bulge / 2) * right_of(chord);
+        const Point top = 0.5 * (edge.start + edge.end) + (edge.bulge / 2) * right_normal(chord);
         const double half = std::tan(std::atan(edge.bulge) / 2);
         append_edge(contour, {edge.start, top, half}, source);
         append_edge(contour, {top, edge.end, half}, source);
@@ -33,7 +33,7 @@ void append_edge(Contour& contour, const Edge& edge, std::uint32_t source) {
 
 double area_mm2(const Contour& contour) {
     if (!contour.closed) return 0;
-    const Point origin = origin_near(contour);
+    const Point origin = local_origin(contour);
     double sum = 0;
     for (std::size_t i = 0; i < contour.edges(); ++i) {
         const Edge edge = contour.edge(i);
@@ -48,9 +48,9 @@ double length_mm(const Contour& contour) {
     return sum;
 }
 
-Box box_of(const Contour& contour) {
+Box bounding_box(const Contour& contour) {
     Box box;
-    for (std::size_t i = 0; i < contour.edges(); ++i) box.add(box_of(contour.edge(i)));
+    for (std::size_t i = 0; i < contour.edges(); ++i) box.add(bounding_box(contour.edge(i)));
     return box;
 }
 
@@ -72,7 +72,7 @@ void reverse(Contour& contour) {
 std::vector<Box> edge_boxes(const Contour& contour) {
     std::vector<Box> boxes;
     boxes.reserve(contour.edges());
-    for (std::size_t i = 0; i < contour.edges(); ++i) boxes.push_back(box_of(contour.edge(i)));
+    for (std::size_t i = 0; i < contour.edges(); ++i) boxes.push_back(bounding_box(contour.edge(i)));
     return boxes;
 }
 

@@ -43,7 +43,7 @@ void append_edge(Contour& contour, const Edge& edge, std::uint32_t source);
 /// Returns the area of a closed contour, exact for arcs; above 0 if counter-clockwise.
 double area_mm2(const Contour& contour);
 double length_mm(const Contour& contour);
-Box box_of(const Contour& contour);
+Box bounding_box(const Contour& contour);
 /// Reverses the direction; a closed contour keeps its first vertex.
 void reverse(Contour& contour);
 /// Returns the boxes of the edges, in order.

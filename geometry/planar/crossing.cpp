@@ -1,7 +1,7 @@
 #include "geometry/planar/crossing.h"
 
 #include "geometry/planar/box_tree.h"
-#include "geometry/planar/meet.h"
+#include "geometry/planar/intersection.h"
 
 namespace gsim::geometry {
 
@@ -19,7 +19,7 @@ class CrossingSearch {
         for (std::size_t c = 0; c < contours.size(); ++c) {
             for (std::size_t e = 0; e < contours[c].edges(); ++e) {
                 edge_ids_.push_back({static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(e)});
-                boxes_.push_back(box_of(contours[c].edge(e)));
+                boxes_.push_back(bounding_box(contours[c].edge(e)));
             }
         }
         tree_ = BoxTree(boxes_);
@@ -28,7 +28,7 @@ class CrossingSearch {
     std::optional<Crossing> run() const {
         std::optional<Crossing> found;
         for (std::size_t i = 0; i < edge_ids_.size() && !found; ++i) {
-            tree_.visit(boxes_[i].grown(kSamePoint_mm), [&](std::size_t j) {
+            tree_.visit(boxes_[i].expanded(kPointTolerance_mm), [&](std::size_t j) {
                 if (j > i) found = between(edge_ids_[i], edge_ids_[j]);
                 return !found;
             });
@@ -41,9 +41,9 @@ class CrossingSearch {
         if (!groups_.empty() && groups_[a.contour] == groups_[b.contour]) return {};
         const Edge edge_a = edge(a);
         const Edge edge_b = edge(b);
-        for (const Point& place : meets(edge_a, edge_b)) {
-            if (!belongs(a, b, edge_a, edge_b, place)) {
-                return Crossing{place, a.contour, a.edge, b.contour, b.edge};
+        for (const Point& location : intersections(edge_a, edge_b)) {
+            if (!belongs(a, b, edge_a, edge_b, location)) {
+                return Crossing{location, a.contour, a.edge, b.contour, b.edge};
             }
         }
         return {};
@@ -52,17 +52,17 @@ class CrossingSearch {
     Edge edge(EdgeId id) const { return contours_[id.contour].edge(id.edge); }
 
     // True if neighbours may meet at this position.
-    bool belongs(EdgeId a, EdgeId b, const Edge& edge_a, const Edge& edge_b, Point place) const {
+    bool belongs(EdgeId a, EdgeId b, const Edge& edge_a, const Edge& edge_b, Point location) const {
         if (a.contour != b.contour) return false;
         const Contour& contour = contours_[a.contour];
-        return (contour.next(a.edge) == b.edge && at_corner(edge_a, edge_b, place)) ||
-               (contour.next(b.edge) == a.edge && at_corner(edge_b, edge_a, place));
+        return (contour.next(a.edge) == b.edge && is_at_corner(edge_a, edge_b, location)) ||
+               (contour.next(b.edge) == a.edge && is_at_corner(edge_b, edge_a, location));
     }
 
-    bool at_corner(const Edge& before, const Edge& after, Point place) const {
-        if (distance(place, after.start) <= 10 * kSamePoint_mm) return true;
+    bool is_at_corner(const Edge& before, const Edge& after, Point location) const {
+        if (distance(location, after.start) <= 10 * kPointTolerance_mm) return true;
         if (dot(end_tangent(before), start_tangent(after)) < 0) return false;
-        const Point between = point_at(after, share_at(after, place) / 2);
+        const Point between = point_at(after, share_at(after, location) / 2);
         return distance_mm(before, between) <= tolerance_mm_;
     }
 

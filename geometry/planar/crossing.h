@@ -9,7 +9,7 @@ namespace gsim::geometry {
 
 /// Two edges that meet although they should not.
 struct Crossing {
-    Point place;
+    Point location;
     std::size_t contour_a = 0, edge_a = 0;
     std::size_t contour_b = 0, edge_b = 0;
 };

@@ -23,7 +23,7 @@ double angle_along(const Edge& edge, Point middle, Point point) {
     return edge.bulge > 0 ? angle : -angle;
 }
 
-bool in_sector(const Edge& edge, Point middle, Point point) {
+bool is_in_sector(const Edge& edge, Point middle, Point point) {
     const double sense = edge.bulge > 0 ? 1 : -1;
     const Point to = point - middle;
     return sense * cross(edge.start - middle, to) >= 0 && sense * cross(to, edge.end - middle) >= 0;
@@ -34,7 +34,7 @@ bool in_sector(const Edge& edge, Point middle, Point point) {
 Point center(const Edge& edge) {
     const double b = edge.bulge;
     const Point middle = 0.5 * (edge.start + edge.end);
-    return middle + ((1 - b * b) / (4 * b)) * left_of(chord(edge));
+    return middle + ((1 - b * b) / (4 * b)) * left_normal(chord(edge));
 }
 
 double radius_mm(const Edge& edge) {
@@ -64,18 +64,18 @@ Point point_at(const Edge& edge, double share) {
     return middle + turned(edge.start - middle, share * sweep_rad(edge));
 }
 
-double share_at(const Edge& edge, Point on_edge) {
+double share_at(const Edge& edge, Point edge_point) {
     if (!is_arc(edge)) {
         const Point along = chord(edge);
-        return std::clamp(dot(on_edge - edge.start, along) / dot(along, along), 0.0, 1.0);
+        return std::clamp(dot(edge_point - edge.start, along) / dot(along, along), 0.0, 1.0);
     }
-    const double share = angle_along(edge, center(edge), on_edge) / std::abs(sweep_rad(edge));
+    const double share = angle_along(edge, center(edge), edge_point) / std::abs(sweep_rad(edge));
     // The end of half a turn may be computed as minus half a turn.
     if (share < -0.5) return 1;
     return std::clamp(share, 0.0, 1.0);
 }
 
-Edge part_of(const Edge& edge, double from, double to) {
+Edge sub_edge(const Edge& edge, double from, double to) {
     const double bulge = is_arc(edge) ? std::tan(sweep_rad(edge) * (to - from) / 4) : 0;
     return {point_at(edge, from), point_at(edge, to), bulge};
 }
@@ -84,7 +84,7 @@ Edge reversed(const Edge& edge) {
     return {edge.end, edge.start, -edge.bulge};
 }
 
-Box box_of(const Edge& edge) {
+Box bounding_box(const Edge& edge) {
     Box box;
     box.add(edge.start);
     box.add(edge.end);
@@ -92,7 +92,7 @@ Box box_of(const Edge& edge) {
     const Point middle = center(edge);
     const double r = radius_mm(edge);
     for (const Point axis : {Point{r, 0}, Point{0, r}, Point{-r, 0}, Point{0, -r}}) {
-        if (in_sector(edge, middle, middle + axis)) box.add(middle + axis);
+        if (is_in_sector(edge, middle, middle + axis)) box.add(middle + axis);
     }
     return box;
 }
@@ -100,7 +100,7 @@ Box box_of(const Edge& edge) {
 double distance_mm(const Edge& edge, Point point) {
     if (is_arc(edge)) {
         const Point middle = center(edge);
-        if (in_sector(edge, middle, point)) return std::abs(distance(middle, point) - radius_mm(edge));
+        if (is_in_sector(edge, middle, point)) return std::abs(distance(middle, point) - radius_mm(edge));
         return std::min(distance(edge.start, point), distance(edge.end, point));
     }
     const Point along = chord(edge);
@@ -109,15 +109,15 @@ double distance_mm(const Edge& edge, Point point) {
     return distance(edge.start + share * along, point);
 }
 
-bool within(const Edge& edge, Point on_curve) {
-    if (distance(edge.start, on_curve) <= kSamePoint_mm) return true;
-    if (distance(edge.end, on_curve) <= kSamePoint_mm) return true;
-    if (is_arc(edge)) return in_sector(edge, center(edge), on_curve);
-    const double along = dot(on_curve - edge.start, chord(edge));
+bool within(const Edge& edge, Point curve_point) {
+    if (distance(edge.start, curve_point) <= kPointTolerance_mm) return true;
+    if (distance(edge.end, curve_point) <= kPointTolerance_mm) return true;
+    if (is_arc(edge)) return is_in_sector(edge, center(edge), curve_point);
+    const double along = dot(curve_point - edge.start, chord(edge));
     return along >= 0 && along <= dot(chord(edge), chord(edge));
 }
 
-double cap_area_mm2(const Edge& edge) {
+double circular_segment_area_mm2(const Edge& edge) {
     if (!is_arc(edge)) return 0;
     const double r = radius_mm(edge);
     const double angle = sweep_rad(edge);
@@ -129,7 +129,7 @@ double cap_area_mm2(const Edge& edge) {
 }
 
 double swept_area_mm2(const Edge& edge) {
-    return cross(edge.start, edge.end) / 2 + cap_area_mm2(edge);
+    return cross(edge.start, edge.end) / 2 + circular_segment_area_mm2(edge);
 }
 
 Edge arc_from_tangent(Point start, Point tangent, Point end) {

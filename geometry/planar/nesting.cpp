@@ -8,7 +8,7 @@ namespace {
 
 // True if a ray from the point to the right passes the edge an odd number of times. It counts passes of the
 // chord, and one more from between the arc and its chord.
-bool ray_passes(const Edge& edge, Point point) {
+bool ray_crosses(const Edge& edge, Point point) {
     const Point a = edge.start;
     const Point b = edge.end;
     // A point on the line of the chord counts as a little higher, because both tests must see it on one side.
@@ -21,22 +21,22 @@ bool ray_passes(const Edge& edge, Point point) {
 }
 
 // Returns those numbers that occur an odd number of times in a list.
-std::vector<std::uint32_t> odd_ones(std::vector<std::uint32_t>& numbers) {
+std::vector<std::uint32_t> odd_occurrences(std::vector<std::uint32_t>& numbers) {
     std::sort(numbers.begin(), numbers.end());
-    std::vector<std::uint32_t> odd;
+    std::vector<std::uint32_t> odd_numbers;
     for (const std::uint32_t number : numbers) {
-        if (!odd.empty() && odd.back() == number) {
-            odd.pop_back();
+        if (!odd_numbers.empty() && odd_numbers.back() == number) {
+            odd_numbers.pop_back();
         } else {
-            odd.push_back(number);
+            odd_numbers.push_back(number);
         }
     }
-    return odd;
+    return odd_numbers;
 }
 
 }  // namespace
 
-std::vector<Nest> nest(std::span<const Contour> contours) {
+std::vector<NestingLevel> find_nesting(std::span<const Contour> contours) {
     std::vector<EdgeId> edges;
     std::vector<Box> boxes;
     std::vector<double> areas;
@@ -45,11 +45,11 @@ std::vector<Nest> nest(std::span<const Contour> contours) {
         areas.push_back(std::abs(area_mm2(contours[c])));
         for (std::size_t e = 0; e < contours[c].edges(); ++e) {
             edges.push_back({static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(e)});
-            boxes.push_back(box_of(contours[c].edge(e)));
+            boxes.push_back(bounding_box(contours[c].edge(e)));
         }
     }
     const BoxTree tree(boxes);
-    std::vector<Nest> nests(contours.size());
+    std::vector<NestingLevel> nestings(contours.size());
     std::vector<std::uint32_t> passed;
     for (std::size_t c = 0; c < contours.size(); ++c) {
         if (contours[c].vertices.empty()) continue;
@@ -57,24 +57,25 @@ std::vector<Nest> nest(std::span<const Contour> contours) {
         passed.clear();
         tree.visit({point, {HUGE_VAL, point.y}}, [&](std::size_t i) {
             const EdgeId edge = edges[i];
-            if (edge.contour != c && ray_passes(contours[edge.contour].edge(edge.edge), point)) {
+            if (edge.contour != c && ray_crosses(contours[edge.contour].edge(edge.edge), point)) {
                 passed.push_back(edge.contour);
             }
             return true;
         });
-        for (const std::uint32_t around : odd_ones(passed)) {
-            Nest& own = nests[c];
-            ++own.depth;
-            if (!own.parent || areas[around] < areas[*own.parent]) own.parent = around;
+        for (const std::uint32_t outer_contour : odd_occurrences(passed)) {
+            NestingLevel& current_nest = nestings[c];
+            ++current_nest.depth;
+            if (!current_nest.parent || areas[outer_contour] < areas[*current_nest.parent])
+                current_nest.parent = outer_contour;
         }
     }
-    return nests;
+    return nestings;
 }
 
 bool inside(const Contour& contour, Point point) {
-    bool odd = false;
-    for (std::size_t i = 0; i < contour.edges(); ++i) odd ^= ray_passes(contour.edge(i), point);
-    return odd;
+    bool odd_numbers = false;
+    for (std::size_t i = 0; i < contour.edges(); ++i) odd_numbers ^= ray_crosses(contour.edge(i), point);
+    return odd_numbers;
 }
 
 }  // namespace gsim::geometry

@@ -3,14 +3,14 @@
 #include <utility>
 
 #include "geometry/planar/box_tree.h"
-#include "geometry/planar/meet.h"
+#include "geometry/planar/intersection.h"
 #include "geometry/planar/stitch.h"
 
 namespace gsim::geometry {
 
 namespace {
 
-constexpr double kValid_mm = 1e-6;  // how much nearer than the distance a part may be by rounding
+constexpr double kDistanceTolerance_mm = 1e-6;  // how much nearer than the distance a part may be by rounding
 
 // Returns the curvature, above 0 to the left.
 double curvature(const Edge& edge) {
@@ -24,21 +24,21 @@ class RawOffset {
         parts_.reserve(2 * contour.edges());
         const std::size_t count = contour.edges();
         for (std::size_t i = 0; i < count; ++i) {
-            move_edge(i);
+            offset_edge(i);
             round_corner(i);
         }
     }
 
-    std::vector<DirectedPart> take() { return std::move(parts_); }
+    std::vector<DirectedPart> release() { return std::move(parts_); }
 
   private:
-    void move_edge(std::size_t i) {
+    void offset_edge(std::size_t i) {
         const Edge edge = contour_.edge(i);
-        const Point start = edge.start + d_ * right_of(start_tangent(edge));
-        const Point end = edge.end + d_ * right_of(end_tangent(edge));
+        const Point start = edge.start + d_ * right_normal(start_tangent(edge));
+        const Point end = edge.end + d_ * right_normal(end_tangent(edge));
         // In a hollow that is narrower than the distance, no point is far enough off.
-        const bool hollow = is_arc(edge) && edge.bulge < 0;
-        if (hollow && radius_mm(edge) - d_ <= 10 * kSamePoint_mm) return;
+        const bool is_concave = is_arc(edge) && edge.bulge < 0;
+        if (is_concave && radius_mm(edge) - d_ <= 10 * kPointTolerance_mm) return;
         add({start, end, is_arc(edge) ? edge.bulge : 0}, contour_.vertices[i].source);
     }
 
@@ -56,12 +56,12 @@ class RawOffset {
         if (!left) return;
         const double angle = back ? std::numbers::pi : std::atan2(turn, dot(before, after));
         const Point corner = contour_.vertices[next].position;
-        add({corner + d_ * right_of(before), corner + d_ * right_of(after), std::tan(angle / 4)},
+        add({corner + d_ * right_normal(before), corner + d_ * right_normal(after), std::tan(angle / 4)},
             contour_.vertices[i].source);
     }
 
     void add(const Edge& edge, std::uint32_t source) {
-        if (distance(edge.start, edge.end) > kSamePoint_mm) parts_.push_back({edge, source});
+        if (distance(edge.start, edge.end) > kPointTolerance_mm) parts_.push_back({edge, source});
     }
 
     const Contour& contour_;
@@ -73,7 +73,7 @@ class RawOffset {
 std::vector<DirectedPart> cut(const std::vector<DirectedPart>& parts) {
     std::vector<Box> boxes;
     boxes.reserve(parts.size());
-    for (const DirectedPart& part : parts) boxes.push_back(box_of(part.edge));
+    for (const DirectedPart& part : parts) boxes.push_back(bounding_box(part.edge));
     const BoxTree tree(boxes);
     std::vector<DirectedPart> result;
     result.reserve(parts.size() + parts.size() / 2);
@@ -81,59 +81,60 @@ std::vector<DirectedPart> cut(const std::vector<DirectedPart>& parts) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Edge& edge = parts[i].edge;
         shares.assign(1, 0.0);
-        tree.visit(boxes[i].grown(kSamePoint_mm), [&](std::size_t j) {
+        tree.visit(boxes[i].expanded(kPointTolerance_mm), [&](std::size_t j) {
             if (j == i) return true;
-            for (const Point& place : meets(edge, parts[j].edge)) shares.push_back(share_at(edge, place));
+            for (const Point& location : intersections(edge, parts[j].edge))
+                shares.push_back(share_at(edge, location));
             return true;
         });
         std::sort(shares.begin(), shares.end());
-        const double least = kShortestPart_mm / length_mm(edge);
+        const double min = kMinPartLength_mm / length_mm(edge);
         double from = 0;
         for (const double share : shares) {
-            if (share - from < least || 1 - share < least) continue;
-            result.push_back({part_of(edge, from, share), parts[i].source});
+            if (share - from < min || 1 - share < min) continue;
+            result.push_back({sub_edge(edge, from, share), parts[i].source});
             from = share;
         }
-        result.push_back({part_of(edge, from, 1), parts[i].source});
+        result.push_back({sub_edge(edge, from, 1), parts[i].source});
     }
     return result;
 }
 
 // Removes parts that are nearer to the contour than d.
-void drop_near(std::vector<DirectedPart>& parts, const Contour& contour, double d) {
+void remove_too_near(std::vector<DirectedPart>& parts, const Contour& contour, double d) {
     const BoxTree tree(edge_boxes(contour));
     std::erase_if(parts, [&](const DirectedPart& part) {
         const Point middle = point_at(part.edge, 0.5);
         bool near = false;
-        tree.visit(Box{middle, middle}.grown(d), [&](std::size_t i) {
-            near = distance_mm(contour.edge(i), middle) < d - kValid_mm;
+        tree.visit(Box{middle, middle}.expanded(d), [&](std::size_t i) {
+            near = distance_mm(contour.edge(i), middle) < d - kDistanceTolerance_mm;
             return !near;
         });
         return near;
     });
 }
 
-tl::expected<std::vector<Contour>, OffsetFault> offset_right(const Contour& contour, double d) {
+tl::expected<std::vector<Contour>, OffsetError> offset_right(const Contour& contour, double d) {
     // If three or more parts meet in one point to the last digit, a slightly longer distance separates them.
-    constexpr double kLonger[] = {1, 1 + 3e-7, 1 - 7e-7, 1 + 5e-6};
-    Stitched stitched;
-    for (const double factor : kLonger) {
-        std::vector<DirectedPart> parts = cut(RawOffset(contour, d * factor).take());
-        drop_near(parts, contour, d * factor);
-        stitched = stitch(parts);
-        if (!stitched.loose) return std::move(stitched.contours);
+    constexpr double kDistanceFactors[] = {1, 1 + 3e-7, 1 - 7e-7, 1 + 5e-6};
+    StitchResult stitch_result;
+    for (const double factor : kDistanceFactors) {
+        std::vector<DirectedPart> parts = cut(RawOffset(contour, d * factor).release());
+        remove_too_near(parts, contour, d * factor);
+        stitch_result = stitch(parts);
+        if (!stitch_result.loose_end) return std::move(stitch_result.contours);
     }
-    return tl::unexpected(OffsetFault{*stitched.loose, "the offset does not close"});
+    return tl::unexpected(OffsetError{*stitch_result.loose_end, "the offset does not close"});
 }
 
 }  // namespace
 
-tl::expected<std::vector<Contour>, OffsetFault> offset(const Contour& contour, double distance_mm) {
+tl::expected<std::vector<Contour>, OffsetError> offset(const Contour& contour, double distance_mm) {
     if (distance_mm == 0) return std::vector<Contour>{contour};
     if (distance_mm > 0) return offset_right(contour, distance_mm);
-    Contour other_way = contour;
-    reverse(other_way);
-    auto result = offset_right(other_way, -distance_mm);
+    Contour reversed_contour = contour;
+    reverse(reversed_contour);
+    auto result = offset_right(reversed_contour, -distance_mm);
     if (result) {
         for (Contour& part : *result) reverse(part);
     }

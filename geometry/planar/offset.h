@@ -10,9 +10,9 @@
 namespace gsim::geometry {
 
 /// Position and reason of a missing offset.
-struct OffsetFault {
-    Point place;
-    std::string sentence;
+struct OffsetError {
+    Point location;
+    std::string message;
 };
 
 /// Returns the curve at a distance to the right of a closed contour that does not cross itself, with rounded
@@ -21,6 +21,6 @@ struct OffsetFault {
 ///
 /// Each edge is moved by itself, and corners that open get an arc. All parts are cut where they meet. Parts
 /// are kept if no part of the contour is nearer to them than the distance.
-tl::expected<std::vector<Contour>, OffsetFault> offset(const Contour& contour, double distance_mm);
+tl::expected<std::vector<Contour>, OffsetError> offset(const Contour& contour, double distance_mm);
 
 }  // namespace gsim::geometry

@@ -35,10 +35,10 @@ inline double distance(Point a, Point b) {
     return length(b - a);
 }
 /// Returns the same vector, a quarter turn to the left.
-inline Point left_of(Point a) {
+inline Point left_normal(Point a) {
     return {-a.y, a.x};
 }
-inline Point right_of(Point a) {
+inline Point right_normal(Point a) {
     return {a.y, -a.x};
 }
 /// Returns the vector with length 1; a vector without a length stays as it is.
@@ -46,7 +46,7 @@ inline Point unit(Point a) {
     const double size = length(a);
     return size > 0 ? (1 / size) * a : a;
 }
-inline bool finite(Point a) {
+inline bool is_finite(Point a) {
     return std::isfinite(a.x) && std::isfinite(a.y);
 }
 
@@ -64,8 +64,8 @@ struct Box {
         low = {std::min(low.x, other.low.x), std::min(low.y, other.low.y)};
         high = {std::max(high.x, other.high.x), std::max(high.y, other.high.y)};
     }
-    Box grown(double by) const { return {{low.x - by, low.y - by}, {high.x + by, high.y + by}}; }
-    bool meets(const Box& other) const {
+    Box expanded(double by) const { return {{low.x - by, low.y - by}, {high.x + by, high.y + by}}; }
+    bool overlaps(const Box& other) const {
         return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
                other.low.y <= high.y;
     }

@@ -14,14 +14,14 @@ struct DirectedPart {
 };
 
 /// Min length to which a part is cut.
-inline constexpr double kShortestPart_mm = 1e-5;
+inline constexpr double kMinPartLength_mm = 1e-5;
 
-struct Stitched {
+struct StitchResult {
     std::vector<Contour> contours;
-    std::optional<Point> loose;  ///< An end of unmatched parts that are longer than rounding explains.
+    std::optional<Point> loose_end;  ///< An end of unmatched parts that are longer than rounding explains.
 };
 
 /// Joins parts, end to start, to closed contours. Dead ends are omitted, and so are contours without a width.
-Stitched stitch(const std::vector<DirectedPart>& parts);
+StitchResult stitch(const std::vector<DirectedPart>& parts);
 
 }  // namespace gsim::geometry

@@ -14,7 +14,7 @@ local angle     -- { degrees, place } of the block being executed, until its mot
 -- a line defined only by its angle: { degrees, words, start = {first, second}, plane, rapid, feed, place }
 local waiting
 
-local function direction_of(degrees) return { math.cos(math.rad(degrees)), math.sin(math.rad(degrees)) } end
+local function direction_at_angle(degrees) return { math.cos(math.rad(degrees)), math.sin(math.rad(degrees)) } end
 
 -- Returns the position of the program, in program units.
 local function program_point(p)
@@ -24,16 +24,16 @@ end
 
 -- One coordinate is given: the other one is on the line.
 local function complete(words, p, degrees)
-  local way = direction_of(degrees)
+  local way = direction_at_angle(degrees)
   local letters = { p.first, p.second }
   local known = words[p.first] ~= nil and 1 or 2
   if math.abs(way[known]) < STRAIGHT then
     alarm("corner", ",A%.10g: a line at this angle does not change %s", degrees, letters[known]:upper())
   end
   local base = core.is_incremental() and { 0, 0 } or program_point(p)
-  local reach = (words[letters[known]] - base[known]) / way[known]
+  local length_on_line = (words[letters[known]] - base[known]) / way[known]
   local full = copied(words)
-  full[letters[3 - known]] = base[3 - known] + reach * way[3 - known]
+  full[letters[3 - known]] = base[3 - known] + length_on_line * way[3 - known]
   return full
 end
 
@@ -43,9 +43,9 @@ local function crossing(words, p, degrees)
   if degrees == nil or words[p.first] == nil or words[p.second] == nil or core.is_incremental() then
     alarm("corner", ",A without an end needs a next block with ,A and both coordinates of the plane, absolute")
   end
-  local point = plane_geometry.meet(
-    { from = waiting.start, direction = direction_of(waiting.degrees) },
-    { from = { words[p.first], words[p.second] }, direction = direction_of(degrees) })[1]
+  local point = plane_geometry.intersect(
+    { from = waiting.start, direction = direction_at_angle(waiting.degrees) },
+    { from = { words[p.first], words[p.second] }, direction = direction_at_angle(degrees) })[1]
   if point == nil then
     alarm("corner", "the lines at ,A%.10g and ,A%.10g do not cross: they are parallel", waiting.degrees, degrees)
   end
@@ -65,7 +65,7 @@ local function guard_path(on)
   if on then path.add_filter(guard) else path.remove_filter(guard) end
 end
 
-local function check_nothing_open()
+local function check_no_open_angle()
   if angle then
     angle = nil
     alarm("corner", ",A belongs to a straight move (G0, G1) in its block")
@@ -76,24 +76,24 @@ local function check_nothing_open()
 end
 
 function guard:rapid(...)
-  check_nothing_open()
+  check_no_open_angle()
   self.next:rapid(...)
 end
 
 function guard:line(...)
-  check_nothing_open()
+  check_no_open_angle()
   self.next:line(...)
 end
 
 function guard:arc(...)
-  check_nothing_open()
+  check_no_open_angle()
   self.next:arc(...)
 end
 
 function guard:act(f) self.next:act(f) end
-function guard:flush() check_nothing_open() end
+function guard:flush() check_no_open_angle() end
 
-local function hold_back(words, degrees)
+local function buffer_line(words, degrees)
   if ab9_macros.modal_code() ~= 67 then alarm("corner", ",A without an end does not go with a modal macro (G66)") end
   local rapid = core.motion() == "G0"
   waiting = {
@@ -103,7 +103,7 @@ local function hold_back(words, degrees)
 end
 
 -- The pending line is output with the feed, the corner and the source location of its own block.
-local function put_first(words)
+local function output_buffered_line(words)
   local first = waiting
   waiting = nil
   local target = core.target(words)
@@ -135,7 +135,7 @@ local function resolve(words, degrees)
     if waiting.plane ~= core.plane() then
       alarm("corner", ",A: the plane changes before the end of the line is known")
     end
-    put_first(crossing(words, p, degrees))
+    output_buffered_line(crossing(words, p, degrees))
     return words
   end
   local has_first, has_second = words[p.first] ~= nil, words[p.second] ~= nil
@@ -143,24 +143,24 @@ local function resolve(words, degrees)
     alarm("corner", ",A with both %s and %s says the line twice; leave one out", p.first:upper(), p.second:upper())
   end
   if has_first or has_second then return complete(words, p, degrees) end
-  hold_back(words, degrees)
+  buffer_line(words, degrees)
   return {}
 end
 
 -- A motion without axis words, which otherwise has no effect, may be a line defined only by its angle. For
 -- one call the words of motion get a table.
-local stand_ins = {}
+local temporary_words = {}
 for _, name in ipairs { "G0", "G1", "move" } do
-  stand_ins[name] = function(words)
-    motion.cover("line angle", nil)
+  temporary_words[name] = function(words)
+    motion.replace_words("line angle", nil)
     return env[name](words or {})
   end
 end
 
 local function resolve_by_angle(words)
-  motion.cover("line angle", nil)
+  motion.replace_words("line angle", nil)
   local degrees = angle and angle.degrees
-  if angle and angle.place ~= core.place() then check_nothing_open() end
+  if angle and angle.place ~= core.place() then check_no_open_angle() end
   angle = nil
   local resolved = resolve(words, degrees)
   if waiting == nil then polar.resolve_by(nil) end
@@ -170,9 +170,9 @@ end
 
 word("line_angle", function(degrees)
   if not given(degrees, ",A") then return end
-  if angle then check_nothing_open() end
+  if angle then check_no_open_angle() end
   angle = { degrees = degrees, place = core.place() }
   polar.resolve_by(resolve_by_angle)
   guard_path(true)
-  motion.cover("line angle", stand_ins)
+  motion.replace_words("line angle", temporary_words)
 end)

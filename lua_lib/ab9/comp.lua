@@ -21,9 +21,9 @@ local CUSP_RAD = 0.05            -- a turn back by half a turn, within the round
 
 local ab9 = comp_filter.derive()
 
-local function make(radius_in_force)
+local function make(active_radius)
   return comp_filter.make(ab9, {
-    plane = core.plane(), side = 1, radius_in_force = radius_in_force,
+    plane = core.plane(), side = 1, active_radius = active_radius,
     round = false,        -- G39.1
     before = nil,         -- the last move in the plane
     waiting = false,      -- true if it is still to be output
@@ -47,74 +47,74 @@ function ab9:parts(item, length_mm)
   return parts
 end
 
-function ab9:put_arc_in_parts(item, point, sweep)
+function ab9:output_arc_parts(item, point, sweep)
   local from, centre, turn, done = item.begin, item.segment.centre, item.segment.turn, 0
   for _, part in ipairs(self:parts(item, g.distance(from, centre) * sweep)) do
     local to = part.target and comp_override.point_on_arc(from, point, centre, turn, sweep, part.share) or point
-    self:put_arc(item, to, centre, turn, sweep * (part.share - done), part.target, part.feed)
+    self:output_arc(item, to, centre, turn, sweep * (part.share - done), part.target, part.feed)
     done = part.share
   end
 end
 
 local TOO_SHORT = "%s is too short between its corners, so that the tool would run backwards and gouge the path"
 
-function ab9:put_line(item, point)
+function ab9:output_line(item, point)
   if not item.entry and g.dot(item.segment.heading[1], g.minus(point, item.begin)) < -SAME_POINT_MM then
-    self:say(item, TOO_SHORT)
+    self:raise_alarm(item, TOO_SHORT)
   end
   local from = item.begin
   for _, part in ipairs(self:parts(item, g.distance(from, point))) do
     local to = part.target and comp_override.point_on_line(from, point, part.share) or point
-    self:put_straight(item, to, part.target, part.feed)
+    self:output_straight(item, to, part.target, part.feed)
   end
 end
 
-function ab9:put_circle(item, point)
+function ab9:output_circle(item, point)
   local segment = item.segment
   local sweep = g.swept_after(item.begin, point, segment.centre, segment.turn, segment.sweep)
   if sweep <= segment.sweep + CUT_BACK_RAD then
-    self:put_arc_in_parts(item, point, sweep)
+    self:output_arc_parts(item, point, sweep)
   elseif g.distance(item.begin, point) > SAME_POINT_MM then
-    self:say(item, TOO_SHORT)
+    self:raise_alarm(item, TOO_SHORT)
   end
 end
 
 -- Outputs what came after the pending move.
-function ab9:put_between()
-  for _, other in ipairs(self.between) do self:put_beside(other) end
+function ab9:output_between()
+  for _, other in ipairs(self.between) do self:output_other(other) end
   self.between, self.waiting = {}, false
 end
 
 -- Ends the pending move at that point, and outputs what came after it.
 function ab9:finish(point)
   local item = self.before
-  if item.kind == "arc" then self:put_circle(item, point) else self:put_line(item, point) end
-  self:put_between()
+  if item.kind == "arc" then self:output_circle(item, point) else self:output_line(item, point) end
+  self:output_between()
 end
 
 -- Generated blocks: straight through these points, at the feed of the move that follows them, without motion
 -- of all other axes.
 function ab9:join(item, points)
   for _, point in ipairs(points) do
-    if g.distance(self.at, point) > SAME_POINT_MM then self:put_straight(item, point, item.source) end
+    if g.distance(self.at, point) > SAME_POINT_MM then self:output_straight(item, point, item.source) end
   end
 end
 
 -- --- Corners ---
 
-local function away_from_path(item) return g.beside_end(item.segment, item.side, item.radius) end
+local function item_offset_end(item) return g.offset_end(item.segment, item.side, item.radius) end
 
 -- Two curves that touch in a reversal: inside if the incoming path is on the tool's side of the outgoing
 -- path.
-local function cusp_is_inside(p, q, side, angle)
-  local bend = -side * (g.curvature(p) + g.curvature(q))
-  if bend ~= 0 then return bend > 0 end
+local function is_inside_cusp(p, q, side, angle)
+  local curvature_sum = -side * (g.curvature(p) + g.curvature(q))
+  if curvature_sum ~= 0 then return curvature_sum > 0 end
   return angle > 0 and angle < math.pi - 1e-9
 end
 
 local function is_inside(p, q, side)
   local angle = side * g.angle(p.heading[2], q.heading[1])
-  if math.abs(angle) > math.pi - CUSP_RAD then return cusp_is_inside(p, q, side, angle), angle end
+  if math.abs(angle) > math.pi - CUSP_RAD then return is_inside_cusp(p, q, side, angle), angle end
   return angle > 0, angle
 end
 
@@ -126,7 +126,7 @@ function ab9:inside_corner(p, q, from, to, angle)
     return
   end
   local smooth = g.distance(from, to) < SAME_POINT_MM   -- the intersection of curves is not well defined then
-  local point = smooth and from or g.meet(p.segment, q.segment, p.side, p.radius)
+  local point = smooth and from or g.intersect(p.segment, q.segment, p.side, p.radius)
   comp_override.mark(p, q, angle)
   if point then
     self:finish(point)
@@ -134,17 +134,17 @@ function ab9:inside_corner(p, q, from, to, angle)
     self:finish(from)
     self:join(q, { to })
   else
-    self:say(q, "the tool does not fit into the corner before %s without gouging")
+    self:raise_alarm(q, "the tool does not fit into the corner before %s without gouging")
   end
 end
 
 function ab9:turn_around(p, q, to)
   local corner, turn = p.segment.to, -p.side
-  self:put_arc(q, to, corner, turn, g.swept(self.at, to, corner, turn), q.source)
+  self:output_arc(q, to, corner, turn, g.sweep_angle(self.at, to, corner, turn), q.source)
 end
 
 -- Returns the points that lead around an outside corner between the ends of the two paths: zero, one or two.
-local function way_around(p, q, from, to, angle)
+local function outside_corner_points(p, q, from, to, angle)
   local d, e = p.segment.heading[2], q.segment.heading[1]
   if g.distance(from, to) < SMALLEST_BLOCK_MM then return {} end
   if math.abs(angle) <= math.pi / 2 + 1e-9 then
@@ -154,7 +154,7 @@ local function way_around(p, q, from, to, angle)
 end
 
 function ab9:outside_corner(p, q, from, to, angle)
-  local points = way_around(p, q, from, to, angle)
+  local points = outside_corner_points(p, q, from, to, angle)
   if #points == 2 and self.round and q.kind ~= "rapid" then
     self:close()
     self:turn_around(p, q, to)
@@ -186,8 +186,8 @@ function ab9:change_side(p, q)
   if point then
     self:finish(point)
   else
-    if self.waiting then self:finish(away_from_path(p)) end
-    self:join(q, { g.beside_start(q.segment, q.side, q.radius) })
+    if self.waiting then self:finish(item_offset_end(p)) end
+    self:join(q, { g.offset_start(q.segment, q.side, q.radius) })
   end
 end
 
@@ -204,7 +204,7 @@ function ab9:corner(p, q)
     return
   end
   self:check_fits(q, p.side, p.radius)
-  local from, to = away_from_path(p), g.beside_start(q.segment, p.side, p.radius)
+  local from, to = item_offset_end(p), g.offset_start(q.segment, p.side, p.radius)
   local inside, angle = is_inside(p.segment, q.segment, p.side)
   if inside then
     self:inside_corner(p, q, from, to, angle)
@@ -221,7 +221,7 @@ function ab9:set(side, round) self.side, self.round = side, round end
 
 -- The last move ends at right angles next to its programmed end.
 function ab9:close()
-  if self.waiting then self:finish(away_from_path(self.before)) end
+  if self.waiting then self:finish(item_offset_end(self.before)) end
 end
 
 -- The last move leads out to its programmed end, and the next one will lead in: for words that leave the path.
@@ -229,12 +229,12 @@ function ab9:interrupt()
   local item = self.before
   if item then
     if self.waiting and item.kind ~= "arc" then
-      self:put_straight(item, item.segment.to)
-      self:put_between()
+      self:output_straight(item, item.segment.to)
+      self:output_between()
     else
       self:close()
       if item.kind == "arc" then item.kind = "line" end
-      self:put_straight(item, item.segment.to)
+      self:output_straight(item, item.segment.to)
     end
   end
   self.before = nil
@@ -242,9 +242,9 @@ end
 
 -- --- The methods of a filter ---
 
-function ab9:take_other(item)
+function ab9:on_other_item(item)
   if not self.waiting then
-    self:put_beside(item)
+    self:output_other(item)
     return
   end
   self.between[#self.between + 1] = item
@@ -253,10 +253,10 @@ end
 
 function ab9:take(item)
   if not item.segment then
-    self:take_other(item)
+    self:on_other_item(item)
     return
   end
-  local radius = self.radius_in_force()   -- below 0 the sides are swapped
+  local radius = self.active_radius()   -- below 0 the sides are swapped
   item.side, item.radius = self.side, math.abs(radius)
   if radius < 0 then item.side = -item.side end
   if not self.same_sense then item.side = -item.side end
@@ -274,7 +274,7 @@ function ab9:take(item)
     if not before.entry then
       self:corner(before, item)
     else
-      local beside = g.beside_start(item.segment, item.side, item.radius)
+      local beside = g.offset_start(item.segment, item.side, item.radius)
       if self.waiting then self:finish(beside) else self:join(item, { beside }) end
     end
   end
@@ -282,7 +282,7 @@ function ab9:take(item)
   self.before, self.waiting = item, true
 end
 
-function ab9:act(f) self:take_other({ kind = "act", f = f }) end
+function ab9:act(f) self:on_other_item({ kind = "act", f = f }) end
 
 function ab9:flush() self:close() end
 

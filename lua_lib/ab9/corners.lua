@@ -11,9 +11,9 @@ local SAME_MM, STRAIGHT = geometry.same_mm, geometry.straight
 
 local KEYS = { chamfer = ",C", corner = ",R" }
 
-local wanted       -- { key, size_mm, plane, place } for the move of the block
+local requested_corner       -- { key, size_mm, plane, place } for the move of the block
 local held         -- the pending move, with its corner
-local acts = {}    -- what happens between it and the next one
+local pending_actions = {}    -- what happens between it and the next one
 
 -- Returns values for all axes: those that are not given stay at the start of the move.
 local function all_axes(values, move)
@@ -23,19 +23,19 @@ local function all_axes(values, move)
 end
 
 -- Returns the part of the path that a move makes in the plane.
-local function piece_of(move)
+local function element_of(move)
   local view = plane_view.view(move.plane)
-  local piece = { from = view:at(move.start), to = view:at(all_axes(move.target, move)) }
+  local element = { from = view:at(move.start), to = view:at(all_axes(move.target, move)) }
   if move.arc then
-    piece.centre, piece.sense, piece.sweep = { move.first, move.second }, move.ccw and 1 or -1, move.sweep
-    piece.radius = geometry.length(geometry.minus(piece.from, piece.centre))
+    element.centre, element.sense, element.sweep = { move.first, move.second }, move.ccw and 1 or -1, move.sweep
+    element.radius = geometry.length(geometry.minus(element.from, element.centre))
   end
-  return piece
+  return element
 end
 
 -- Returns the other motion of a move: the letter of an axis, or that it leaves an oblique plane; nil for
 -- motion in the plane only.
-local function beside_plane(move, plane)
+local function motion_out_of_plane(move, plane)
   local p, view = plane_view.planes[plane], plane_view.view(plane)
   local target = all_axes(move.target, move)
   if math.abs(view:height(target) - view:height(move.start)) > SAME_MM then
@@ -54,15 +54,15 @@ local function check_plane(move, other_plane, mark)
   if move.arc and not plane_view.same_plane(move.plane, other_plane) then
     alarm("corner", "%s joins two moves in one plane; the arc is not in the plane of the move before", mark)
   end
-  local besides, p = beside_plane(move, other_plane), plane_view.planes[other_plane]
-  if besides == nil then return end
+  local other_motion, p = motion_out_of_plane(move, other_plane), plane_view.planes[other_plane]
+  if other_motion == nil then return end
   local where = p and ("the plane of %s and %s"):format(p.first:upper(), p.second:upper()) or "one plane"
-  alarm("corner", "%s joins two moves in %s; this move %s", mark, where, besides)
+  alarm("corner", "%s joins two moves in %s; this move %s", mark, where, other_motion)
 end
 
 local filter = { rank = 10 }   -- on the programmed path, before all that shifts it
 
-local function put_out(move, place)
+local function output_move(move, place)
   if move.arc then
     filter.next:arc(move.plane, move.ccw, move.first, move.second, move.sweep, move.target, move.feed, place)
   else
@@ -72,45 +72,45 @@ end
 
 -- Returns the move from one of its points to another; nil as a point is its own start or end. Returns nil if
 -- no path is left.
-local function part_of(move, piece, from, to)
-  local begin = from and geometry.along(piece, from) or 0
-  local finish = to and geometry.along(piece, to) or geometry.piece_length(piece)
+local function move_part(move, element, from, to)
+  local begin = from and geometry.along(element, from) or 0
+  local finish = to and geometry.along(element, to) or geometry.element_length(element)
   local left = finish - begin
   if left < SAME_MM then return nil end
-  from, to = from or piece.from, to or piece.to
+  from, to = from or element.from, to or element.to
   local view, part = plane_view.view(move.plane), copied(move)
   part.start, part.target = all_axes(move.start, move), all_axes(move.target, move)
   view:put(part.start, from)
   view:put(part.target, to)
-  if move.arc then part.sweep = left / piece.radius end
-  part.feed = feed_of_part(move.feed, left / geometry.piece_length(piece))
+  if move.arc then part.sweep = left / element.radius end
+  part.feed = feed_of_part(move.feed, left / geometry.element_length(element))
   return part
 end
 
 -- Returns the corner itself, with the feed of the first move.
-local function corner_move(first, piece, corner)
+local function corner_move(first, element, corner)
   local move = { plane = first.plane, target = all_axes(first.target, first) }
   plane_view.view(first.plane):put(move.target, corner.to)
   local size = geometry.length(geometry.minus(corner.to, corner.from))
   if corner.centre then
     move.arc, move.ccw, move.first, move.second = true, corner.sense > 0, corner.centre[1], corner.centre[2]
-    move.sweep = geometry.swept_between(corner.from, corner.to, corner.centre, corner.sense)
+    move.sweep = geometry.sweep_between(corner.from, corner.to, corner.centre, corner.sense)
     size = move.sweep * geometry.length(geometry.minus(corner.from, corner.centre))
   end
-  move.feed = feed_of_part(first.feed, size / geometry.piece_length(piece))
+  move.feed = feed_of_part(first.feed, size / geometry.element_length(element))
   return move
 end
 
-local function run_acts()
-  local waiting = acts
-  acts = {}
+local function output_actions()
+  local waiting = pending_actions
+  pending_actions = {}
   for _, f in ipairs(waiting) do filter.next:act(f) end
 end
 
-local function check_turn(mark, before, behind)
-  local turn = geometry.cross(before, behind)
+local function turn_sense(mark, before, after)
+  local turn = geometry.cross(before, after)
   if math.abs(turn) >= STRAIGHT then return turn > 0 and 1 or -1 end
-  if geometry.dot(before, behind) < 0 then
+  if geometry.dot(before, after) < 0 then
     alarm("corner", "%s: the next move goes back the way this one came", mark)
   end
   return 0
@@ -122,23 +122,23 @@ local function join(first, second)
   local mark, size = KEYS[first.corner.key], first.corner.size_mm
   check_plane(second, first.plane, mark)
   second.plane = first.plane
-  local a, b = piece_of(first), piece_of(second)
-  local sense = check_turn(mark, geometry.direction_at(a, a.to), geometry.direction_at(b, b.from))
+  local a, b = element_of(first), element_of(second)
+  local sense = turn_sense(mark, geometry.direction_at(a, a.to), geometry.direction_at(b, b.from))
   if sense == 0 then
-    put_out(first, first.place)
-    run_acts()
+    output_move(first, first.place)
+    output_actions()
     return second
   end
   local corner = geometry[first.corner.key == "chamfer" and "chamfer" or "rounding"](a, b, size, sense)
   if corner == nil then
     alarm("corner", "%s of %.10g mm does not fit between the two moves, which are %.4f mm and %.4f mm long", mark, size,
-      geometry.piece_length(a), geometry.piece_length(b))
+      geometry.element_length(a), geometry.element_length(b))
   end
-  local start = part_of(first, a, nil, corner.from)
-  if start then put_out(start, first.place) end
-  put_out(corner_move(first, a, corner), first.place)
-  run_acts()
-  return part_of(second, b, corner.to, nil)
+  local start = move_part(first, a, nil, corner.from)
+  if start then output_move(start, first.place) end
+  output_move(corner_move(first, a, corner), first.place)
+  output_actions()
+  return move_part(second, b, corner.to, nil)
 end
 
 local installed = false
@@ -149,12 +149,12 @@ local function install()
 end
 
 local function uninstall()
-  if held or wanted then return end
+  if held or requested_corner then return end
   installed = false
   path.remove_filter(filter)
 end
 
-local function goes_anywhere(move)
+local function has_motion(move)
   if move.arc then return true end
   for letter, value in unordered(move.target) do
     if math.abs(value - move.start[letter]) > SAME_MM then return true end
@@ -162,21 +162,21 @@ local function goes_anywhere(move)
   return false
 end
 
-local function no_move(corner) alarm("corner", "%s stands in a block that does not move", KEYS[corner.key]) end
+local function fail_without_motion(corner) alarm("corner", "%s stands in a block that does not move", KEYS[corner.key]) end
 
-local function own_corner(move)
-  local own = wanted
-  wanted = nil
-  if own and own.place ~= move.place then no_move(own) end
+local function consume_corner(move)
+  local own = requested_corner
+  requested_corner = nil
+  if own and own.place ~= move.place then fail_without_motion(own) end
   return own
 end
 
 -- Receives a move: with a corner of its own it waits, else it is passed on. A move without length is ignored.
 local function take(move)
-  local own = own_corner(move)
+  local own = consume_corner(move)
   move.corner, move.plane = own, move.plane or plane_view.machine_plane(core.plane())
-  if not goes_anywhere(move) then
-    if own then no_move(own) end
+  if not has_motion(move) then
+    if own then fail_without_motion(own) end
     return
   end
   if own then check_plane(move, own.plane, KEYS[own.key]) end
@@ -189,7 +189,7 @@ local function take(move)
   if move and own then
     held = move
   elseif move then
-    put_out(move, move.place)
+    output_move(move, move.place)
   end
 end
 
@@ -206,7 +206,7 @@ function filter:arc(plane, ccw, first, second, sweep, target, feed, place)
   uninstall()
 end
 
-local function nothing_follows(what)
+local function fail_if_pending(what)
   if held == nil then return end
   local mark = KEYS[held.corner.key]
   held = nil
@@ -214,25 +214,25 @@ local function nothing_follows(what)
 end
 
 function filter:rapid(target, place)
-  if wanted and wanted.place == place then
-    alarm("corner", "%s belongs to G1, G2 and G3, not to G0", KEYS[wanted.key])
+  if requested_corner and requested_corner.place == place then
+    alarm("corner", "%s belongs to G1, G2 and G3, not to G0", KEYS[requested_corner.key])
   end
-  nothing_follows("a rapid follows")
-  own_corner { place = place }
+  fail_if_pending("a rapid follows")
+  consume_corner { place = place }
   self.next:rapid(target, place)
   uninstall()
 end
 
 function filter:act(f)
-  if held then acts[#acts + 1] = f else self.next:act(f) end
+  if held then pending_actions[#pending_actions + 1] = f else self.next:act(f) end
 end
 
 function filter:flush()
-  nothing_follows("none follows before the machine must stand")
-  if wanted then
-    local corner = wanted
-    wanted = nil
-    no_move(corner)
+  fail_if_pending("none follows before the machine must stand")
+  if requested_corner then
+    local corner = requested_corner
+    requested_corner = nil
+    fail_without_motion(corner)
   end
 end
 
@@ -252,12 +252,12 @@ local function corner_word(key)
     if not (size >= 0 and size < math.huge) then
       alarm("corner", "%s is a length of 0 or more, not %.10g", KEYS[key], size)
     end
-    if wanted and wanted.place == core.place() then alarm("corner", "a corner takes ,C or ,R, not both") end
-    if wanted then no_move(wanted) end
+    if requested_corner and requested_corner.place == core.place() then alarm("corner", "a corner takes ,C or ,R, not both") end
+    if requested_corner then fail_without_motion(requested_corner) end
     if size == 0 then return end
     local scale = plane_scale(plane_view.planes[core.plane()], KEYS[key])
     local plane = plane_view.machine_plane(core.plane())
-    wanted = { key = key, size_mm = size * core.unit_mm() * scale, plane = plane, place = core.place() }
+    requested_corner = { key = key, size_mm = size * core.unit_mm() * scale, plane = plane, place = core.place() }
     install()
   end)
 end
@@ -266,9 +266,9 @@ corner_word("corner")
 
 -- Replaces the corner that is set for the next move, and returns it (nil: no corner).
 local function exchange_corner(other)
-  local before = wanted
-  wanted = other
-  if wanted then install() end
+  local before = requested_corner
+  requested_corner = other
+  if requested_corner then install() end
   return before
 end
 

@@ -12,7 +12,7 @@ local CHIP_BREAK_RETRACT_MM = 1   -- G73: how far the tool is drawn back after e
 local PECK_CLEARANCE_MM = 1       -- G83: end of the rapid move back into the hole, above the last depth
 
 local held = {}
-local before_series   -- the modal motion to which G80 leads back
+local motion_before_series   -- the modal motion to which G80 leads back
 
 -- Each cycle begins at the hole, at the R level. `hole` has r, bottom, clear (levels, mm), p (s, or nil), q (mm).
 local strokes = {}
@@ -23,7 +23,7 @@ end
 
 -- Calls reach(depth, back) for each peck above the bottom; `back` is the level `retract` before it, at most
 -- R. A hole may lead in either direction.
-local function each_peck(hole, name, retract, reach)
+local function for_each_peck(hole, name, retract, reach)
   local up = hole.bottom <= hole.r and 1 or -1
   for _, depth in ipairs(cycles.pecks(up * hole.r, up * hole.bottom, hole.q, name)) do
     reach(up * depth, up * math.min(depth + retract, up * hole.r))
@@ -42,7 +42,7 @@ function strokes.G82(tool, hole)
 end
 
 function strokes.G73(tool, hole)
-  each_peck(hole, "G73", CHIP_BREAK_RETRACT_MM, function(depth, back)
+  for_each_peck(hole, "G73", CHIP_BREAK_RETRACT_MM, function(depth, back)
     tool.feed(depth)
     dwell(hole)
     tool.rapid(back)
@@ -51,7 +51,7 @@ function strokes.G73(tool, hole)
 end
 
 function strokes.G83(tool, hole)
-  each_peck(hole, "G83", PECK_CLEARANCE_MM, function(depth, back)
+  for_each_peck(hole, "G83", PECK_CLEARANCE_MM, function(depth, back)
     tool.feed(depth)
     tool.rapid(hole.r)
     tool.rapid(back)
@@ -92,7 +92,7 @@ function strokes.G86(tool, hole)
 end
 
 -- Moves along the hole to a level, with the tool's point off the wall.
-local function pass_aside(tool, hole, level)
+local function move_with_shift(tool, hole, level)
   local direction = state.spindle or "cw"
   local first, second = tool[1], tool[2]
   spindle.orient()
@@ -106,15 +106,15 @@ end
 function strokes.G76(tool, hole)
   tool.feed(hole.bottom)
   dwell(hole)
-  pass_aside(tool, hole, hole.clear)
+  move_with_shift(tool, hole, hole.clear)
 end
 
 -- Back boring: past the wall to R, which is below, then up to the depth; it always ends at the initial level.
 function strokes.G87(tool, hole)
-  pass_aside(tool, hole, hole.r)
+  move_with_shift(tool, hole, hole.r)
   tool.feed(hole.bottom)
   dwell(hole)
-  pass_aside(tool, hole, hole.initial)
+  move_with_shift(tool, hole, hole.initial)
 end
 
 -- The operator retracts the tool from the hole, at least to R, and starts the program again.
@@ -138,7 +138,7 @@ end
 
 local is_shifted = { G76 = true, G87 = true }
 local increment = { x = "u", y = "v", z = "w" }
-local no_place = { r = true, p = true, q = true, i = true, j = true, k = true, l = true, f = true }
+local non_position_words = { r = true, p = true, q = true, i = true, j = true, k = true, l = true, f = true }
 
 local function length(words, letter, name)
   local value = cycles.word(words, letter, name)
@@ -158,7 +158,7 @@ local function read_levels(words, name, p)
 end
 
 -- Returns the shift of G76 and G87: along the centre words, or Q along the first axis of the plane.
-local function read_shift(words, name, p)
+local function read_wall_clearance(words, name, p)
   local first, second = length(words, p.i, name), length(words, p.j, name)
   if first ~= nil or second ~= nil then
     held.shift_first, held.shift_second = first or 0, second or 0
@@ -171,7 +171,7 @@ local function read_words(words, name, p)
   read_levels(words, name, p)
   held.p = cycles.dwell(words, name) or held.p
   if is_shifted[name] then
-    read_shift(words, name, p)
+    read_wall_clearance(words, name, p)
   else
     held.q = length(words, "q", name) or held.q
   end
@@ -184,7 +184,7 @@ local function split(words, p)
     local depth = key == p.third or key == increment[p.third] and axes.is_rotary[key] == nil
     if depth then
       drills = true
-    elseif not no_place[key] then
+    elseif not non_position_words[key] then
       place[key], drills = value, true
     end
   end
@@ -192,13 +192,13 @@ local function split(words, p)
 end
 
 -- Rapid to the hole, at the present level of the tool; other axes named in the block move along.
-local function move_over(place, p)
+local function move_to_hole(place, p)
   local over = core.to_program((core.target(polar.resolve(place))))
   over[p.third] = axes.program_position()[p.third]
   path.rapid(core.to_machine(over))
 end
 
-local function repeats_of(words, name)
+local function read_repeats(words, name)
   if words.l ~= nil and words.k ~= nil and not is_shifted[name] then
     alarm("word-out-of-place", "%s takes its repeats as L or as K, not as both", name)
   end
@@ -217,7 +217,7 @@ local function check_words(name, p)
   end
 end
 
-local function begin_series(p)
+local function begin_cycle_series(p)
   held = { initial = axes.program_position()[p.third], plane = core.plane(), shift_first = 0, shift_second = 0 }
 end
 
@@ -226,16 +226,16 @@ local function drill(name, words)
   words = words or {}
   cycles.check_modes(name)
   local p = plane_view.planes[core.plane()]
-  if held.plane ~= core.plane() then begin_series(p) end
+  if held.plane ~= core.plane() then begin_cycle_series(p) end
   read_words(words, name, p)
   local place, drills = split(words, p)
-  local repeats = repeats_of(words, name)
+  local repeats = read_repeats(words, name)
   if not drills or repeats == 0 then return end
   check_words(name, p)
   local hole = setmetatable({}, { __index = held })
   hole.clear = state.return_level == "r" and held.r or held.initial
   for _ = 1, repeats do
-    move_over(place, p)
+    move_to_hole(place, p)
     local tool = cycles.tool(p, axes.program_position())
     if name ~= "G87" then tool.rapid(held.r) end
     strokes[name](tool, hole)
@@ -246,8 +246,8 @@ for name in pairs(strokes) do
   local modal = motion.new(name, core.word(word_id(), if_allowed(name, function(words) drill(name, words) end)))
   word(name, function(words)
     if not cycles.is_cycle(core.motion()) then
-      before_series = core.motion_id()
-      begin_series(plane_view.planes[core.plane()])
+      motion_before_series = core.motion_id()
+      begin_cycle_series(plane_view.planes[core.plane()])
     end
     core.make_modal(modal)
     drill(name, words)
@@ -257,10 +257,10 @@ end
 -- The end of a series: the motion before it is modal again.
 word("G80", function()
   if not cycles.is_cycle(core.motion()) then return end
-  local name = motion.names[before_series]
+  local name = motion.names[motion_before_series]
   if name == "G0" or name == "G1" then
     env[name]()   -- which G0 and G1 are in use may have changed meanwhile
   else
-    core.make_modal(motion.as_in_use(before_series))
+    core.make_modal(motion.active_variant(motion_before_series))
   end
 end)

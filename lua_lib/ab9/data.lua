@@ -40,7 +40,7 @@ end
 local function set_work_offset(code, letter, value)
   core.offsets[code] = core.offsets[code] or {}
   core.offsets[code][letter] = value
-  ab9_frames.frame_set(code)
+  ab9_frames.refresh_frame(code)
 end
 
 local function set_system(code, words)
@@ -49,7 +49,7 @@ local function set_system(code, words)
   end)
 end
 
-local function work_system(words)
+local function set_work_system(words)
   local number = whole(words, "p", 0, #systems)
   if number == 0 then
     set_axes(words, function(letter, value)
@@ -61,27 +61,27 @@ local function work_system(words)
 end
 
 -- Sets the settable frames by their number: 1 to 4 are G54 to G57, 5 to 99 are G505 to G599.
-local function settable_frame(words)
+local function set_settable_frame(words)
   local number = whole(words, "p", 1, LAST_SETTABLE - 500)
   local code = number <= 4 and systems[number] or tostring(math.max(500 + number, FIRST_SETTABLE))
   set_system(code, words)
 end
 
 -- Returns one part of a tool's length or diameter: "geometry" or "wear", mm.
-local function tool_part(number, field, part)
+local function tool_component(number, field, part)
   local tool = tools.by_number[number]
   if tool == nil then return 0 end
   return part == "wear" and (tool[field .. "_wear"] or 0) or tools.geometry(tool, field)
 end
 
 -- The active offset is the sum of both parts.
-local function set_tool_part(number, field, part, value)
+local function set_tool_component(number, field, part, value)
   local tool = tools.by_number[number]
   if tool == nil then
     tool = { length = 0, diameter = 0 }
     tools.by_number[number] = tool
   end
-  local geometry, wear = tool_part(number, field, "geometry"), tool_part(number, field, "wear")
+  local geometry, wear = tool_component(number, field, "geometry"), tool_component(number, field, "wear")
   if part == "wear" then wear = value else geometry = value end
   tool[field], tool[field .. "_geometry"], tool[field .. "_wear"] = geometry + wear, geometry, wear
 end
@@ -97,8 +97,8 @@ local function tool_offset(words, place)
   if type(words.r) ~= "number" then
     alarm("word-missing", "G10 L%d needs R, %s in program units", words.l, place.what)
   end
-  local old = tool_part(number, place.field, place.part)
-  set_tool_part(number, place.field, place.part, new_value(old, words.r * core.unit_mm()))
+  local old = tool_component(number, place.field, place.part)
+  set_tool_component(number, place.field, place.part, new_value(old, words.r * core.unit_mm()))
 end
 
 word("G10", function(words)
@@ -107,9 +107,9 @@ word("G10", function(words)
   end
   local list = whole(words, "l", 0, 99)
   if list == 2 then
-    work_system(words)
+    set_work_system(words)
   elseif list == 20 then
-    settable_frame(words)
+    set_settable_frame(words)
   elseif tables[list] then
     tool_offset(words, tables[list])
   else
@@ -123,4 +123,4 @@ word("G11", function() end)
 -- G12 is in the thesis's grammar next to G10 and G11, without any data of its own.
 word("G12", function() alarm("word-value", "G12 sets nothing on this control; data setting is G10") end)
 
-return { tool_part = tool_part, set_tool_part = set_tool_part, set_work_offset = set_work_offset }
+return { tool_component = tool_component, set_tool_component = set_tool_component, set_work_offset = set_work_offset }

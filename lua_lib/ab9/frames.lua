@@ -35,7 +35,7 @@ end
 local at_start = {}
 for code, offset in pairs(core.offsets) do at_start[code] = copied(offset) end
 
-local function tell_frame(code)
+local function report_frame(code)
   local start = at_start[code] or {}
   local moved = false
   for letter, value in pairs(core.offsets[code] or {}) do moved = moved or value ~= (start[letter] or 0) end
@@ -43,9 +43,9 @@ local function tell_frame(code)
 end
 
 -- G10 has set a system: the active one is reported again.
-local function frame_set(code)
+local function refresh_frame(code)
   apply_offsets()
-  if code == state.frame then path.act(function() tell_frame(code) end) end
+  if code == state.frame then path.act(function() report_frame(code) end) end
 end
 
 local function select_frame(code)
@@ -53,7 +53,7 @@ local function select_frame(code)
     if state.frame ~= code then path.wait() end   -- even if both systems have the same origin
     state.frame = code
     apply_offsets()
-    path.act(function() tell_frame(code) end)
+    path.act(function() report_frame(code) end)
     hooks.tell("frame")
   end
 end
@@ -88,11 +88,11 @@ end)
 
 -- G53: this block moves in machine coordinates, absolute.
 word("G53", function()
-  axes.refuse_with_tip_control("G53")
+  axes.refuse_with_tcp_control("G53")
   core.machine_frame_once()
 end)
 
 apply_offsets()
-tell_frame(state.frame)
+report_frame(state.frame)
 
-return { work_offset = work_offset, frame_set = frame_set, apply_offsets = apply_offsets, set_transform = set_transform }
+return { work_offset = work_offset, refresh_frame = refresh_frame, apply_offsets = apply_offsets, set_transform = set_transform }

@@ -32,14 +32,14 @@ local function homes(number)
 end
 
 -- Returns a target for all axes of which only these change.
-local function with_others(values)
+local function complete_target(values)
   local target = axes.programmed_point()
   for letter, value in pairs(values) do target[letter] = value end
   return target
 end
 
-local function go_home(words, number, code)
-  axes.refuse_with_tip_control(code)
+local function move_home(words, number, code)
+  axes.refuse_with_tcp_control(code)
   local home, target = homes(number), {}
   for _, axis in ipairs(axes.list) do
     if is_named(words, axis.letter) then
@@ -57,10 +57,10 @@ local function go_home(words, number, code)
     for letter in pairs(target) do way[letter] = point[letter] end
   end
   for letter, value in pairs(target) do target[letter] = core.turned(letter, value) end
-  path.rapid(with_others(target))
+  path.rapid(complete_target(target))
 end
 
-word("G28", function(words) go_home(words, 1, "G28") end)
+word("G28", function(words) move_home(words, 1, "G28") end)
 
 word("G30", function(words)
   local rest, number = nil, 2
@@ -75,23 +75,23 @@ word("G30", function(words)
   if type(number) ~= "number" or number % 1 ~= 0 or number < 2 or number > 4 then
     alarm("home", "G30: P is the number of a home position, 2 to 4, not %s", tostring(number))
   end
-  go_home(rest, math.tointeger(number), "G30")
+  move_home(rest, math.tointeger(number), "G30")
 end)
 
 -- G29 moves the axes that it names; an increment counts from the intermediate point.
 word("G29", function(words)
   if words == nil then alarm("word-missing", "G29 needs the axis words of its target") end
-  axes.refuse_with_tip_control("G29")
+  axes.refuse_with_tcp_control("G29")
   local through = {}
   for letter, value in pairs(way or {}) do
     if is_named(words, letter) then through[letter] = value end
   end
-  if next(through) then path.rapid(with_others(through)) end
+  if next(through) then path.rapid(complete_target(through)) end
   path.rapid(core.target(words))
 end)
 
 word("G27", function(words)
-  axes.refuse_with_tip_control("G27")
+  axes.refuse_with_tcp_control("G27")
   if words ~= nil then path.rapid(core.target(words)) end
   path.flush()
   for _, axis in ipairs(axes.list) do

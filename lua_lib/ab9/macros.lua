@@ -6,16 +6,16 @@ local word, word_id = use("core/words", "word", "id")
 local motion, path, programs = use "common/motion", use "core/path", use "core/programs"
 
 local FIRST_LOCAL, LAST_LOCAL = 1, 33
-local MOST_LEVELS = 4        -- of macro calls inside each other; the main program is level 0
-local MOST_REPEATS = 9999
+local MAX_LEVELS = 4        -- of macro calls inside each other; the main program is level 0
+local MAX_REPEATS = 9999
 
 -- Variable of each letter. I, J and K that occur more than once set #4 to #33 in sets of three.
-local variable_of = {
+local variable_by_key = {
   a = 1, b = 2, c = 3, d = 7, e = 8, f = 9, h = 11, i = 4, j = 5, k = 6, m = 13, q = 17, r = 18, s = 19, t = 20,
   u = 21, v = 22, w = 23, x = 24, y = 25, z = 26,
 }
 local in_set = { i = 0, j = 1, k = 2 }
-local MOST_SETS = 10
+local MAX_SETS = 10
 
 local level = 0
 
@@ -31,7 +31,7 @@ local function put(locals, number, value, letter)
 end
 
 -- Repeated I, J, K in their order: a set begins if the letter does not come after the one before.
-local function put_sets(locals, pairs_in_order)
+local function assign_sets(locals, pairs_in_order)
   local set, last = 0, math.huge
   for _, pair in ipairs(pairs_in_order) do
     local letter, value = pair[1], pair[2]
@@ -41,7 +41,7 @@ local function put_sets(locals, pairs_in_order)
     end
     if rank <= last then set = set + 1 end
     last = rank
-    if set > MOST_SETS then alarm("word-value", "a macro call takes at most %d sets of I, J and K", MOST_SETS) end
+    if set > MAX_SETS then alarm("word-value", "a macro call takes at most %d sets of I, J and K", MAX_SETS) end
     put(locals, 3 * set + 1 + rank, value, letter)
   end
 end
@@ -51,14 +51,14 @@ local function arguments(words, code, skipped)
   local locals = {}
   for key, value in pairs(words) do
     if type(key) == "string" and not skipped[key] then
-      local number = variable_of[key]
+      local number = variable_by_key[key]
       if number == nil then
         alarm("word-out-of-place", "%s: %s is no argument; there are A to F, H to K, M and Q to Z", code, key:upper())
       end
       put(locals, number, value, key)
     end
   end
-  put_sets(locals, words)
+  assign_sets(locals, words)
   return locals
 end
 
@@ -83,8 +83,8 @@ end
 -- Runs a program with these local variables. Returns the local variables at its end, and the block at which
 -- the caller must continue (M99 P), or nil.
 local function run(number, times, locals)
-  if level == MOST_LEVELS then
-    alarm("nesting", "the macro O%d is called more than %d macro levels deep", number, MOST_LEVELS)
+  if level == MAX_LEVELS then
+    alarm("nesting", "the macro O%d is called more than %d macro levels deep", number, MAX_LEVELS)
   end
   local outer = read_locals()
   level = level + 1
@@ -106,12 +106,12 @@ end
 
 local CALL_WORDS = { p = true, l = true }
 
-local function call_of(words, code)
+local function make_call(words, code)
   check_table(words, code)
   if words == nil or words.p == nil then alarm("word-missing", "%s needs P, the number of the macro", code) end
   return {
     number = whole(words.p, code, "P", 2 ^ 31 - 1),
-    times = words.l == nil and 1 or whole(words.l, code, "L", MOST_REPEATS),
+    times = words.l == nil and 1 or whole(words.l, code, "L", MAX_REPEATS),
     locals = arguments(words, code, CALL_WORDS),
     every_block = code == "G66.1",
   }
@@ -119,7 +119,7 @@ end
 
 -- As with M98 the translator adds `true` if the caller can continue at any of its blocks.
 word("G65", function(words, can_jump)
-  local call = call_of(words, "G65")
+  local call = make_call(words, "G65")
   local _, block = run(call.number, call.times, call.locals)
   check_jump(block, can_jump)
   return block
@@ -128,20 +128,20 @@ end)
 -- The active modal call; `outer` is the one before it, which acts on the moves of this one's macro.
 local modal
 
-local use_modal
+local activate_modal
 
 -- Runs the macro of the modal call; within it the outer one is active.
 local function run_modal(locals)
   local call = modal
-  use_modal(call.outer)
+  activate_modal(call.outer)
   local left, block = run(call.number, call.times, locals)
   check_jump(block, false)
-  use_modal(call)
+  activate_modal(call)
   return left
 end
 
 -- G66 sets the arguments; from one call to the next the macro keeps the values that it leaves in them.
-local function behind_move()
+local function run_after_move()
   modal.locals = run_modal(modal.locals)
 end
 
@@ -150,7 +150,7 @@ end
 local motion_code = { G0 = 0, G1 = 1, G2 = 2, G3 = 3 }
 local gathered, gathered_line
 
-local function fire()
+local function run_block_macro()
   if gathered == nil then return end
   local words = gathered
   gathered = nil
@@ -163,7 +163,7 @@ end
 
 local function gather()
   local line = core.place()
-  if gathered and gathered_line ~= line then fire() end
+  if gathered and gathered_line ~= line then run_block_macro() end
   gathered, gathered_line = gathered or {}, line
   return gathered
 end
@@ -179,34 +179,34 @@ for _, name in ipairs { "G0", "G1", "G2", "G3", "move" } do
     local block = gather()
     for key, value in pairs(words or {}) do block[key] = value end
     block.g = motion_code[name]
-    if words ~= nil then fire() end
+    if words ~= nil then run_block_macro() end
   end)
 end
 
-function use_modal(call)
+function activate_modal(call)
   modal = call
-  path.each_move(call ~= nil and not call.every_block and behind_move or nil)
-  motion.cover("modal macro", call ~= nil and call.every_block and collectors or nil)
+  path.after_each_move(call ~= nil and not call.every_block and run_after_move or nil)
+  motion.replace_words("modal macro", call ~= nil and call.every_block and collectors or nil)
 end
 
 local function define_modal(name, code)
   word(name, function(words)
-    fire()
-    local call = call_of(words, code)
+    run_block_macro()
+    local call = make_call(words, code)
     if call.every_block and next(call.locals) then
       alarm("word-out-of-place", "G66.1 takes no arguments; each block that follows gives its own")
     end
     programs.find_program(call.number)
     call.outer = modal
-    use_modal(call)
+    activate_modal(call)
   end)
 end
 define_modal("G66", "G66")
 define_modal("G66_1", "G66.1")
 
 word("G67", function()
-  fire()
-  if modal ~= nil then use_modal(modal.outer) end
+  run_block_macro()
+  if modal ~= nil then activate_modal(modal.outer) end
 end)
 
 -- Returns the active modal call, for the system variables: 66, 66.1 or 67.

@@ -6,7 +6,7 @@ local ab9_macros, cycles, state, words = use "ab9/macros", use "common/cycles", 
 
 -- Groups of the dialect's table by the last two digits of their variable, and the numbers of the last codes;
 -- initially those that are active at the start of a run. Group 1 is the modal motion.
-local variable_of = {
+local variable_by_key = {
   plane = 2, ["distance mode"] = 3, ["programmable zone"] = 4, ["feed mode"] = 5, units = 6, ["cutter compensation"] = 7,
   ["tool length"] = 8, ["return level of cycles"] = 10, ["spindle speed mode"] = 13, ["part rotation"] = 16,
   ["polar programming"] = 17, ["mirror image"] = 22,
@@ -19,7 +19,7 @@ local numbers = {
 local last = {}   -- letter -> value of the last word F, S, T, D, H or M
 
 for name, group in unordered(core.codes.group) do
-  local index, is_m = variable_of[group], name:byte() == ("M"):byte()
+  local index, is_m = variable_by_key[group], name:byte() == ("M"):byte()
   local number = (index or is_m) and code_number(name)
   if index then words.before(name, "modal codes", function() numbers[index] = number end) end
   if is_m then words.before(name, "modal codes", function() last.M = number end) end
@@ -33,7 +33,7 @@ end)
 words.before({ "F", "S", "T", "D", "H" }, "modal codes", function(name, value) last[name] = value or last[name] end)
 
 -- Codes with a state that is stored elsewhere.
-local kept_elsewhere = {
+local externally_stored = {
   [1] = function()
     local number = core.motion() ~= "CIP" and code_number(core.motion())
     return number and number < 70 and number or 0
@@ -53,7 +53,7 @@ local letters = { [7] = "D", [9] = "F", [11] = "H", [13] = "M", [19] = "S", [20]
 -- the first one. The second result is nil if the controller has no such group or letter.
 local function modal_code(variable)
   local index = variable - 4000
-  if kept_elsewhere[index] then return kept_elsewhere[index](), true end
+  if externally_stored[index] then return externally_stored[index](), true end
   if numbers[index] ~= nil then return numbers[index], true end
   local letter = letters[index - 100]
   if letter then return last[letter], true end

@@ -47,7 +47,7 @@ end
 -- along X. So a facing cut in feed per revolution takes its true time.
 
 local MM_IN_M, MM_IN_FOOT = 1000, 304.8
-local LEAST_RADIUS_MM = 1e-3
+local MIN_RADIUS_MM = 1e-3
 
 local limit_rpm = math.huge
 local surface_mm_min   -- nil: G97
@@ -56,10 +56,10 @@ local is_constant_surface = false
 local function turn(rpm) spindle.set_speed(math.min(rpm, limit_rpm)) end
 
 local function rpm_at(radius_mm)
-  if radius_mm < LEAST_RADIUS_MM and limit_rpm == math.huge then
+  if radius_mm < MIN_RADIUS_MM and limit_rpm == math.huge then
     alarm("spindle", "G96: at X0 the spindle would turn without limit; give the limit with G50 S (rev/min)")
   end
-  return surface_mm_min / (2 * math.pi * math.max(radius_mm, LEAST_RADIUS_MM))
+  return surface_mm_min / (2 * math.pi * math.max(radius_mm, MIN_RADIUS_MM))
 end
 
 -- Sets the spindle speed for the middle of a move to the target, before the move.
@@ -69,7 +69,7 @@ local function adapt(target)
   turn(rpm_at(math.abs(from + to) / 2))
 end
 
-local function constant_surface(on)
+local function set_constant_surface_speed(on)
   if on == is_constant_surface then return end
   is_constant_surface = on
   if not on then surface_mm_min = nil end
@@ -78,10 +78,10 @@ end
 
 word("G96", function()
   if axes.is_rotary.x ~= false then alarm("word-missing", "G96 needs the axis X, whose position is the radius") end
-  constant_surface(true)
+  set_constant_surface_speed(true)
 end)
 
-word("G97", function() constant_surface(false) end)
+word("G97", function() set_constant_surface_speed(false) end)
 
 local function speed(value, name)
   if not (value >= 0 and value < math.huge) then

@@ -19,7 +19,7 @@ end)
 local PERCENT = ("%"):byte()
 
 -- Values that their "%.3f" shows as 0 are 0, because -0.000 has no use.
-local function without_negative_zeros(text, values)
+local function clear_negative_zeros(text, values)
   local i, at = 0, 1
   while at < #text do
     if text:byte(at) ~= PERCENT then
@@ -45,7 +45,7 @@ word("DPRNT", function(text, ...)
     if values[i] ~= nil and type(values[i]) ~= "number" then alarm("script", "DPRNT: value %d is no number", i) end
     values[i] = values[i] or 0
   end
-  without_negative_zeros(text, values)
+  clear_negative_zeros(text, values)
   local done, line = pcall(string.format, text, table.unpack(values, 1, count))
   if not done then alarm("input-output", "DPRNT: the text does not fit its values: %s", tostring(line)) end
   path.event("print", line)

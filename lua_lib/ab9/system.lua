@@ -6,7 +6,7 @@ local ab9_data, ab9_frames, ab9_home, ab9_modal, ab9_transform =
   use "ab9/data", use "ab9/frames", use "ab9/home", use "ab9/modal", use "ab9/transform"
 local axes, inputs, path, state = use "core/axes", use "common/inputs", use "core/path", use "core/state"
 
-local MOST_AXES = 12
+local MAX_AXES = 12
 local LAST_TOOL = 200
 local FIRST_EXTERNAL = 5201
 local HOUR_S = 3600
@@ -20,7 +20,7 @@ end
 
 -- Lengths and axes ------------------------------------------------------------------------------------------------------
 
-local function letter_of(number, index)
+local function axis_letter(number, index)
   local axis = axes.list[index + 1]
   if axis == nil then alarm("axis", "#%d: the machine has %d axes", number, #axes.list) end
   return axis.letter
@@ -28,11 +28,11 @@ end
 
 -- Variables of the axes: get and set use mm or deg.
 local function axis_range(first, what, get, set)
-  range(first, first + MOST_AXES - 1, what, function(number, index)
-    local letter = letter_of(number, index)
+  range(first, first + MAX_AXES - 1, what, function(number, index)
+    local letter = axis_letter(number, index)
     return axes.in_program_units(letter, get(letter))
   end, set and function(number, value, index)
-    local letter = letter_of(number, index)
+    local letter = axis_letter(number, index)
     set(letter, axes.in_mm(letter, value))
   end)
 end
@@ -46,14 +46,14 @@ local outputs = {}   -- number from 0 -> true if it is on
 -- on_input(f): f("digital", number) returns the value of input `number`, which the program reads as #1000 +
 -- number.
 local function input_is_on(number)
-  local answer = inputs.answer
-  local signal = answer == nil and inputs.input_value("DI", number)
-  if answer == nil and signal ~= nil then return signal == true or (signal and signal ~= 0) end
-  if answer == nil then
+  local handler = inputs.handler
+  local signal = handler == nil and inputs.input_value("DI", number)
+  if handler == nil and signal ~= nil then return signal == true or (signal and signal ~= 0) end
+  if handler == nil then
     core.warn("inputs (#1000 on) are read as 0; a script answers with on_input(function(kind, number) return 1 end)")
     return false
   end
-  local value = answer("digital", number)
+  local value = handler("digital", number)
   if value == nil or type(value) == "boolean" then return value == true end
   if type(value) ~= "number" then alarm("script", "on_input's function returns a number, true, false or nil") end
   return value ~= 0
@@ -90,9 +90,9 @@ signals(1100, "outputs", function(number) return outputs[number] == true end, sw
 
 local function tool_range(first, field, part, what)
   range(first, first + LAST_TOOL - 1, what, function(_, index)
-    return ab9_data.tool_part(index + 1, field, part) / core.unit_mm()
+    return ab9_data.tool_component(index + 1, field, part) / core.unit_mm()
   end, function(_, value, index)
-    ab9_data.set_tool_part(index + 1, field, part, value * core.unit_mm())
+    ab9_data.set_tool_component(index + 1, field, part, value * core.unit_mm())
   end)
 end
 tool_range(2001, "length", "geometry", "lengths of tools")
@@ -178,11 +178,11 @@ end)
 -- Positions and offsets -------------------------------------------------------------------------------------------------
 
 axis_range(5001, "end of the last block", function(letter)
-  return core.to_program(axes.shown((core.target(nil))))[letter]
+  return core.to_program(axes.display_point((core.target(nil))))[letter]
 end)
-axis_range(5021, "machine position", function(letter) return axes.shown(axes.machine_point())[letter] end)
+axis_range(5021, "machine position", function(letter) return axes.display_point(axes.machine_point())[letter] end)
 axis_range(5041, "position in the work coordinate system", function(letter)
-  return core.to_program(axes.shown(axes.machine_point()))[letter]
+  return core.to_program(axes.display_point(axes.machine_point()))[letter]
 end)
 axis_range(5061, "position of the last skip (G31)", function(letter)
   local point = ab9_home.skip_position()
@@ -236,19 +236,19 @@ function system.set(number, value, text)
 end
 
 -- The offset of all work coordinate systems is stored too; in machine data it is stored as its variables.
-local function each_external(use)
+local function for_each_external_offset(use)
   for index, axis in ipairs(axes.list) do
-    if index <= MOST_AXES and ("xyz"):find(axis.letter, 1, true) then use(FIRST_EXTERNAL + index - 1, axis.letter) end
+    if index <= MAX_AXES and ("xyz"):find(axis.letter, 1, true) then use(FIRST_EXTERNAL + index - 1, axis.letter) end
   end
 end
 
-each_external(function(number, letter)
+for_each_external_offset(function(number, letter)
   local value = core.variables[number]
   if value then ab9_transform.set_external_offset(letter, value) end
 end)
 
 function system.store(stored)
-  each_external(function(number, letter)
+  for_each_external_offset(function(number, letter)
     local value = ab9_transform.external_offset(letter)
     if value ~= 0 or stored[number] then stored[number] = value end
   end)

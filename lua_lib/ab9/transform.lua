@@ -9,7 +9,7 @@ local ab9_frames, hooks, plane_view, state = use "ab9/frames", use "core/hooks",
 
 local LETTERS = { "x", "y", "z" }
 local FACTOR = { x = "i", y = "j", z = "k" }
-local LEAST_FACTOR = 1e-6
+local MIN_FACTOR = 1e-6
 
 local mirror = {}   -- letter -> coordinate of the plane of symmetry, mm
 local scale         -- { factor = {x=,y=,z=}, centre = {x=,y=,z=} in mm } or nil
@@ -23,7 +23,7 @@ local function identity()
   return { m = { 1, 0, 0, 0, 1, 0, 0, 0, 1 }, shift = origin() }
 end
 
-local function applied(map, p)
+local function apply_map(map, p)
   local m = map.m
   return {
     x = m[1] * p.x + m[2] * p.y + m[3] * p.z + map.shift.x,
@@ -44,10 +44,10 @@ end
 
 -- Returns `map`, followed by the matrix about the image of the centre under `map`.
 local function about(map, matrix, centre)
-  local c, s = applied(map, centre), map.shift
+  local c, s = apply_map(map, centre), map.shift
   return {
     m = product(matrix, map.m),
-    shift = applied({ m = matrix, shift = c }, { x = s.x - c.x, y = s.y - c.y, z = s.z - c.z }),
+    shift = apply_map({ m = matrix, shift = c }, { x = s.x - c.x, y = s.y - c.y, z = s.z - c.z }),
   }
 end
 
@@ -55,7 +55,7 @@ local function diagonal(values)
   return { values.x, 0, 0, 0, values.y, 0, 0, 0, values.z }
 end
 
-local function mirrored(map)
+local function mirror_map(map)
   local signs, centre = { x = 1, y = 1, z = 1 }, origin()
   for letter, at in pairs(mirror) do signs[letter], centre[letter] = -1, at end
   return about(map, diagonal(signs), centre)
@@ -63,7 +63,7 @@ end
 
 local place = { x = 1, y = 2, z = 3 }
 
-local function rotated(map)
+local function rotate_map(map)
   local p = plane_view.planes[rotation.plane]
   local first, second = place[p.first], place[p.second]
   local c, s = math.cos(math.rad(rotation.angle_deg)), math.sin(math.rad(rotation.angle_deg))
@@ -76,20 +76,20 @@ local function rotated(map)
 end
 
 -- A rotation belongs to the work coordinate system in which it was programmed.
-local function rotates()
+local function is_rotation_active()
   return rotation ~= nil and rotation.frame == state.frame
 end
 
 local rotating = false   -- whether a rotation acts
 
 local function apply()
-  rotating = rotates()
+  rotating = is_rotation_active()
   local map = identity()
-  if next(mirror) then map = mirrored(map) end
+  if next(mirror) then map = mirror_map(map) end
   if scale then map = about(map, diagonal(scale.factor), scale.centre) end
-  if rotates() then map = rotated(map) end
+  if is_rotation_active() then map = rotate_map(map) end
   for letter, value in pairs(external) do map.shift[letter] = map.shift[letter] + value end
-  local plain = not next(mirror) and scale == nil and not rotates() and not next(external)
+  local plain = not next(mirror) and scale == nil and not is_rotation_active() and not next(external)
   if plain then ab9_frames.set_transform(nil, nil) else ab9_frames.set_transform(map.m, map.shift) end
 end
 
@@ -99,7 +99,7 @@ local function number(value, code, letter)
 end
 
 -- Calls use(letter, value in mm) for the words X, Y and Z.
-local function each_length(words, code, use)
+local function for_each_length(words, code, use)
   for _, letter in ipairs(LETTERS) do
     if words[letter] ~= nil then use(letter, number(words[letter], code, letter) * core.unit_mm()) end
   end
@@ -121,22 +121,22 @@ word("G51_1", function(words)
   if next(words) == nil then
     alarm("word-missing", "G51.1 needs the axes to mirror, with the coordinate of the mirror: G51.1 X0")
   end
-  each_length(words, "G51.1", function(letter, value) mirror[letter] = value end)
+  for_each_length(words, "G51.1", function(letter, value) mirror[letter] = value end)
   apply()
 end)
 
 word("G50_1", function(words)
   words = only(words, "G50.1", " x y z ")
   if next(words) == nil then mirror = {} end
-  each_length(words, "G50.1", function(letter) mirror[letter] = nil end)
+  for_each_length(words, "G50.1", function(letter) mirror[letter] = nil end)
   apply()
 end)
 
-local function factor_of(words, letter, code)
+local function scale_factor(words, letter, code)
   local key = words[FACTOR[letter]] ~= nil and FACTOR[letter] or words.p ~= nil and "p" or nil
   if key == nil then return 1 end
   local factor = number(words[key], code, key)
-  if not (math.abs(factor) >= LEAST_FACTOR and math.abs(factor) < math.huge) then
+  if not (math.abs(factor) >= MIN_FACTOR and math.abs(factor) < math.huge) then
     alarm("frame", "%s %s%.10g: a scale factor is a number other than 0", code, key:upper(), factor)
   end
   return factor
@@ -155,8 +155,8 @@ local function scaling(name, code)
           "%s needs its factor: P for X, Y and Z alike, or I, J, K for each (bare, it ends scaling)", code)
       end
       scale = { factor = {}, centre = origin() }
-      for _, letter in ipairs(LETTERS) do scale.factor[letter] = factor_of(words, letter, code) end
-      each_length(words, code, function(letter, value) scale.centre[letter] = value end)
+      for _, letter in ipairs(LETTERS) do scale.factor[letter] = scale_factor(words, letter, code) end
+      for_each_length(words, code, function(letter, value) scale.centre[letter] = value end)
     end
     apply()
   end)
@@ -167,13 +167,13 @@ scaling("G14_1", "G14.1")
 -- Returns the centre of a rotation: the axis words of the plane. Missing words keep the active value in this
 -- plane, else 0.
 local function rotation_centre(words, p)
-  local held = rotates() and rotation.plane == core.plane() and rotation.centre or {}
+  local held = is_rotation_active() and rotation.plane == core.plane() and rotation.centre or {}
   local centre = { [p.first] = held[p.first] or 0, [p.second] = held[p.second] or 0 }
   if words[p.third] ~= nil then
     alarm("frame", "G68: %s is no axis of the plane in force; the centre is given by %s and %s", p.third:upper(),
       p.first:upper(), p.second:upper())
   end
-  each_length(words, "G68", function(letter, value) centre[letter] = value end)
+  for_each_length(words, "G68", function(letter, value) centre[letter] = value end)
   return centre
 end
 
@@ -183,7 +183,7 @@ word("G68", function(words)
     alarm("word-missing", "G68 needs R, its angle in degrees (this control holds no table of rotations)")
   end
   local angle = number(words.r, "G68", "r")
-  if core.is_incremental() and rotates() and rotation.plane == core.plane() then angle = angle + rotation.angle_deg end
+  if core.is_incremental() and is_rotation_active() and rotation.plane == core.plane() then angle = angle + rotation.angle_deg end
   rotation = {
     plane = core.plane(), centre = rotation_centre(words, plane_view.planes[core.plane()]), angle_deg = angle,
     frame = state.frame,
@@ -210,7 +210,7 @@ end
 
 -- A rotation begins or ends to act with a change of work coordinate system.
 hooks.on("frame", "rotation", function()
-  if rotating ~= rotates() then apply() end
+  if rotating ~= is_rotation_active() then apply() end
 end)
 
 return {

@@ -6,7 +6,7 @@ local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
 local axes, path = use "core/axes", use "core/path"
 
-local LEAST_EXTENT_MM = 2e-6   -- nearer than half of it is on a wall
+local MIN_EXTENT_MM = 2e-6   -- nearer than half of it is on a wall
 
 local LETTERS = { "x", "y", "z" }
 local OTHER = { x = "i", y = "j", z = "k" }
@@ -41,7 +41,7 @@ local function read_box(words)
         alarm("axis", "G22: the machine has no linear axis %s", letter:upper())
       end
       local a, b = wall(words, letter), wall(words, other)
-      if math.abs(a - b) <= LEAST_EXTENT_MM then
+      if math.abs(a - b) <= MIN_EXTENT_MM then
         alarm("word-value", "G22: the zone has no extent on axis %s, %s and %s are both %.10g mm", letter:upper(),
           letter:upper(),
           other:upper(), a)
@@ -52,7 +52,7 @@ local function read_box(words)
   return read
 end
 
-local function is_number_alone(words)
+local function has_only_number(words)
   return words ~= nil and words.p ~= nil and next(words, next(words)) == nil
 end
 
@@ -63,7 +63,7 @@ end
 -- G22 X Y Z I J K: two opposite corners, in any order; without words: the zone that was given last. G22 P:
 -- zones of the machine data.
 word("G22", function(words)
-  if is_number_alone(words) then return env.switch_zone(words.p, true) end
+  if has_only_number(words) then return env.switch_zone(words.p, true) end
   if words ~= nil and next(words) ~= nil then box = read_box(words) end
   if box == nil then
     alarm("word-missing", "G22 needs its zone: X, Y, Z and I, J, K, two opposite corners in machine coordinates")
@@ -72,7 +72,7 @@ word("G22", function(words)
 end)
 
 word("G23", function(words)
-  if is_number_alone(words) then return env.switch_zone(words.p, false) end
+  if has_only_number(words) then return env.switch_zone(words.p, false) end
   if words ~= nil and next(words) ~= nil then
     alarm("word-value", "G23 takes P, the number of zones of the machine data, or nothing")
   end

@@ -34,13 +34,13 @@ arc("G3", true)
 local via_words = { x = { "i1", "i" }, y = { "j1", "j" }, z = { "k1", "k" } }
 
 -- Returns the swept angle of the circle through three points, for inverse time feed.
-local function swept_via(a, m, b)
-  local function angle_at(c, opposite, near, far)  -- inscribed angle, law of cosines
+local function sweep_via(a, m, b)
+  local function inscribed_angle(c, opposite, near, far)  -- inscribed angle, law of cosines
     if near == 0 or far == 0 then return 0 end
     return math.acos(math.max(-1, math.min(1, (near * near + far * far - opposite * opposite) / (2 * near * far))))
   end
   local am, mb, ab = space_between(a, m), space_between(m, b), space_between(a, b)
-  return 2 * math.pi - 2 * angle_at(m, ab, am, mb)
+  return 2 * math.pi - 2 * inscribed_angle(m, ab, am, mb)
 end
 
 local function through_point(words)
@@ -54,7 +54,7 @@ local function through_point(words)
   if path.is_filtered() then
     alarm("mode", "CIP is not possible while something watches or shapes the path (compensation, a corner word)")
   end
-  core.arc_via(middle, target, swept_via(axes.programmed_point(), middle, target))
+  core.arc_via(middle, target, sweep_via(axes.programmed_point(), middle, target))
 end
 
 motion.modal_word("CIP", through_point)

@@ -10,8 +10,8 @@ local alarm, copied, space_between = use("core/basics", "alarm", "copied", "spac
 local axes, g, plane_view = use "core/axes", use "common/comp_geometry", use "core/plane_view"
 
 local SAME_POINT_MM = 1e-9
-local LEAST_RADIUS_MM = 1e-6
-local SLOWEST = 0.1   -- program units in a minute
+local MIN_RADIUS_MM = 1e-6
+local MIN_FEED = 0.1   -- program units in a minute
 
 local comp_filter = {}
 comp_filter.__index = comp_filter
@@ -25,8 +25,8 @@ end
 
 function comp_filter.make(class, fields)
   local filter = setmetatable(fields, class)
-  filter.lies, filter.same_sense = plane_view.machine_plane(filter.plane)
-  filter.view = plane_view.view(filter.lies)
+  filter.machine_plane_of_path, filter.same_sense = plane_view.machine_plane(filter.plane)
+  filter.view = plane_view.view(filter.machine_plane_of_path)
   filter.programmed = axes.programmed_point()
   filter.at = filter.view:at(axes.machine_point())
   return filter
@@ -41,9 +41,9 @@ function comp_filter:complete(target)
 end
 
 -- Inverse time is a speed on the programmed path, and the tool keeps that speed on its own path.
-local function at_programmed_speed(feed, length_mm)
+local function feed_at_programmed_speed(feed, length_mm)
   if not feed.motion_s or length_mm == 0 then return feed end
-  return core.feed_mm_min(math.max(length_mm / feed.motion_s * 60, SLOWEST * core.unit_mm()))
+  return core.feed_mm_min(math.max(length_mm / feed.motion_s * 60, MIN_FEED * core.unit_mm()))
 end
 
 -- Returns a straight move as an item. Only moves in the plane get a segment.
@@ -53,7 +53,7 @@ function comp_filter:straight(kind, target, feed, linear_kind, place)
   end
   local item = { kind = kind, source = self.programmed, target = self:complete(target), place = place or core.place() }
   if kind == "line" then
-    item.feed = at_programmed_speed(feed or core.take_feed(), space_between(self.programmed, item.target))
+    item.feed = feed_at_programmed_speed(feed or core.take_feed(), space_between(self.programmed, item.target))
   end
   local from, to = self:point(self.programmed), self:point(item.target)
   if g.distance(from, to) > SAME_POINT_MM then item.segment = g.line(from, to) end
@@ -62,19 +62,19 @@ function comp_filter:straight(kind, target, feed, linear_kind, place)
 end
 
 function comp_filter:circular(plane, ccw, first, second, sweep_rad, target, feed, place)
-  if not plane_view.same_plane(plane, self.lies) then
+  if not plane_view.same_plane(plane, self.machine_plane_of_path) then
     alarm("compensation", "an arc in plane %s is not possible while cutter compensation is on in plane %s; G40 first",
       core.plane():upper(), self.plane:upper())
   end
   local item = { kind = "arc", source = self.programmed, target = self:complete(target), place = place or core.place() }
   local from, to, centre = self:point(self.programmed), self:point(item.target), { first, second }
-  if g.distance(from, centre) < LEAST_RADIUS_MM or g.distance(to, centre) < LEAST_RADIUS_MM then
+  if g.distance(from, centre) < MIN_RADIUS_MM or g.distance(to, centre) < MIN_RADIUS_MM then
     alarm("compensation", "an arc that starts or ends in its centre has no side for cutter compensation")
   end
   item.segment = g.arc(from, to, centre, ccw, sweep_rad)
   local rise = self.view:height(item.target) - self.view:height(self.programmed)
   local length = math.sqrt((g.distance(from, centre) * sweep_rad) ^ 2 + rise * rise)
-  item.feed = at_programmed_speed(feed or core.take_feed(sweep_rad), length)
+  item.feed = feed_at_programmed_speed(feed or core.take_feed(sweep_rad), length)
   self.programmed = item.target
   return item
 end
@@ -95,7 +95,7 @@ function comp_filter:placed(target, point)
 end
 
 -- Outputs a straight move of the tool to a point; the other axes move to the target of the item.
-function comp_filter:put_straight(item, point, target, feed)
+function comp_filter:output_straight(item, point, target, feed)
   local moved = self:placed(target or item.target, point)
   if item.kind == "rapid" then
     self.next:rapid(moved, item.place)
@@ -104,18 +104,18 @@ function comp_filter:put_straight(item, point, target, feed)
   end
 end
 
-function comp_filter:put_arc(item, point, centre, turn, sweep_rad, target, feed)
+function comp_filter:output_arc(item, point, centre, turn, sweep_rad, target, feed)
   local moved = self:placed(target or item.target, point)
-  self.next:arc(self.lies, turn > 0, centre[1] + self.origin[1], centre[2] + self.origin[2], sweep_rad, moved,
+  self.next:arc(self.machine_plane_of_path, turn > 0, centre[1] + self.origin[1], centre[2] + self.origin[2], sweep_rad, moved,
     feed or item.feed, item.place)
 end
 
 -- Outputs a move without a part in the plane, or an action, at the present position of the tool.
-function comp_filter:put_beside(item)
+function comp_filter:output_other(item)
   if item.kind == "act" then
     self.next:act(item.f)
   else
-    self:put_straight(item, self.at)
+    self:output_straight(item, self.at)
   end
 end
 
@@ -123,7 +123,7 @@ local function rounded(value) return math.floor(value * 1e6 + 0.5) / 1e6 end
 
 -- Raises an alarm for a move that runs backwards, or cannot be reached. The move that causes it is in the
 -- line being executed or in one shortly before it.
-function comp_filter:say(item, text, ...)
+function comp_filter:raise_alarm(item, text, ...)
   local to = item.segment and item.segment.to or self:point(item.target)
   local point = copied(item.target)
   self.view:put(point, to)
@@ -138,7 +138,7 @@ end
 function comp_filter:check_fits(item, side, radius)
   local segment = item.segment
   if segment.centre and g.tool_inside(segment, side) and segment.radius <= radius then
-    self:say(item, "%s is an arc of radius %.10g mm with the tool inside; the arc must be larger than the tool",
+    self:raise_alarm(item, "%s is an arc of radius %.10g mm with the tool inside; the arc must be larger than the tool",
       segment.radius)
   end
 end

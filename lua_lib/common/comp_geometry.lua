@@ -45,10 +45,10 @@ end
 
 -- Return the position of the tool next to the start and the end of a segment: at right angles, at that
 -- distance.
-function g.beside_start(segment, side, distance)
+function g.offset_start(segment, side, distance)
   return g.plus(segment.from, g.normal(segment.heading[1], side), distance)
 end
-function g.beside_end(segment, side, distance)
+function g.offset_end(segment, side, distance)
   return g.plus(segment.to, g.normal(segment.heading[2], side), distance)
 end
 
@@ -63,7 +63,7 @@ function g.angle(a, b) return math.atan(g.cross(a, b), g.dot(a, b)) end
 
 -- Returns the angle from one point to another about a centre in the sense of travel: above 0, up to a full
 -- turn.
-function g.swept(from, to, centre, turn)
+function g.sweep_angle(from, to, centre, turn)
   local angle = (turn * g.angle(g.minus(from, centre), g.minus(to, centre))) % TURN
   return angle > 0 and angle or TURN
 end
@@ -71,18 +71,18 @@ end
 -- Returns the angle swept along an arc after its ends were moved or cut back. `programmed` gives the number
 -- of full turns. It also distinguishes a circle that is nearly closed from an arc that has nearly no length.
 function g.swept_after(from, to, centre, turn, programmed)
-  local whole_turns = math.ceil((programmed - SAME_ANGLE) / TURN) - 1
-  local angle = g.swept(from, to, centre, turn) + whole_turns * TURN
+  local full_turns = math.ceil((programmed - SAME_ANGLE) / TURN) - 1
+  local angle = g.sweep_angle(from, to, centre, turn) + full_turns * TURN
   if angle + TURN < programmed + CLOSED_RAD then angle = angle + TURN end
-  local most = (whole_turns + 1) * TURN
+  local most = (full_turns + 1) * TURN
   return math.abs(angle - most) * g.distance(from, centre) < CLOSED_MM and most or angle
 end
 
 -- Two curves have one or two intersection points. The tool's path continues at the one at which it turns to
 -- the side of the tool, because there it has reached both.
 
-local function lines_meet(p, q, side, distance)
-  local a, b = g.beside_end(p, side, distance), g.beside_start(q, side, distance)
+local function intersect_lines(p, q, side, distance)
+  local a, b = g.offset_end(p, side, distance), g.offset_start(q, side, distance)
   local d, e = p.heading[2], q.heading[1]
   local sine = g.cross(d, e)
   if sine == 0 then return nil end
@@ -91,7 +91,7 @@ end
 
 -- Returns a point on a line of this direction at this height to its left of the centre; ahead: the point
 -- where it leaves the circle.
-local function on_circle(centre, radius, direction, height, ahead)
+local function line_circle_point(centre, radius, direction, height, ahead)
   if math.abs(height) > radius then return nil end
   local along = math.sqrt(radius * radius - height * height)
   local foot = g.plus(centre, g.normal(direction, 1), height)
@@ -105,21 +105,21 @@ local function height_above(arc, corner, direction, side, distance)
   return g.cross(direction, spoke) * arc.radius + side * distance
 end
 
-local function line_meets_arc(p, q, side, distance)
+local function intersect_line_arc(p, q, side, distance)
   local direction = p.heading[2]
-  return on_circle(q.centre, g.tool_radius(q, side, distance), direction,
+  return line_circle_point(q.centre, g.tool_radius(q, side, distance), direction,
     height_above(q, q.from, direction, side, distance), g.tool_inside(q, side))
 end
 
-local function arc_meets_line(p, q, side, distance)
+local function intersect_arc_line(p, q, side, distance)
   local direction = q.heading[1]
-  return on_circle(p.centre, g.tool_radius(p, side, distance), direction,
+  return line_circle_point(p.centre, g.tool_radius(p, side, distance), direction,
     height_above(p, p.to, direction, side, distance), not g.tool_inside(p, side))
 end
 
 -- Returns the intersection of two circles: the foot on the line of centres, its direction, and the distance
 -- of the points from that line.
-local function circles_cut(a, r1, b, r2)
+local function circle_intersection(a, r1, b, r2)
   local apart = g.distance(a, b)
   if apart == 0 or r1 == 0 then return nil end
   local cosine = (r1 * r1 + apart * apart - r2 * r2) / (2 * r1 * apart)
@@ -128,44 +128,44 @@ local function circles_cut(a, r1, b, r2)
   return g.plus(a, axis, r1 * cosine), axis, r1 * math.sqrt(1 - cosine * cosine)
 end
 
-local function arcs_meet(p, q, side, distance)
-  local foot, axis, beside = circles_cut(p.centre, g.tool_radius(p, side, distance), q.centre,
+local function intersect_arcs(p, q, side, distance)
+  local foot, axis, beside = circle_intersection(p.centre, g.tool_radius(p, side, distance), q.centre,
     g.tool_radius(q, side, distance))
   return foot and g.plus(foot, g.normal(axis, p.turn * q.turn * side), beside)
 end
 
 -- Returns the point of an inside corner at which the tool passes from segment p to q, or nil if it does not
 -- fit in.
-function g.meet(p, q, side, distance)
-  if p.centre and q.centre then return arcs_meet(p, q, side, distance) end
-  if p.centre then return arc_meets_line(p, q, side, distance) end
-  if q.centre then return line_meets_arc(p, q, side, distance) end
-  return lines_meet(p, q, side, distance)
+function g.intersect(p, q, side, distance)
+  if p.centre and q.centre then return intersect_arcs(p, q, side, distance) end
+  if p.centre then return intersect_arc_line(p, q, side, distance) end
+  if q.centre then return intersect_line_arc(p, q, side, distance) end
+  return intersect_lines(p, q, side, distance)
 end
 
-local function arc_and_line_cut(arc, arc_side, arc_distance, line, line_side, line_distance)
+local function arc_line_crossings(arc, arc_side, arc_distance, line, line_side, line_distance)
   local direction = line.heading[1]
-  local height = g.cross(direction, g.minus(g.beside_start(line, line_side, line_distance), arc.centre))
+  local height = g.cross(direction, g.minus(g.offset_start(line, line_side, line_distance), arc.centre))
   local radius = g.tool_radius(arc, arc_side, arc_distance)
   return {
-    on_circle(arc.centre, radius, direction, height, false),
-    on_circle(arc.centre, radius, direction, height, true),
+    line_circle_point(arc.centre, radius, direction, height, false),
+    line_circle_point(arc.centre, radius, direction, height, true),
   }
 end
 
 -- Returns the common points, zero or two, of the tool's paths along two segments, of which one or both are
 -- arcs.
 function g.crossings(p, p_side, p_distance, q, q_side, q_distance)
-  if not q.centre then return arc_and_line_cut(p, p_side, p_distance, q, q_side, q_distance) end
-  if not p.centre then return arc_and_line_cut(q, q_side, q_distance, p, p_side, p_distance) end
-  local foot, axis, beside = circles_cut(p.centre, g.tool_radius(p, p_side, p_distance), q.centre,
+  if not q.centre then return arc_line_crossings(p, p_side, p_distance, q, q_side, q_distance) end
+  if not p.centre then return arc_line_crossings(q, q_side, q_distance, p, p_side, p_distance) end
+  local foot, axis, beside = circle_intersection(p.centre, g.tool_radius(p, p_side, p_distance), q.centre,
     g.tool_radius(q, q_side, q_distance))
   return foot and { g.plus(foot, g.normal(axis, 1), beside), g.plus(foot, g.normal(axis, -1), beside) } or {}
 end
 
 -- Returns true if a point of the segment's line or circle, or next to it, lies between its ends.
 function g.within_arc(arc, point)
-  return g.swept(arc.from, point, arc.centre, arc.turn) <= arc.sweep
+  return g.sweep_angle(arc.from, point, arc.centre, arc.turn) <= arc.sweep
 end
 
 function g.within_line(line, point)

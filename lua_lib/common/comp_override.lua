@@ -26,10 +26,10 @@ end
 -- Marks an inside corner between two items at which the direction changes by `angle`.
 function comp_override.mark(p, q, angle)
   if math.pi - math.abs(angle) > math.rad(rules.angle_deg) + 1e-9 or p.radius == 0 then return end
-  p.corner_behind, q.corner_before = p.overridden, q.overridden
+  p.corner_after, q.corner_before = p.overridden, q.overridden
 end
 
-local function lowered(feed)
+local function lower_feed(feed)
   local low = copied(feed)
   for _, key in ipairs { "linear_mm_min", "rotary_deg_min", "linear_mm_rev" } do
     low[key] = feed[key] and feed[key] * rules.percent / 100
@@ -41,9 +41,9 @@ end
 -- shorter than its distances from the corners is one part.
 function comp_override.parts(item, length_mm)
   local after = item.corner_before and rules.after_mm or 0
-  local before = item.corner_behind and rules.before_mm or 0
+  local before = item.corner_after and rules.before_mm or 0
   if after + before == 0 then return { { share = 1, feed = item.feed } } end
-  local low = lowered(item.feed)
+  local low = lower_feed(item.feed)
   if after + before >= length_mm then return { { share = 1, feed = low } } end
   local parts = {}
   if after > 0 then parts[1] = { share = after / length_mm, feed = low } end

@@ -8,7 +8,7 @@ local path, plane_view, state, tools, words = use "core/path", use "core/plane_v
 local word = words.word
 local is_ngc = core.dialect == "rs274ngc"
 
-local function radius_of(number, name)
+local function offset_radius(number, name)
   number = nearly_whole(number)
   if type(number) ~= "number" or number % 1 ~= 0 or number < 0 then
     alarm("compensation", "%s: D is the number of a tool, a whole number from 0 on, not %s", name, tostring(number))
@@ -17,16 +17,16 @@ local function radius_of(number, name)
 end
 
 -- 9/Series: the radius of the last D.
-local function radius_in_force()
+local function active_radius()
   if not state.offset_number_d then
     alarm("compensation", "cutter compensation needs D, the number of its radius in the tool table")
   end
-  return radius_of(state.offset_number_d, "D")
+  return offset_radius(state.offset_number_d, "D")
 end
 
 -- --- After G40: the machine is next to the path until a move leads it out ---
 
-local leaving = comp_filter.derive()
+local exit_filter = comp_filter.derive()
 
 local function leave(self)
   path.remove_filter(self)
@@ -34,33 +34,33 @@ local function leave(self)
 end
 
 -- On the 9/Series moves outside the plane stay next to the path.
-function leaving:way_out(target)
+function exit_filter:exit_target(target)
   local full = self:complete(target)
   local stays = not is_ngc and comp_geometry.distance(self:point(self.programmed), self:point(full)) == 0
   self.programmed = full
   return full, stays
 end
 
-function leaving:rapid(target, place)
-  local full, stays = self:way_out(target)
+function exit_filter:rapid(target, place)
+  local full, stays = self:exit_target(target)
   self.next:rapid(stays and self:placed(full, self.at) or full, place)
   if not stays then leave(self) end
 end
 
-function leaving:line(target, feed, kind, place)
-  local full, stays = self:way_out(target)
+function exit_filter:line(target, feed, kind, place)
+  local full, stays = self:exit_target(target)
   self.next:line(stays and self:placed(full, self.at) or full, feed, kind, place)
   if not stays then leave(self) end
 end
 
-function leaving:arc()
+function exit_filter:arc()
   alarm("compensation",
     "the first move after G40 leads out of cutter compensation and is straight (G0 or G1), not an arc")
 end
 
-function leaving:act(f) self.next:act(f) end
+function exit_filter:act(f) self.next:act(f) end
 
-function leaving:flush() end
+function exit_filter:flush() end
 
 -- --- Words ---
 
@@ -71,7 +71,7 @@ word("G40", function()
   if not filter then return end
   local entered = filter.before or filter.last
   filter:flush()
-  compensation.replace_filter(entered and comp_filter.make(leaving, { plane = compensation.plane }) or nil)
+  compensation.replace_filter(entered and comp_filter.make(exit_filter, { plane = compensation.plane }) or nil)
 end)
 
 local function check_words(given, name, allowed)
@@ -84,7 +84,7 @@ end
 words.before("CIP", "compensation", compensation.refuse)
 
 -- Calls f() before each word that has this entry in the dialect's table.
-local function hook(what, f)
+local function hook_words(what, f)
   local names = {}
   for name, said in unordered(core.codes.compensation) do
     if said == what then names[#names + 1] = name end
@@ -92,7 +92,7 @@ local function hook(what, f)
   words.before(names, "compensation", f)
 end
 
-local function ngc_words()
+local function define_ngc_words()
   -- A radius of 0 counts as compensation and changes no path.
   local function switch_on(name, side, radius, orientation)
     if compensation.word then alarm("compensation", "%s: cutter compensation is on already; G40 first", name) end
@@ -106,16 +106,16 @@ local function ngc_words()
     compensation.replace_filter(radius > 0 and comp_ngc(side, radius, orientation) or nil)
   end
 
-  local function by_tool(name, side)
+  local function define_by_tool(name, side)
     word(name, function(given)
       given = check_words(given, name, { d = true })
       local number = given.d ~= 0 and given.d or tools.loaded()   -- D0: the tool in the spindle
       local tool = tools.by_number[number]
-      switch_on(name, side, radius_of(number, name), tool and tool.orientation)
+      switch_on(name, side, offset_radius(number, name), tool and tool.orientation)
     end)
   end
 
-  local function by_diameter(name, side)
+  local function define_by_diameter(name, side)
     word(name:sub(1, 3) .. "_1", function(given)
       given = check_words(given, name, { d = true, l = true })
       if type(given.d) ~= "number" then alarm("compensation", "%s needs the diameter of the tool: D", name) end
@@ -126,19 +126,19 @@ local function ngc_words()
     end)
   end
 
-  hook("ends the move", compensation.stop)
+  hook_words("ends the move", compensation.stop)
   -- After a tool change the program continues from the present position of the machine.
   words.before("M6", "compensation", function()
     if compensation.word == nil then compensation.replace_filter(nil) end
   end)
 
-  by_tool("G41", 1)
-  by_tool("G42", -1)
-  by_diameter("G41.1", 1)
-  by_diameter("G42.1", -1)
+  define_by_tool("G41", 1)
+  define_by_tool("G42", -1)
+  define_by_diameter("G41.1", 1)
+  define_by_diameter("G42.1", -1)
 end
 
-local function ab9_words()
+local function define_ab9_words()
   local side, round = 1, false
 
   -- The last move leads out to its programmed end, and the next one leads in again.
@@ -150,13 +150,13 @@ local function ab9_words()
     word(name, function(given)
       given = check_words(given, name, { d = true })
       if given.d ~= nil then
-        radius_of(given.d, name)
+        offset_radius(given.d, name)
         state.offset_number_d = given.d
       end
       side = new_side
       if compensation.word == nil then
         compensation.plane = core.plane()
-        compensation.replace_filter(comp_ab9(radius_in_force))
+        compensation.replace_filter(comp_ab9(active_radius))
       end
       compensation.word = name
       compensation.filter:set(side, round)
@@ -173,8 +173,8 @@ local function ab9_words()
   -- A rotation that turns the plane moves it out of the plane in which the path is offset.
   hooks.on("transform", "compensation", function()
     if compensation.word == nil then return end
-    local lies, same_sense = plane_view.machine_plane(compensation.plane)
-    local stays = plane_view.same_plane(lies, compensation.filter.lies)
+    local machine_plane_of_path, same_sense = plane_view.machine_plane(compensation.plane)
+    local stays = plane_view.same_plane(machine_plane_of_path, compensation.filter.machine_plane_of_path)
     if not stays then compensation.refuse("a rotation that turns its plane") end
     compensation.filter.same_sense = same_sense
   end)
@@ -185,7 +185,7 @@ local function ab9_words()
       if plane ~= compensation.plane then compensation.refuse("a change of plane") end
     end)
   end
-  hook("led out", interrupt)
+  hook_words("led out", interrupt)
 
   define_side("G41", 1)
   define_side("G42", -1)
@@ -193,4 +193,4 @@ local function ab9_words()
   define_corners("G39_1", true)
 end
 
-if is_ngc then ngc_words() else ab9_words() end
+if is_ngc then define_ngc_words() else define_ab9_words() end

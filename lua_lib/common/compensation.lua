@@ -28,7 +28,7 @@ function compensation.refuse(what)
 end
 
 -- rs274ngc: moves that LinuxCNC never makes next to the path, but permits with a radius of 0.
-function compensation.refuse_beside_path(what)
+function compensation.refuse_next_to_path(what)
   if compensation.filter then compensation.refuse(what) end
 end
 
@@ -39,7 +39,7 @@ end
 
 -- rs274ngc: returns the final position of the tool next to the path after all moves so far, in machine
 -- coordinates; nil without compensation. After G40 the program's own point counts again.
-function compensation.tool_beside_path()
+function compensation.offset_tool_position()
   local filter = compensation.filter
   if not (filter and filter.tool) then return nil end
   local beside = axes.programmed_point()

@@ -7,8 +7,8 @@ local word = use("core/words", "word")
 local path, state = use "core/path", use "core/state"
 
 local SAME_MM = 1e-9    -- a stroke below this length is no move
-local MOST_PECKS = 100000
-local MOST_REPEATS = 9999
+local MAX_PECKS = 100000
+local MAX_REPEATS = 9999
 
 local cycle_names = {}
 for _, name in ipairs { "G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89" } do
@@ -43,8 +43,8 @@ end
 local function cycle_repeats(value, letter, name)
   if value == nil then return 1 end
   value = nearly_whole(value)
-  if value % 1 ~= 0 or value < 0 or value > MOST_REPEATS then
-    alarm("word-value", "%s of %s is a whole number of repeats up to %d, not %.10g", letter, name, MOST_REPEATS, value)
+  if value % 1 ~= 0 or value < 0 or value > MAX_REPEATS then
+    alarm("word-value", "%s of %s is a whole number of repeats up to %d, not %.10g", letter, name, MAX_REPEATS, value)
   end
   return math.tointeger(value)
 end
@@ -78,10 +78,10 @@ end
 -- the bottom from rounding is no peck.
 local function pecks(from, bottom, step, name)
   if not (step > 0) then alarm("word-value", "Q of %s is the depth of a peck, above 0, not %.10g", name, step) end
-  if (from - bottom) / step > MOST_PECKS then
+  if (from - bottom) / step > MAX_PECKS then
     alarm("word-value", "Q %.10g of %s is too small: the hole of %.10g would take more than %d pecks", step, name,
       from - bottom,
-      MOST_PECKS)
+      MAX_PECKS)
   end
   local depths = {}
   local depth = from - step

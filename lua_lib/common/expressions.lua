@@ -13,7 +13,7 @@ local function rounded(value)
   return value < 0 and math.ceil(value - 0.5) or math.floor(value + 0.5)
 end
 
-local function in_domain(name, value, ok)
+local function check_domain(name, value, ok)
   if not ok then alarm("arithmetic", "%s of %.10g has no value", name, value) end
 end
 
@@ -30,25 +30,25 @@ function env.TAN(a) return core.tan_deg(number_of(a)) end
 
 function env.ASIN(a)
   a = number_of(a)
-  in_domain("ASIN", a, a >= -1 and a <= 1)
+  check_domain("ASIN", a, a >= -1 and a <= 1)
   return core.asin_deg(a)
 end
 
 function env.ACOS(a)
   a = number_of(a)
-  in_domain("ACOS", a, a >= -1 and a <= 1)
+  check_domain("ACOS", a, a >= -1 and a <= 1)
   return core.acos_deg(a)
 end
 
 function env.SQRT(a)
   a = number_of(a)
-  in_domain("SQRT", a, a >= 0)
+  check_domain("SQRT", a, a >= 0)
   return math.sqrt(a)
 end
 
 function env.LN(a)
   a = number_of(a)
-  in_domain("LN", a, a > 0)
+  check_domain("LN", a, a > 0)
   return math.log(a)
 end
 

@@ -9,7 +9,7 @@ local is_ngc = core.dialect == "rs274ngc"
 local AXES = { a = true, b = true, c = true, u = true, v = true, w = true, x = true, y = true, z = true }
 
 -- Handles words that are no axis of the machine. In RS274/NGC 0 for a missing axis has no effect.
-local function no_axis(letter, value, name)
+local function reject_axis_word(letter, value, name)
   local is_axis = not is_ngc or AXES[letter]
   if is_ngc and is_axis and value == 0 then return end
   if is_axis then alarm("axis", "%s: the machine has no axis %s", name, tostring(letter):upper()) end
@@ -27,7 +27,7 @@ local function each_axis(words, name, others, set)
       any = true
       set(letter, axes.in_mm(letter, axes.word_in_units(letter, value)))
     elseif others:find(" " .. tostring(letter) .. " ", 1, true) == nil then
-      no_axis(letter, value, name)
+      reject_axis_word(letter, value, name)
     end
   end
   return any

@@ -1,5 +1,5 @@
 -- Groups of axes of the machine file ([[group]]): their motion during moves of the tool to poses
--- (common/neutral.lua).
+-- (common/pose_moves.lua).
 
 local path = use "core/path"
 

@@ -33,10 +33,10 @@ function motion.modal_word(name, meaning)
   env[name] = modal_motion(name, word_keys(name, words.if_allowed(name, meaning)))
 end
 
--- Plain motions are C++ as long as no filter or macro changes them (core/shape.lua): by name the word and its
+-- Plain motions are C++ as long as no filter or macro changes them (core/motion_modifiers.lua): by name the word and its
 -- id.
 local plain, shaped = {}, {}
-local in_use = plain
+local active_motions = plain
 
 -- Defines the word of such a motion. word_in_core(id) and move_in_core(id) make it and its `move` in C++;
 -- `meaning` is the same in Lua, for use if a filter or macro is between the word and the machine.
@@ -48,53 +48,53 @@ function motion.plain_word(name, word_in_core, move_in_core, meaning)
 end
 
 -- Returns the motion of an id; for a plain one the variant that is in use now.
-function motion.as_in_use(id)
+function motion.active_variant(id)
   local name = names[id]
   local is_plain = plain[name] and (id == plain[name].id or id == shaped[name].id)
-  return is_plain and in_use[name].id or id
+  return is_plain and active_motions[name].id or id
 end
 
 -- A word that a script has redefined since stays as it is.
-local function put_in_use(motions)
+local function activate_motions(motions)
   for name, own in unordered(motions) do
-    if env[name] == in_use[name].word then env[name] = own.word end
+    if env[name] == active_motions[name].word then env[name] = own.word end
   end
-  in_use = motions
-  local modal = motion.as_in_use(core.motion_id())
+  active_motions = motions
+  local modal = motion.active_variant(core.motion_id())
   if modal ~= core.motion_id() then core.make_modal(modal) end
 end
 
 -- Words may have temporary replacements, in layers: the last layer is nearest to the program.
 local LAYERS = { "modal macro", "line angle" }
-local covers, covered = {}, {}   -- meanings by name: of each layer, and those they replace
+local replacements, replaced = {}, {}   -- meanings by name: of each layer, and those they replace
 
-local function uncover()
-  for name, meaning in unordered(covered) do env[name] = meaning end
-  covered = {}
+local function restore_words()
+  for name, meaning in unordered(replaced) do env[name] = meaning end
+  replaced = {}
 end
 
-local function put_covers()
+local function apply_replacements()
   for _, layer in ipairs(LAYERS) do
-    for name, meaning in unordered(covers[layer] or {}) do
-      covered[name] = covered[name] or env[name]
+    for name, meaning in unordered(replacements[layer] or {}) do
+      replaced[name] = replaced[name] or env[name]
       env[name] = meaning
     end
   end
 end
 
 -- Replaces these words by `meanings` by name; nil: ends the layer.
-function motion.cover(layer, meanings)
-  if covers[layer] == meanings then return end
-  uncover()
-  covers[layer] = meanings
-  put_covers()
+function motion.replace_words(layer, meanings)
+  if replacements[layer] == meanings then return end
+  restore_words()
+  replacements[layer] = meanings
+  apply_replacements()
 end
 
 -- Plain words change below their replacements.
 hooks.on("shape", "motions", function(is_shaped)
-  uncover()
-  put_in_use(is_shaped and shaped or plain)
-  put_covers()
+  restore_words()
+  activate_motions(is_shaped and shaped or plain)
+  apply_replacements()
 end)
 
 local function line(name, rapid)

@@ -9,8 +9,8 @@ local locks = {}   -- by their owner: { feed = true, rapid = true, spindle = fal
 
 local function tell()
   local all = {}
-  for _, of_one in pairs(locks) do
-    for what, is_locked in pairs(of_one) do all[what] = all[what] or is_locked end
+  for _, owner_locks in pairs(locks) do
+    for what, is_locked in pairs(owner_locks) do all[what] = all[what] or is_locked end
   end
   path.act(function() core.lock_overrides(all.feed, all.rapid, all.spindle) end)
 end

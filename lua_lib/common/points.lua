@@ -3,12 +3,12 @@
 local alarm = use("core/basics", "alarm")
 local axes = use "core/axes"
 
-local MOST_NAMED = 10
+local MAX_NAMED = 10
 
 -- Returns a point as axis words in program units, so that G53() G0(fixed "CLAMP1") moves there in mm, in
 -- inches and if X is a diameter. Axes that the machine does not have, or without a value in the point, are
 -- left out. Each call returns a table of its own, in which a script may change or remove words.
-local function words_of(point)
+local function point_words(point)
   local words = {}
   for _, axis in ipairs(axes.list) do
     local letter, value = axis.letter, point[axis.letter]
@@ -21,11 +21,11 @@ local function known(points)
   local numbers, texts = {}, {}
   for number in pairs(points) do numbers[#numbers + 1] = number end
   table.sort(numbers)
-  for i = 1, math.min(#numbers, MOST_NAMED) do
+  for i = 1, math.min(#numbers, MAX_NAMED) do
     local name = points[numbers[i]].name
     texts[i] = name and ("%d (%s)"):format(numbers[i], name) or ("%d"):format(numbers[i])
   end
-  local more = #numbers > MOST_NAMED and (" and %d more"):format(#numbers - MOST_NAMED) or ""
+  local more = #numbers > MAX_NAMED and (" and %d more"):format(#numbers - MAX_NAMED) or ""
   return #numbers == 0 and "there are none" or "there are " .. table.concat(texts, ", ") .. more
 end
 
@@ -43,7 +43,7 @@ local function define(name, points, what, section)
     end
     local point
     if is_name then point = by_name[which:upper()] else point = points[which] end
-    if point then return words_of(point) end
+    if point then return point_words(point) end
     local call = is_name and ("%s %q"):format(name, which) or ("%s(%.14g)"):format(name, which)
     alarm("word-value", "%s: no %s has that %s; %s. A line of section %s of the machine data gives one: number X Y Z%s",
       call, what, is_name and "name" or "number", known(points), section, is_name and " NAME=" .. which or "")

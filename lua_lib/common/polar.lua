@@ -4,7 +4,7 @@
 
 local copied = use("core/basics", "copied")
 local word = use("core/words", "word")
-local plane_view, shape, state = use "core/plane_view", use "core/shape", use "core/state"
+local plane_view, shape, state = use "core/plane_view", use "core/motion_modifiers", use "core/state"
 
 local polar = {}
 

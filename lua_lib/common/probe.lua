@@ -8,13 +8,13 @@
 local alarm = use("core/basics", "alarm")
 local path = use "core/path"
 
-local OFF_THE_WAY_MM = 0.01   -- max distance of a result from the path
+local PATH_TOLERANCE_MM = 0.01   -- max distance of a result from the path
 
-local answer
+local handler
 
 function env.on_probe(f)
   if f ~= nil and type(f) ~= "function" then alarm("script", "on_probe takes a function") end
-  answer = f
+  handler = f
 end
 
 local function between(from, to, part)
@@ -24,7 +24,7 @@ local function between(from, to, part)
 end
 
 -- Returns the share of the path at which `point` lies; axes that it leaves out are on the path.
-local function part_of(from, to, point)
+local function path_share(from, to, point)
   local along, length = 0, 0
   for letter, value in pairs(point) do
     if from[letter] == nil or type(value) ~= "number" then
@@ -35,9 +35,9 @@ local function part_of(from, to, point)
   end
   local part = length > 0 and along / length or 0
   for letter, value in pairs(point) do
-    local aside = math.abs(value - (from[letter] + part * (to[letter] - from[letter])))
-    if aside > OFF_THE_WAY_MM then
-      alarm("probe", "the probe's answer lies %.6g beside the way on axis %s", aside, letter:upper())
+    local lateral = math.abs(value - (from[letter] + part * (to[letter] - from[letter])))
+    if lateral > PATH_TOLERANCE_MM then
+      alarm("probe", "the probe's answer lies %.6g beside the way on axis %s", lateral, letter:upper())
     end
   end
   return part
@@ -45,12 +45,12 @@ end
 
 -- Returns the script's result for the path: the share of it at the signal, false without a signal, nil
 -- without a script.
-local function part_answered(from, to)
-  local f = answer or rawget(env, "probe")
+local function scripted_share(from, to)
+  local f = handler or rawget(env, "probe")
   if f == nil then return nil end
   local found = f(between(from, to, 0), between(from, to, 1))
   if found == nil or found == false then return false end
-  local part = type(found) == "table" and part_of(from, to, found) or found
+  local part = type(found) == "table" and path_share(from, to, found) or found
   if type(part) ~= "number" or part ~= part then alarm("probe", "the probe answers with a point, a part of the way, or nil") end
   if part < -1e-9 or part > 1 + 1e-9 then alarm("probe", "the probe's answer lies outside the way (%.6g of it)", part) end
   return math.max(0, math.min(1, part))
@@ -64,7 +64,7 @@ return function(target, away)
   path.flush()
   local from = {}
   for letter in pairs(target) do from[letter] = core.machine_position(letter) end
-  local part = part_answered(from, target)
+  local part = scripted_share(from, target)
   local found, at_start, point = path.probe(target, away, part)
   return found, at_start and part == nil, point
 end

@@ -32,7 +32,7 @@ local WITH_MOTION = { M62 = true, M63 = true, M67 = true }
 
 local switching   -- the entry of the word that acts
 
-local function own_kind(entry) return core.process.kind .. (entry.on and "_on" or "_off") end
+local function event_kind(entry) return core.process.kind .. (entry.on and "_on" or "_off") end
 
 -- Calls act(...) as a word that may switch the process.
 function process.switched_by(code, given, act, ...)
@@ -43,7 +43,7 @@ function process.switched_by(code, given, act, ...)
   local result = act(...)
   if switching == entry then   -- it sent no event
     switching = nil
-    path.event(own_kind(entry), entry.text)
+    path.event(event_kind(entry), entry.text)
   end
   return result
 end
@@ -54,24 +54,24 @@ add_entries(core.process.on, true)
 add_entries(core.process.off, false)
 
 -- Events for the function of a switching word; they are replaced by events for its function here.
-local says_what = {}
+local replaced_kinds = {}
 for _, kind in ipairs { "jet_on", "jet_off", "abrasive_on", "abrasive_off", "coolant_2_on", "mist_on", "flood_on",
                         "coolant_off", "digital_output", "analog_output", "spindle_cw", "spindle_ccw", "spindle_off" } do
-  says_what[kind] = true
+  replaced_kinds[kind] = true
 end
 
-path.tell_otherwise(function(kind, detail)
+path.set_event_filter(function(kind, detail)
   local entry = switching
-  if entry == nil or not says_what[kind] then return kind, detail end
+  if entry == nil or not replaced_kinds[kind] then return kind, detail end
   switching = nil
-  if core.process.kind == "spindle" or own_kind(entry) == kind then return kind, detail end
-  return own_kind(entry), entry.text
+  if core.process.kind == "spindle" or event_kind(entry) == kind then return kind, detail end
+  return event_kind(entry), entry.text
 end)
 
 -- The spindle itself reports the switching of its words (common/spindle.lua).
-local OF_SPINDLE = { M3 = true, M4 = true, M5 = true }
+local SPINDLE_CODES = { M3 = true, M4 = true, M5 = true }
 for code in pairs(by_code) do
-  if not OF_SPINDLE[code] then
+  if not SPINDLE_CODES[code] then
     words.around(code, "process", function(meaning, name, given, ...)
       return process.switched_by(name, given, meaning, given, ...)
     end)

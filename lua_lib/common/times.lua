@@ -21,18 +21,18 @@ else
 end
 
 -- Returns the duration, and the key of [times] that defines it.
-local function time_of(code, given)
+local function time_for_code(code, given)
   if times.codes[code] then return times.codes[code], code end
   if code == "G10" and not tool_tables[given.l] then return 0 end
   local entry = process.entry(code, given)
-  local of_process = entry and (entry.on and "process_on" or "process_off")
-  local name = of_process and times[of_process] > 0 and of_process or named[code]
+  local process_key = entry and (entry.on and "process_on" or "process_off")
+  local name = process_key and times[process_key] > 0 and process_key or named[code]
   if not name then return 0 end
   return times[name], name .. "_s"
 end
 
 local function take_time(code, given)
-  local seconds, key = time_of(code, given)
+  local seconds, key = time_for_code(code, given)
   local place = core.place()
   if seconds > 0 then path.act(function() core.take_time(seconds, key, place) end) end
 end

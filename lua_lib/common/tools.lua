@@ -33,15 +33,15 @@ local loaded = 0
 local function current_tool() return loaded end
 local function selected_tool() return selected or 0 end
 
-local MOST_NAMED = 10
+local MAX_NAMED = 10
 
-local function known_numbers()
+local function known_tool_numbers()
   local numbers = {}
   for number in pairs(tool_table) do numbers[#numbers + 1] = number end
   table.sort(numbers)
   if #numbers == 0 then return "it is empty; tools are given in section TOOL of the machine data" end
-  local more = #numbers > MOST_NAMED and (" and %d more"):format(#numbers - MOST_NAMED) or ""
-  return "it has " .. table.concat(numbers, ", ", 1, math.min(#numbers, MOST_NAMED)) .. more
+  local more = #numbers > MAX_NAMED and (" and %d more"):format(#numbers - MAX_NAMED) or ""
+  return "it has " .. table.concat(numbers, ", ", 1, math.min(#numbers, MAX_NAMED)) .. more
 end
 
 -- Returns the entry of a number that a word `name` gives; 0 has no entry. Without any table lengths are 0,
@@ -54,7 +54,7 @@ local function tool_entry(number, name)
     return nil
   end
   if tool == nil then
-    alarm("tool", "%s%d: there is no such number in the tool table; %s", name, number, known_numbers())
+    alarm("tool", "%s%d: there is no such number in the tool table; %s", name, number, known_tool_numbers())
   end
   return tool
 end
@@ -98,7 +98,7 @@ word("D", function(value)
 end)
 
 -- Sets the offsets of all axes, by their letters.
-local function offset_in_force(offset)
+local function set_active_offset(offset)
   if core.tip_control() then
     path.flush()
     core.set_tip_control(nil)
@@ -108,7 +108,7 @@ local function offset_in_force(offset)
   apply_offsets()
 end
 
-local function offsets_of(number, name)
+local function tool_offsets(number, name)
   local offset = {}
   local tool = tool_entry(number, name)
   if tool == nil then return offset end
@@ -117,14 +117,14 @@ local function offsets_of(number, name)
   return offset
 end
 
-local function h_word(words, name)
+local function read_h(words, name)
   if words == nil or words.h == nil then return nil end
   local number = whole(words.h, "H")
   if number == 0 and is_ngc then return nil end   -- as without H: the tool in the spindle
   return number
 end
 
--- G43.4: X, Y and Z are the TCP, in the work, whatever the rotary axes do (TipFrame). The length applies
+-- G43.4: X, Y and Z are the TCP, in the work, whatever the rotary axes do (TcpFrame). The length applies
 -- along the tool, so that the frame has no length offset.
 local function tip_control(offset)
   for letter, value in pairs(offset) do
@@ -132,7 +132,7 @@ local function tip_control(offset)
       alarm("tool", "G43.4: the tool has an offset along %s; only those along X, Y and Z turn with it", letter:upper())
     end
   end
-  offset_in_force({})
+  set_active_offset({})
   path.flush()
   core.set_tip_control(offset)
   core.set_tool_offset(offset.x, offset.y, offset.z)   -- zones are at the same positions as with G43
@@ -140,7 +140,7 @@ end
 
 local function off()
   state.length_sign = nil
-  offset_in_force({})
+  set_active_offset({})
 end
 word("G49", off)
 
@@ -148,20 +148,20 @@ word("G49", off)
 -- active. H alone calls another number.
 local function apply_length()
   if state.length_sign == "tip" then return tip_control({ z = tool_length_mm(state.offset_number_h or 0) }) end
-  offset_in_force({ z = state.length_sign * tool_length_mm(state.offset_number_h or 0) })
+  set_active_offset({ z = state.length_sign * tool_length_mm(state.offset_number_h or 0) })
 end
 
 local function length_offset(name, sign)
   word(name, function(words)
-    state.offset_number_h = h_word(words, name) or state.offset_number_h
+    state.offset_number_h = read_h(words, name) or state.offset_number_h
     state.length_sign = sign
     apply_length()
   end)
 end
 
-local function ab9_tip_control()
+local function define_ab9_tcp_control()
   word("G43_4", function(words)
-    state.offset_number_h = h_word(words, "G43.4") or state.offset_number_h
+    state.offset_number_h = read_h(words, "G43.4") or state.offset_number_h
     state.length_sign = "tip"
     apply_length()
   end)
@@ -174,24 +174,24 @@ word("H", function(value)
 end)
 
 -- RS274/NGC: offsets of any axes, of a tool or as written.
-local function ngc_words()
+local function define_ngc_words()
   word("G43", function(words)
-    offset_in_force(offsets_of(h_word(words, "G43") or loaded, "H"))
+    set_active_offset(tool_offsets(read_h(words, "G43") or loaded, "H"))
   end)
 
   word("G43_4", function(words)
-    tip_control(offsets_of(h_word(words, "G43.4") or loaded, "H"))
+    tip_control(tool_offsets(read_h(words, "G43.4") or loaded, "H"))
   end)
 
   -- Axes that are not named keep their offset.
   word("G43_1", function(words)
     local offset = copied(state.tool_offset)
     frames.each_axis(words or {}, "G43.1", "", function(letter, value) offset[letter] = value end)
-    offset_in_force(offset)
+    set_active_offset(offset)
   end)
 
   word("G43_2", function(words)
-    local number = h_word(words, "G43.2")
+    local number = read_h(words, "G43.2")
     local offset = copied(state.tool_offset)
     local function add(letter, value) offset[letter] = (offset[letter] or 0) + value end
     local named = frames.each_axis(words or {}, "G43.2", " h ", add)
@@ -199,9 +199,9 @@ local function ngc_words()
       alarm("tool", "G43.2 adds the offset of a tool (H), or those of its axis words")
     end
     if number ~= nil then
-      for letter, value in pairs(offsets_of(number, "H")) do add(letter, value) end
+      for letter, value in pairs(tool_offsets(number, "H")) do add(letter, value) end
     end
-    offset_in_force(offset)
+    set_active_offset(offset)
   end)
 
   -- M61 sets the tool that is in the spindle already, without a change.
@@ -217,11 +217,11 @@ local function ngc_words()
 end
 
 if is_ngc then
-  ngc_words()
+  define_ngc_words()
 else
   length_offset("G43", 1)
   length_offset("G44", -1)
-  ab9_tip_control()
+  define_ab9_tcp_control()
 end
 
 return {

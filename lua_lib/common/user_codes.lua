@@ -45,7 +45,7 @@ local function make_word(whole, meaning)
 end
 
 -- Returns only the hooks before and after a code that is not defined.
-local function of_hooks(number)
+local function hooks_only(number)
   local whole = math.tointeger(number)
   return whole and words.is_hooked("M" .. whole) and make_word(whole, nothing) or undefined(number)
 end
@@ -56,7 +56,7 @@ local function define(number, meaning)
 end
 
 local M = setmetatable({}, {
-  __index = function(_, number) return defined[number] or of_hooks(number) end,
+  __index = function(_, number) return defined[number] or hooks_only(number) end,
   __newindex = function(_, number, meaning) define(number, meaning) end,
 })
 env.M = M

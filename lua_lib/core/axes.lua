@@ -6,7 +6,7 @@ local axes = { list = core.axes(), is_rotary = {} }
 local is_rotary = axes.is_rotary
 for _, axis in ipairs(axes.list) do is_rotary[axis.letter] = axis.rotary end
 
-local function point_of(position)
+local function to_point(position)
   local point = {}
   for _, axis in ipairs(axes.list) do point[axis.letter] = position(axis.letter) end
   return point
@@ -14,8 +14,8 @@ end
 
 -- Return the position of the program and that of the machine, in machine coordinates of all axes. They differ
 -- while a filter of the path shifts or buffers moves.
-function axes.programmed_point() return point_of(core.position) end
-function axes.machine_point() return point_of(core.machine_position) end
+function axes.programmed_point() return to_point(core.position) end
+function axes.machine_point() return to_point(core.machine_position) end
 
 local unwinding = {}
 for _, axis in ipairs(axes.list) do
@@ -23,14 +23,14 @@ for _, axis in ipairs(axes.list) do
 end
 
 -- Returns a point as the controller displays it: axes that unwind show no full turns.
-function axes.shown(point)
+function axes.display_point(point)
   for _, letter in ipairs(unwinding) do point[letter] = core.reading(letter, point[letter]) end
   return point
 end
 
 -- Returns the program coordinates of the programmed point, in mm and deg.
 function axes.program_position()
-  return core.to_program(#unwinding > 0 and axes.shown(axes.programmed_point()) or {})
+  return core.to_program(#unwinding > 0 and axes.display_point(axes.programmed_point()) or {})
 end
 
 -- Returns the value of an axis word in program units, which the word may count with another factor
@@ -50,7 +50,7 @@ function axes.direction(letter)
 end
 
 -- Raises an alarm for words that mean positions of the axes themselves.
-function axes.refuse_with_tip_control(what)
+function axes.refuse_with_tcp_control(what)
   if core.tip_control() then
     alarm("mode", "%s cannot be used with G43.4, in which X, Y and Z are the tip's; G49 ends it", what)
   end

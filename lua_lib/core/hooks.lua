@@ -25,7 +25,7 @@ end
 
 -- Events, each with its listeners:
 --   "begin"      all files are loaded
---   "shape"      plain motions run in Lua from here on, or no longer (core/shape.lua)
+--   "shape"      plain motions run in Lua from here on, or no longer (core/motion_modifiers.lua)
 --   "frame"      another work coordinate system is active (9/Series)
 --   "transform"  the matrix of the program has changed (9/Series)
 --   "call"       a subprogram begins: frame, arguments or nil (core/calls.lua)

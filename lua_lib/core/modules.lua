@@ -12,7 +12,7 @@ local loaded = {}     -- what each module has returned
 local LOADING = {}    -- value while it runs
 
 -- Returns true if a name begins like the modules of the library.
-local function is_of_library(name) return name == "gsim" or name:sub(1, 5) == "gsim." end
+local function is_library_name(name) return name == "gsim" or name:sub(1, 5) == "gsim." end
 
 local function library(name)
   local dialect = LIBRARY[name]
@@ -27,7 +27,7 @@ end
 
 function env.require(name)
   if type(name) ~= "string" then error("require takes the name of a module: require \"shapes\"", 0) end
-  if is_of_library(name) then return (library(name)) end
+  if is_library_name(name) then return (library(name)) end
   if TABLES[name] then return env[name] end
   if loaded[name] == LOADING then error(("the module \"%s\" requires itself"):format(name), 0) end
   if loaded[name] ~= nil then return loaded[name] end

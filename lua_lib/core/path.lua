@@ -2,7 +2,7 @@
 -- Each passes the moves that it permits on to the next one, and may buffer moves until it knows those that
 -- follow.
 
-local axes, plane_view, shape = use "core/axes", use "core/plane_view", use "core/shape"
+local axes, plane_view, shape = use "core/axes", use "core/plane_view", use "core/motion_modifiers"
 
 local SHAPE_BY_FILTER = "a filter of the path"
 local SAME_MM = 1e-9
@@ -20,7 +20,7 @@ function machine:flush() end
 local filters = {}   -- first to last
 local head = machine
 local before_feed_move, after_move   -- called before each programmed feed move and after each move, or nil
-local told_otherwise                 -- turns events into others, or nil
+local event_filter                 -- turns events into others, or nil
 local stop_rule                      -- of the present word, if the controller has a special one for it
 
 local path = {}
@@ -63,20 +63,20 @@ end
 
 -- The machine is at another position than the program assumes, until the next move corrects it.
 local elsewhere = {}
-local stands_elsewhere = false
+local is_displaced = false
 
-local function lead_on()
-  stands_elsewhere = false
+local function end_displacement()
+  is_displaced = false
   path.remove_filter(elsewhere)
 end
 
 function elsewhere:rapid(...)
-  lead_on()
+  end_displacement()
   self.next:rapid(...)
 end
 
 function elsewhere:line(...)
-  lead_on()
+  end_displacement()
   self.next:line(...)
 end
 
@@ -84,7 +84,7 @@ end
 function elsewhere:arc(plane, ccw, first, second, sweep, target, feed, place)
   local start, view = axes.programmed_point(), plane_view.view(plane)
   local from, at = view:at(start), view:at(axes.machine_point())
-  lead_on()
+  end_displacement()
   if math.abs(from[1] - at[1]) > SAME_MM or math.abs(from[2] - at[2]) > SAME_MM then self.next:rapid(start, place) end
   self.next:arc(plane, ccw, first, second, sweep, target, feed, place)
 end
@@ -94,13 +94,13 @@ function elsewhere:flush() end
 
 -- Continues the program from `point`, in machine coordinates of all axes, while the machine stays at its
 -- position.
-function path.go_on_from(point)
-  stands_elsewhere = true
+function path.continue_from(point)
+  is_displaced = true
   path.add_filter(elsewhere)
   core.set_programmed(point)
 end
 
-function path.stands_elsewhere() return stands_elsewhere end
+function path.is_displaced() return is_displaced end
 
 function path.rapid(target)
   head:rapid(target, head ~= machine and core.place() or nil)
@@ -120,7 +120,7 @@ end
 -- Makes a straight feed move that a signal ends, after all pending moves have been output. See core.probe.
 function path.probe(target, away, signal)
   path.flush()
-  if stands_elsewhere then lead_on() end
+  if is_displaced then end_displacement() end
   local found, at_start, point = core.probe(target, nil, nil, away, signal)
   if head ~= machine then core.set_programmed(axes.machine_point()) end
   if after_move then after_move() end
@@ -159,7 +159,7 @@ end
 
 -- Returns the time of an event if its word does not set another one. `changed`: false if it switches no
 -- state.
-local function when_of(kind, changed)
+local function event_timing(kind, changed)
   if stop_rule == "always" then return "at_rest" end
   if stop_rule == "never" then return "in_passing" end
   if stop_rule == "on-change" then return changed == false and "in_passing" or "at_rest" end
@@ -167,12 +167,12 @@ local function when_of(kind, changed)
 end
 
 -- Sets f(kind, detail), which returns the kind and the detail that are reported instead of an event's.
-function path.tell_otherwise(f) told_otherwise = f end
+function path.set_event_filter(f) event_filter = f end
 
--- `when` is "at_rest", "in_passing" (as the next move or dwell begins) or "with_motion" (as the next move begins).
+-- `when` is "at_standstill", "in_passing" (as the next move or dwell begins) or "with_motion" (as the next move begins).
 function path.event(kind, detail, when, changed)
-  if told_otherwise then kind, detail = told_otherwise(kind, detail) end
-  when = when or when_of(kind, changed)
+  if event_filter then kind, detail = event_filter(kind, detail) end
+  when = when or event_timing(kind, changed)
   if head == machine then
     core.event(kind, detail, nil, when)
   else
@@ -249,7 +249,7 @@ function path.before_feed_moves(f)
 end
 
 -- Sets f() to be called after each programmed move (modal macro calls); nil: not any more.
-function path.each_move(f)
+function path.after_each_move(f)
   after_move = f
   shape("a call behind each move", f ~= nil)
 end

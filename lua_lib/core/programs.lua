@@ -4,7 +4,7 @@ local alarm, nearly_whole = use("core/basics", "alarm", "nearly_whole")
 local word = use("core/words", "word")
 local calls, path = use "core/calls", use "core/path"
 
-local MOST = 2^31 - 1     -- of a program number, and of repeats
+local MAX_NUMBER = 2^31 - 1     -- of a program number, and of repeats
 local TO_START = "M99"   -- return value of a program that ends in M99
 
 local programs = {}
@@ -78,7 +78,7 @@ local function load_file(name)
 end
 
 -- Returns the program of a file next to this one: the one with that number, or the first of the file.
-local function load_beside(number)
+local function load_adjacent(number)
   local found, body = load_file(number)
   body = programs[number] or body
   programs[number] = found and body or nil
@@ -87,14 +87,14 @@ end
 
 -- Returns the body of the program with this number, in this file or in one next to it.
 local function find_program(number)
-  return programs[number] or load_beside(number)
+  return programs[number] or load_adjacent(number)
     or alarm("program-missing", "there is no program O%d, neither in this file nor beside it", number)
 end
 
 local function whole(value, name)
   value = nearly_whole(value)
-  if type(value) ~= "number" or value % 1 ~= 0 or value < 0 or value > MOST then
-    alarm("word-value", "%s of M98 is a whole number from 0 to %d, not %s", name, MOST, tostring(value))
+  if type(value) ~= "number" or value % 1 ~= 0 or value < 0 or value > MAX_NUMBER then
+    alarm("word-value", "%s of M98 is a whole number from 0 to %d, not %s", name, MAX_NUMBER, tostring(value))
   end
   return math.tointeger(value)
 end
@@ -118,7 +118,7 @@ end
 -- times.
 local names = {}
 
-local function name_of(number)
+local function program_name(number)
   local name = names[number] or ("O%d"):format(number)
   names[number] = name
   return name
@@ -128,7 +128,7 @@ end
 -- continues (M99 P), or nil.
 local function call_program(number, times)
   local body = find_program(number)
-  local frame = calls.enter(name_of(number))
+  local frame = calls.enter(program_name(number))
   local block
   for pass = 1, times do
     if pass > 1 then core.repeat_program() end

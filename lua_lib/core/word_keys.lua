@@ -7,9 +7,9 @@ local alarm, check_table, printed = use("core/basics", "alarm", "check_table", "
 local AXES = "a b c u v w x y z radius angle"
 
 -- These words report by themselves which arguments they need instead of a table.
-local LOOKS_BY_ITSELF = { G4 = true, G48_1 = true, G48_2 = true, G48_3 = true, G52 = true, G92 = true }
+local CHECKS_OWN_WORDS = { G4 = true, G48_1 = true, G48_2 = true, G48_3 = true, G52 = true, G92 = true }
 
-local function parted(text)
+local function split_words(text)
   local words, from = {}, 1
   while from <= #text do
     local blank = text:find(" ", from) or #text + 1
@@ -22,7 +22,7 @@ end
 -- Returns a table with the keys in their order, and true by key.
 local function known_keys(keys)
   if keys:sub(1, 4) == "axes" then keys = AXES .. keys:sub(5) end
-  local known = parted(keys)
+  local known = split_words(keys)
   for i = 1, #known do known[known[i]] = true end
   return known
 end
@@ -48,7 +48,7 @@ return function(name, meaning)
       for key in unordered(words) do
         if type(key) == "string" and not known[key] then refuse(name, words, known) end
       end
-    elseif words ~= nil and not LOOKS_BY_ITSELF[name] then
+    elseif words ~= nil and not CHECKS_OWN_WORDS[name] then
       check_table(words, printed(name))
     end
     return meaning(words, more)

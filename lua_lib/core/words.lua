@@ -34,27 +34,27 @@ function words.id()
 end
 
 -- Returns the meaning of a word at which the controller waits by a special rule (core.stops, docs/stops.md).
-local function by_stop_rule(name, meaning)
+local function with_stop_rule(name, meaning)
   local rule = core.stops[printed(name)]
   return rule and function(...) return path.by_rule(rule, meaning, ...) end or meaning
 end
 
-local refusals = { refused = compensation.refuse, ["refused beside the path"] = compensation.refuse_beside_path }
+local refusals = { refused = compensation.refuse, ["refused beside the path"] = compensation.refuse_next_to_path }
 
 -- Returns the meaning of a code, called after a check that cutter compensation allows it (column
 -- `compensation`).
 function words.if_allowed(name, meaning)
-  local refuse, shown = refusals[core.codes.compensation[name]], printed(name)
+  local refuse, display_name = refusals[core.codes.compensation[name]], printed(name)
   if refuse == nil then return meaning end
   return function(...)
-    refuse(shown)
+    refuse(display_name)
     return meaning(...)
   end
 end
 
 -- Defines a word of the language. A call belongs to the block at the line from which the script calls it.
 function words.word(name, meaning)
-  local looked_at = by_stop_rule(name, words.if_allowed(name, meaning))
+  local looked_at = with_stop_rule(name, words.if_allowed(name, meaning))
   env[name] = core.word(words.id(), word_keys(name, looked_at))
 end
 
@@ -99,7 +99,7 @@ function words.with_hooks(name, meaning)
   return meaning
 end
 
-local function same_but_case(name)
+local function find_ignoring_case(name)
   for candidate in pairs(seen) do
     if candidate:lower() == name:lower() then return candidate end
   end
@@ -107,12 +107,12 @@ end
 
 -- An undefined name is an error, not an empty value.
 local function unknown(_, name)
-  local near = type(name) == "string" and same_but_case(name)
+  local near = type(name) == "string" and find_ignoring_case(name)
   error(("there is no '%s' here%s"):format(tostring(name), near and ("; did you mean " .. near .. "?") or ""), 2)
 end
 
 -- Rejects the codes that the dialect does not support in handwritten scripts, too.
-local function refuse_others()
+local function define_unsupported()
   for name, meaning in unordered(core.codes.unsupported) do
     if not owner[name] then
       words.word(name, function() alarm("code-unsupported", "%s (%s) is not supported", printed(name), meaning) end)
@@ -122,7 +122,7 @@ end
 
 -- Makes the words visible to scripts after all files have defined theirs.
 function words.finish()
-  refuse_others()
+  define_unsupported()
   setmetatable(env, { __index = unknown })
   for name, value in unordered(seen) do env[name] = hooked[name] and words.with_hooks(name, value) or value end
 end

@@ -26,7 +26,7 @@ local function refuse(words, name)
 end
 
 -- Returns the program's position and the arc's target, by letter.
-local function ends_of(words)
+local function arc_ends(words)
   local from, to = {}, {}
   for _, letter in ipairs { "x", "y", "z" } do
     from[letter] = state.position(letter) - state.origin(letter)
@@ -37,7 +37,7 @@ end
 
 -- Returns the angle from the start to the end about the centre, which is at the offset (first, second) from
 -- the start.
-local function sweep_of(from, to, first, second, clockwise)
+local function arc_sweep(from, to, first, second, clockwise)
   local a, b = plane[1], plane[2]
   local centre_a, centre_b = from[a] + first, from[b] + second
   local to_a, to_b = to[a] - centre_a, to[b] - centre_b
@@ -49,25 +49,25 @@ local function sweep_of(from, to, first, second, clockwise)
 end
 
 -- Returns a function for E along the arc, in equal steps: the E words of the chords.
-local function e_of_chord(words, count)
+local function chord_extrusion(words, count)
   if words.e == nil then return function() end end
   if state.incremental_e then return function() return words.e / count end end
   local from = (state.position "e" - state.origin "e") / state.e_factor
   return function(i) return from + i * (words.e - from) / count end
 end
 
-local function chords(words, clockwise)
+local function run_chords(words, clockwise)
   local a, b, along = plane[1], plane[2], plane[3]
   local first, second = words[plane.centre[1]] or 0, words[plane.centre[2]] or 0
   if first == 0 and second == 0 then
     alarm("arc", "an arc in this plane takes its centre from %s and %s", plane.centre[1]:upper(), plane.centre[2]:upper())
   end
-  local from, to = ends_of(words)
-  local sweep = sweep_of(from, to, first, second, clockwise)
-  local climb = to[along] - from[along]
-  local length = math.sqrt((math.sqrt(first * first + second * second) * sweep) ^ 2 + climb * climb)
+  local from, to = arc_ends(words)
+  local sweep = arc_sweep(from, to, first, second, clockwise)
+  local ascent = to[along] - from[along]
+  local length = math.sqrt((math.sqrt(first * first + second * second) * sweep) ^ 2 + ascent * ascent)
   local count = math.max(1, math.floor(length / core.arc_resolution_mm))
-  local e_at = e_of_chord(words, count)
+  local e_at = chord_extrusion(words, count)
   local centre_a, centre_b = from[a] + first, from[b] + second
   for i = 1, count do
     local chord = { e = e_at(i), f = words.f }
@@ -77,7 +77,7 @@ local function chords(words, clockwise)
       local cos, sin = math.cos(i * sweep / count), math.sin(i * sweep / count)
       chord[a] = centre_a - first * cos + second * sin
       chord[b] = centre_b - first * sin - second * cos
-      chord[along] = from[along] + i * climb / count
+      chord[along] = from[along] + i * ascent / count
     end
     moves.line(chord, "G1")
   end
@@ -90,6 +90,6 @@ for name, clockwise in pairs { G2 = true, G3 = false } do
       return
     end
     refuse(words, name)
-    chords(words, clockwise)
+    run_chords(words, clockwise)
   end)
 end

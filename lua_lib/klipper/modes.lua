@@ -56,11 +56,11 @@ word("M221", function(words)
   state.e_factor = factor
 end)
 
-local KEPT = { "incremental", "incremental_e", "feed", "speed_factor", "e_factor" }
+local SAVED_FIELDS = { "incremental", "incremental_e", "feed", "speed_factor", "e_factor" }
 
 local function save(name)
   local kept = { base = {}, offset = {}, position = {} }
-  for _, field in ipairs(KEPT) do kept[field] = state[field] end
+  for _, field in ipairs(SAVED_FIELDS) do kept[field] = state[field] end
   for _, letter in ipairs(LETTERS) do
     kept.base[letter], kept.offset[letter] = state.base[letter], state.offset[letter]
     kept.position[letter] = state.position(letter)
@@ -72,7 +72,7 @@ end
 local function restore(name)
   local kept = state.saved[name]
   if kept == nil then alarm("mode", "RESTORE_GCODE_STATE: there is no state '%s'", name) end
-  for _, field in ipairs(KEPT) do state[field] = kept[field] end
+  for _, field in ipairs(SAVED_FIELDS) do state[field] = kept[field] end
   state.base, state.offset = {}, {}
   for _, letter in ipairs(LETTERS) do
     state.base[letter], state.offset[letter] = kept.base[letter], kept.offset[letter]
@@ -82,7 +82,7 @@ local function restore(name)
 end
 
 -- Moves at `mm_s`, or else at the active speed, which does not change.
-local function go_to(target, mm_s)
+local function move_to(target, mm_s)
   local feed = state.feed
   if mm_s then state.feed = mm_s * 60 / state.speed_factor end
   moves.to(target)
@@ -102,17 +102,17 @@ word("SET_GCODE_OFFSET", function(words)
       target[letter] = state.position(letter) + offset - before
     end
   end
-  if (words.move or 0) ~= 0 then go_to(target, words.move_speed) end
+  if (words.move or 0) ~= 0 then move_to(target, words.move_speed) end
 end)
 
-local function name_of(words) return words and words.name or "default" end
+local function state_name(words) return words and words.name or "default" end
 
-word("SAVE_GCODE_STATE", function(words) save(name_of(words)) end)
+word("SAVE_GCODE_STATE", function(words) save(state_name(words)) end)
 
 word("RESTORE_GCODE_STATE", function(words)
-  local kept = restore(name_of(words))
+  local kept = restore(state_name(words))
   if words == nil or (words.move or 0) == 0 then return end
-  go_to({ x = kept.position.x, y = kept.position.y, z = kept.position.z }, words.move_speed)
+  move_to({ x = kept.position.x, y = kept.position.y, z = kept.position.z }, words.move_speed)
 end)
 
 return { save = save, restore = restore }

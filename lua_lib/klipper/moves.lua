@@ -9,7 +9,7 @@ local LETTERS = { "x", "y", "z" }
 local moves = {}
 
 -- Returns the target of words in program coordinates.
-local function target_of(words)
+local function move_target(words)
   local target = {}
   for _, letter in ipairs(LETTERS) do
     local value = words[letter]
@@ -18,8 +18,8 @@ local function target_of(words)
     end
   end
   if words.e then
-    local is_step = state.incremental or state.incremental_e
-    target.e = words.e * state.e_factor + (is_step and state.position "e" or state.origin "e")
+    local is_valid_step = state.incremental or state.incremental_e
+    target.e = words.e * state.e_factor + (is_valid_step and state.position "e" or state.origin "e")
   end
   return target
 end
@@ -47,7 +47,7 @@ function moves.line(words, name)
     if words.f <= 0 then alarm("feed", "F%.10g: a speed is above 0", words.f) end
     state.feed = words.f
   end
-  moves.to(target_of(words))
+  moves.to(move_target(words))
 end
 
 for _, name in ipairs { "G0", "G1" } do

@@ -3,7 +3,7 @@
 local word = use("core/words", "word")
 local modes, moves, state = use "klipper/modes", use "klipper/moves", use "klipper/state"
 
-local OWN_STATE = "_retract_state"
+local RETRACT_STATE = "_retract_state"
 
 local settings = core.retraction   -- length_mm, speed_mm_s, extra_mm, unretract_speed_mm_s
 local is_configured = settings.length_mm > 0
@@ -11,10 +11,10 @@ local is_retracted = false
 
 -- Moves E alone by a step. The E position that the program knows does not change.
 local function step(length_mm, speed_mm_s)
-  modes.save(OWN_STATE)
+  modes.save(RETRACT_STATE)
   state.incremental = true
   moves.line({ e = length_mm, f = speed_mm_s * 60 }, "G1")
-  modes.restore(OWN_STATE)
+  modes.restore(RETRACT_STATE)
 end
 
 local function is_known(name)

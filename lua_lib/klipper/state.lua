@@ -35,12 +35,12 @@ end
 function state.origin(letter) return state.base[letter] or 0 end
 
 -- The active speed, in the form that the core uses.
-local told, feed_told
+local told, cached_feed
 
 function state.core_feed()
   local mm_min = state.feed * state.speed_factor
-  if told ~= mm_min then told, feed_told = mm_min, core.feed_mm_min(mm_min) end
-  return feed_told
+  if told ~= mm_min then told, cached_feed = mm_min, core.feed_mm_min(mm_min) end
+  return cached_feed
 end
 
 return state

@@ -7,7 +7,7 @@ local alarm = use("core/basics", "alarm")
 local axes, comp_filter, g, plane_view = use "core/axes", use "common/comp_filter", use "common/comp_geometry", use "core/plane_view"
 
 local SMALL_CORNER_RAD = 0.05     -- up to here it is not treated as a corner
-local MOST_SPIRAL_MM = 0.04       -- between the radii of an arc's ends
+local MAX_SPIRAL_MM = 0.04       -- between the radii of an arc's ends
 local RADII_TOLERANCE = 0.01      -- of an arc that was cut back, in program units
 -- An arc that becomes longer than programmed by more than that has been shortened past its other end.
 local CUT_BACK_RAD = { metric = 0.0254, inch = 0.001 }
@@ -42,9 +42,9 @@ end
 
 -- --- The queue ---
 
-local NO_WAY = "%s ends in an inside corner that the tool cannot reach without gouging"
+local UNREACHABLE_CORNER = "%s ends in an inside corner that the tool cannot reach without gouging"
 
-local function off_circle(item, point)
+local function is_off_circle(item, point)
   local other = g.distance(item.point, item.centre)
   return math.abs(g.distance(point, item.centre) - other) > RADII_TOLERANCE * core.unit_mm()
 end
@@ -53,14 +53,14 @@ function ngc:cut_back(item, point)
   local segment = item.segment
   if not segment then return end
   if segment.centre then
-    if off_circle(item, point) then self:say(item, NO_WAY) end
+    if is_off_circle(item, point) then self:raise_alarm(item, UNREACHABLE_CORNER) end
     if self.start then
       local sweep = g.swept_after(self.start, point, item.centre, segment.turn, segment.sweep)
       local tolerance = core.unit_mm() == 1 and CUT_BACK_RAD.metric or CUT_BACK_RAD.inch
-      if sweep > segment.sweep + tolerance then self:say(item, NO_WAY) end
+      if sweep > segment.sweep + tolerance then self:raise_alarm(item, UNREACHABLE_CORNER) end
     end
   elseif self.start and item.watched and g.dot(segment.heading[1], g.minus(point, self.start)) < 0 then
-    self:say(item, NO_WAY)
+    self:raise_alarm(item, UNREACHABLE_CORNER)
   end
 end
 
@@ -69,16 +69,16 @@ function ngc:put(item)
   if item.kind == "act" then
     self.next:act(item.f)
   elseif not segment then
-    self:put_straight(item, item.point or self.at)
+    self:output_straight(item, item.point or self.at)
   elseif segment.centre then
     -- After a corner below the limit, or a stop in an inside corner, the tool may be off the arc.
-    if math.abs(g.distance(self.at, item.centre) - g.distance(item.point, item.centre)) > MOST_SPIRAL_MM then
-      self:put_straight(item, g.beside_start(segment, self.side, self.radius), item.source)
+    if math.abs(g.distance(self.at, item.centre) - g.distance(item.point, item.centre)) > MAX_SPIRAL_MM then
+      self:output_straight(item, g.offset_start(segment, self.side, self.radius), item.source)
     end
     local sweep = g.swept_after(self.at, item.point, item.centre, segment.turn, segment.sweep)
-    self:put_arc(item, item.point, item.centre, segment.turn, sweep)
+    self:output_arc(item, item.point, item.centre, segment.turn, sweep)
   else
-    self:put_straight(item, item.point)
+    self:output_straight(item, item.point)
   end
 end
 
@@ -104,9 +104,9 @@ end
 function ngc:enter_straight(item)
   local way = g.distance(self.tool, item.segment and item.segment.to or self.tool)
   if way <= self.radius then
-    self:say(item, "%s is the entry move, and its length of %.10g mm in the plane is not greater than the radius", way)
+    self:raise_alarm(item, "%s is the entry move, and its length of %.10g mm in the plane is not greater than the radius", way)
   end
-  item.point = g.beside_end(item.segment, self.side, self.radius)
+  item.point = g.offset_end(item.segment, self.side, self.radius)
   self.start = self.tool
 end
 
@@ -114,31 +114,31 @@ end
 -- change, so the centre is at the same distance from both, on the line through the programmed centre.
 function ngc:enter_circular(item)
   local segment = item.segment
-  if g.distance(self.at, self.tool) > MOST_SPIRAL_MM then
+  if g.distance(self.at, self.tool) > MAX_SPIRAL_MM then
     alarm("compensation",
       "the first move after G40 leads out of cutter compensation and is straight (G0 or G1), not an arc")
   end
   local way = g.distance(self.tool, segment.to)
   if way <= self.radius then
-    self:say(item, "%s is the entry arc, and its end is only %.10g mm from its start, not more than the radius", way)
+    self:raise_alarm(item, "%s is the entry arc, and its end is only %.10g mm from its start, not more than the radius", way)
   end
   self:check_fits(item, self.side, self.radius)
-  item.point = g.beside_end(segment, self.side, self.radius)
+  item.point = g.offset_end(segment, self.side, self.radius)
   local axis = g.unit(g.minus(segment.centre, item.point))
   local chord = g.minus(self.tool, item.point)
   local along = g.dot(axis, chord)
   if math.abs(along) < 0.0001 * g.length(chord) then
-    self:say(item, "%s is the entry arc, and the tool does not fit into it")
+    self:raise_alarm(item, "%s is the entry arc, and the tool does not fit into it")
   end
   item.centre = g.plus(item.point, axis, g.dot(chord, chord) / (2 * along))
   item.segment = g.arc(self.tool, segment.to, item.centre, segment.turn > 0, segment.sweep)
   item.segment.heading[2] = segment.heading[2]
   item.segment.radius = g.distance(item.centre, item.point) + segment.turn * self.side * self.radius
   local turns = math.ceil(segment.sweep / TURN - 1e-9) - 1
-  item.segment.sweep = g.swept(self.tool, item.point, item.centre, segment.turn) + turns * TURN
+  item.segment.sweep = g.sweep_angle(self.tool, item.point, item.centre, segment.turn) + turns * TURN
   -- The zero point of a lathe tool first moves to the offset position, otherwise the arc is invalid.
   if self.origin ~= comp_filter.origin then
-    self:put_straight({ kind = "line", feed = item.feed, place = item.place }, self.tool, item.source)
+    self:output_straight({ kind = "line", feed = item.feed, place = item.place }, self.tool, item.source)
   end
 end
 
@@ -168,9 +168,9 @@ function ngc:segment_before()
 end
 
 function ngc:inside_corner(item)
-  local point = g.meet(self:segment_before(), item.segment, self.side, self.radius)
+  local point = g.intersect(self:segment_before(), item.segment, self.side, self.radius)
   if not point then
-    self:say(item, "before %s lies an inside corner that the tool does not fit into without gouging")
+    self:raise_alarm(item, "before %s lies an inside corner that the tool does not fit into without gouging")
   end
   self:end_at(point)
 end
@@ -178,14 +178,14 @@ end
 -- The move around an outside corner has the new move's feed and moves the axes outside the plane's space,
 -- too.
 function ngc:around_corner(item)
-  local beside = g.beside_start(item.segment, self.side, self.radius)
+  local beside = g.offset_start(item.segment, self.side, self.radius)
   local target = self:complete(item.target)
   for _, letter in ipairs { "x", "y", "z" } do target[letter] = item.source[letter] end
   if item.kind == "rapid" then
-    self:put_straight(item, beside, target)
+    self:output_straight(item, beside, target)
   else
     local corner, turn = item.segment.from, -self.side
-    self:put_arc(item, beside, corner, turn, g.swept(self.at, beside, corner, turn), target)
+    self:output_arc(item, beside, corner, turn, g.sweep_angle(self.at, beside, corner, turn), target)
   end
   self.start = beside
 end
@@ -216,7 +216,7 @@ function ngc:take(item)
     else
       self:check_fits(item, self.side, self.radius)
       self:corner(item)
-      item.point = g.beside_end(item.segment, self.side, self.radius)
+      item.point = g.offset_end(item.segment, self.side, self.radius)
       item.centre = item.segment.centre
       item.watched = true
     end

@@ -12,7 +12,7 @@ local held = {}   -- words of the cycle that is modal, and `initial`, the level 
 
 -- Returns the nearest short decimal: the value as written in a program, without rounding errors of unit
 -- conversion.
-local function snapped(value) return math.floor(value * 1e9 + 0.5) / 1e9 end
+local function snap(value) return math.floor(value * 1e9 + 0.5) / 1e9 end
 
 -- Returns true if level `a` is higher than `b` by more than rounding.
 local function above(a, b) return a - b > 1e-9 end
@@ -27,7 +27,7 @@ local function required(words, letter, name, again)
   return value
 end
 
-local function needs_spindle(name)
+local function require_spindle(name)
   if state.spindle == nil then alarm("spindle", "%s needs the spindle turning (M3 or M4)", name) end
   return state.spindle
 end
@@ -46,7 +46,7 @@ function strokes.G82(hole)
   hole.rapid(hole.clear)
 end
 
-local function feed_and_wait(hole, depth)
+local function feed_and_dwell(hole, depth)
   hole.feed(depth)
   if core.drilling.dwell > 0 then path.dwell(core.drilling.dwell) end
 end
@@ -54,11 +54,11 @@ end
 local function peck(hole, name, retract)
   local feeds_down = retract and core.drilling.feeds_down
   for _, depth in ipairs(cycles.pecks(hole.r, hole.bottom, hole.q, name)) do
-    feed_and_wait(hole, depth)
+    feed_and_dwell(hole, depth)
     if retract then hole.rapid(feeds_down and hole.clear or hole.r) end
     if not feeds_down then hole.rapid(depth + core.drilling.clearance_mm / core.unit_mm()) end
   end
-  feed_and_wait(hole, hole.bottom)
+  feed_and_dwell(hole, hole.bottom)
   hole.rapid(hole.clear)
 end
 
@@ -67,20 +67,20 @@ function strokes.G83(hole) peck(hole, "G83", true) end
 
 -- In ZX and YZ, LinuxCNC 2.9 assigns the strokes of G74 and G84 to the wrong axes. gsim follows its canonical
 -- output, with a warning.
-local function misplaced(hole, level)
+local function exchange_axes(hole, level)
   if core.plane() == "zx" then return hole.second, level, hole.first end
   return level, hole.first, hole.second
 end
 
 local function tap(hole, name, forth, back)
-  if needs_spindle(name) ~= forth then
+  if require_spindle(name) ~= forth then
     alarm("spindle", "%s needs the spindle turning %s", name,
       forth == "cw" and "clockwise (M3)" or "counterclockwise (M4)")
   end
   local feed = hole.feed
   if core.plane() ~= "xy" then
     core.warn(name .. " outside of the XY plane: as in LinuxCNC 2.9 its strokes go to exchanged axes; use G33.1")
-    feed = function(level) hole.feed_to(misplaced(hole, level)) end
+    feed = function(level) hole.feed_to(exchange_axes(hole, level)) end
   end
   overrides.without(function()
     feed(hole.bottom)
@@ -103,7 +103,7 @@ function strokes.G85(hole)
 end
 
 function strokes.G86(hole)
-  local direction = needs_spindle("G86")
+  local direction = require_spindle("G86")
   hole.feed(hole.bottom)
   path.dwell(hole.p)
   spindle.turn(nil)
@@ -113,7 +113,7 @@ end
 
 -- Back boring: through the hole offset from its axis, then up from below.
 function strokes.G87(hole)
-  local direction = needs_spindle("G87")
+  local direction = require_spindle("G87")
   local first, second = hole.first + hole.shift_first, hole.second + hole.shift_second
   hole.rapid_to(first, second, hole.r)
   spindle.orient()
@@ -131,7 +131,7 @@ end
 
 -- The operator retracts the tool; the program continues as if from the clearance level.
 function strokes.G88(hole)
-  local direction = needs_spindle("G88")
+  local direction = require_spindle("G88")
   hole.feed(hole.bottom)
   path.dwell(hole.p)
   spindle.turn(nil)
@@ -192,7 +192,7 @@ end
 
 
 -- Returns a function that steps from hole to hole in incremental dimensions.
-local function stepper(words, name, p)
+local function make_stepper(words, name, p)
   local first, second = axis_word(words, p.first, name) or 0, axis_word(words, p.second, name) or 0
   local radius, angle = cycles.word(words, "radius", name) or 0, cycles.word(words, "angle", name) or 0
   return function(hole)
@@ -201,18 +201,18 @@ local function stepper(words, name, p)
     if hole.first == 0 and hole.second == 0 then
       alarm("word-value", "%s: an incremental @ or ^ has no direction at the zero point", name)
     end
-    local reach = math.sqrt(hole.first ^ 2 + hole.second ^ 2) + radius
+    local polar_radius = math.sqrt(hole.first ^ 2 + hole.second ^ 2) + radius
     local turn = math.atan(hole.second, hole.first) + math.rad(angle)
-    hole.first, hole.second = reach * math.cos(turn), reach * math.sin(turn)
+    hole.first, hole.second = polar_radius * math.cos(turn), polar_radius * math.sin(turn)
   end
 end
 
-local function absolute_place(hole, words, name, p)
+local function set_absolute_position(hole, words, name, p)
   if words.radius ~= nil or words.angle ~= nil then
-    local reach = cycles.word(words, "radius", name) or math.sqrt(hole.first ^ 2 + hole.second ^ 2)
+    local polar_radius = cycles.word(words, "radius", name) or math.sqrt(hole.first ^ 2 + hole.second ^ 2)
     local angle = cycles.word(words, "angle", name)
     local turn = angle and math.rad(angle) or math.atan(hole.second, hole.first)
-    hole.first, hole.second = reach * math.cos(turn), reach * math.sin(turn)
+    hole.first, hole.second = polar_radius * math.cos(turn), polar_radius * math.sin(turn)
     return
   end
   hole.first = axis_word(words, p.first, name) or hole.first
@@ -255,7 +255,7 @@ local function levels(hole, words, name, p, again, current)
 end
 
 -- After G88, and after G84 outside of XY, the tool is not at the position that the program assumes.
-local function leaves_tool(name)
+local function displaces_tool(name)
   return name == "G88" or core.plane() ~= "xy" and (name == "G74" or name == "G84")
 end
 
@@ -277,16 +277,16 @@ local function drill(name, words, before)
   local repeats = cycles.repeats(cycles.word(words, "l", name), "L", name)
   if repeats == 0 then alarm("word-value", "%s cannot be repeated 0 times; L is 1 or more", name) end
   local here, unit = axes.program_position(), core.unit_mm()
-  local current = snapped(here[p.third] / unit)
+  local current = snap(here[p.third] / unit)
   if not cycles.is_cycle(before) then held.initial = current end
-  local hole = { first = snapped(here[p.first] / unit), second = snapped(here[p.second] / unit) }
+  local hole = { first = snap(here[p.first] / unit), second = snap(here[p.second] / unit) }
   local tool = cycles.tool(p, here)
-  if path.stands_elsewhere() then tool[3] = NOWHERE end   -- whatever the first stroke, it is a move
+  if path.is_displaced() then tool[3] = NOWHERE end   -- whatever the first stroke, it is a move
   add_strokes(hole, tool)
   current = levels(hole, words, name, p, again, current)
   read_words(hole, words, name, p, again)
-  local step = core.is_incremental() and stepper(words, name, p)
-  if not step then absolute_place(hole, words, name, p) end
+  local step = core.is_incremental() and make_stepper(words, name, p)
+  if not step then set_absolute_position(hole, words, name, p) end
   -- The moves of a cycle follow the exact path in every path mode.
   path.in_mode("exact_path", function()
     for pass = 1, repeats do
@@ -299,8 +299,8 @@ local function drill(name, words, before)
       strokes[name](hole)
     end
   end)
-  if leaves_tool(name) then
-    path.go_on_from(core.to_machine {
+  if displaces_tool(name) then
+    path.continue_from(core.to_machine {
       [p.first] = hole.first * unit, [p.second] = hole.second * unit, [p.third] = hole.clear * unit })
   end
 end

@@ -13,8 +13,8 @@ local axes, compensation, frames, parameters, path, state =
 local systems = {}
 
 local FIRST_SYSTEM, PER_SYSTEM, ROTATION = 5221, 20, 9
-local G92_IN_FORCE, FIRST_G92 = 5210, 5211
-local NUMBER_OF_SYSTEM = 5220
+local G92_ACTIVE, FIRST_G92 = 5210, 5211
+local ACTIVE_SYSTEM = 5220
 local names = { "54", "55", "56", "57", "58", "59", "59.1", "59.2", "59.3" }
 
 function systems.name(number) return names[number] end
@@ -22,7 +22,7 @@ function systems.name(number) return names[number] end
 -- The word of each system: 59.1 is G59_1.
 systems.words = { "G54", "G55", "G56", "G57", "G58", "G59", "G59_1", "G59_2", "G59_3" }
 
-systems.in_force = 1     -- its number
+systems.active_system = 1     -- its number
 local origin = {}       -- of the system in force, by letter, mm or deg
 local rotation_deg = 0  -- of the system in force
 
@@ -45,7 +45,7 @@ end
 
 -- Returns true if a parameter is an origin, or the number of the active system, with which no run begins.
 function systems.is_origin(number)
-  if number == NUMBER_OF_SYSTEM then return true end
+  if number == ACTIVE_SYSTEM then return true end
   local place = number - FIRST_SYSTEM
   return place >= 0 and place < PER_SYSTEM * #names and place % PER_SYSTEM < ROTATION
 end
@@ -99,14 +99,14 @@ end
 -- The systems of the machine at the beginning of the run.
 local at_start = {}
 
-local function keep_systems()
+local function save_start_systems()
   for system in ipairs(names) do
     local at, degrees = systems.data(system)
     at_start[system] = { origin = at, rotation_deg = degrees }
   end
 end
 
-local function tell_system(system)
+local function report_system(system)
   local start = at_start[system]
   local at, degrees = systems.data(system)
   local moved = degrees ~= start.rotation_deg
@@ -116,16 +116,16 @@ end
 
 -- Activates the system's parameters.
 function systems.load(system)
-  systems.in_force = system
-  parameters.set(NUMBER_OF_SYSTEM, system)
+  systems.active_system = system
+  parameters.set(ACTIVE_SYSTEM, system)
   origin, rotation_deg = systems.data(system)
   apply_offsets()
-  path.act(function() tell_system(system) end)
+  path.act(function() report_system(system) end)
 end
 
 for system, name in ipairs(names) do
   word(systems.words[system], function()
-    if system ~= systems.in_force then
+    if system ~= systems.active_system then
       path.wait()   -- even if both systems are identical
       systems.load(system)
     end
@@ -133,11 +133,11 @@ for system, name in ipairs(names) do
 end
 
 -- Stores the current G92 offset in its parameters.
-local function keep_g92()
+local function store_g92()
   for i, letter in ipairs(parameters.letters) do
     parameters.set(FIRST_G92 + i - 1, parameters.to_stored(letter, state.g92[letter] or 0))
   end
-  parameters.set(G92_IN_FORCE, 1)
+  parameters.set(G92_ACTIVE, 1)
   apply_offsets()
 end
 
@@ -148,7 +148,7 @@ word("G92", function(words)
     state.g92[letter] = (state.g92[letter] or 0) + here[letter] - value
   end)
   if not any then alarm("word-missing", "G92 needs axis words") end
-  keep_g92()
+  store_g92()
 end)
 
 -- G52: the same offset, given directly.
@@ -156,22 +156,22 @@ word("G52", function(words)
   if not frames.each_axis(words, "G52", "", function(letter, value) state.g92[letter] = value end) then
     alarm("word-missing", "G52 needs axis words")
   end
-  keep_g92()
+  store_g92()
 end)
 
-local function drop_g92(name)
+local function clear_g92(name)
   if next(state.g92) ~= nil then compensation.refuse(name) end
   state.g92 = {}
-  parameters.set(G92_IN_FORCE, 0)
+  parameters.set(G92_ACTIVE, 0)
   apply_offsets()
 end
 
 word("G92_1", function()
-  drop_g92("G92.1")
+  clear_g92("G92.1")
   for i in ipairs(parameters.letters) do parameters.set(FIRST_G92 + i - 1, 0) end
 end)
 
-word("G92_2", function() drop_g92("G92.2") end)
+word("G92_2", function() clear_g92("G92.2") end)
 
 local function load_g92()
   for i, letter in ipairs(parameters.letters) do
@@ -186,12 +186,12 @@ word("G92_3", function()
     core.warn("G92.3 does nothing while cutter compensation is on; G40 first")
     return
   end
-  parameters.set(G92_IN_FORCE, 1)
+  parameters.set(G92_ACTIVE, 1)
   load_g92()
 end)
 
 word("G53", function()
-  axes.refuse_with_tip_control("G53")
+  axes.refuse_with_tcp_control("G53")
   if core.is_incremental() then alarm("mode", "G53 moves in machine coordinates, which are absolute: it needs G90") end
   core.machine_frame_once()
 end)
@@ -200,9 +200,9 @@ end)
 for system, name in ipairs(names) do
   for letter, value in pairs(core.offsets[name] or {}) do systems.store_origin(system, letter, value) end
 end
-keep_systems()
+save_start_systems()
 systems.load(1)
-if parameters.values[G92_IN_FORCE] ~= 0 then load_g92() end   -- kept from the run before
+if parameters.values[G92_ACTIVE] ~= 0 then load_g92() end   -- kept from the run before
 
 systems.apply_offsets = apply_offsets
 return systems

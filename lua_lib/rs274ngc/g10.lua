@@ -9,7 +9,7 @@ local SYSTEMS = 9
 local REFERENCE_SYSTEM = 9      -- G59.3, which L11 measures by
 local LAST_ORIENTATION = 9
 
-local function not_allowed(words, letters, name)
+local function reject_words(words, letters, name)
   for _, letter in ipairs(letters) do
     if words[letter] ~= nil then alarm("word-out-of-place", "%s takes no %s", name, letter:upper()) end
   end
@@ -17,40 +17,40 @@ end
 
 -- --- Work coordinate systems ---
 
-local function system_of(words, name)
+local function read_system(words, name)
   local number = parameters.whole(words.p)
   if number == nil or number < 0 or number > SYSTEMS then
     alarm("word-missing", "%s needs P from 1 (G54) to %d (G59.3), or 0 for the system in force", name, SYSTEMS)
   end
-  if number == 0 then number = systems.in_force end
-  if number == systems.in_force then compensation.refuse(name .. " for the system in force") end
+  if number == 0 then number = systems.active_system end
+  if number == systems.active_system then compensation.refuse(name .. " for the system in force") end
   return number
 end
 
 local function reload(system)
-  if system == systems.in_force then systems.load(system) end
+  if system == systems.active_system then systems.load(system) end
 end
 
-local function wait_at(system) path.wait_at(system == systems.in_force and "G10 L2" or "G10 L2 other") end
+local function wait_at(system) path.wait_at(system == systems.active_system and "G10 L2" or "G10 L2 other") end
 
 local function set_origin(words)
-  not_allowed(words, { "i", "j", "q" }, "G10 L2")
-  local system = system_of(words, "G10 L2")
+  reject_words(words, { "i", "j", "q" }, "G10 L2")
+  local system = read_system(words, "G10 L2")
   wait_at(system)
   frames.each_axis(words, "G10 L2", " l p r ", function(letter, value) systems.store_origin(system, letter, value) end)
   if words.r ~= nil then systems.store_rotation(system, words.r) end
   reload(system)
 end
 
--- Machine position without its tool offset: `carriage` in machine coordinates, `in_system` in those of a
+-- Machine position without its tool offset: `carriage` in machine coordinates, `to_system` in those of a
 -- system.
 local function carriage()
-  local point = axes.shown(axes.programmed_point())
+  local point = axes.display_point(axes.programmed_point())
   for letter, value in pairs(point) do point[letter] = value - (state.tool_offset[letter] or 0) end
   return point
 end
 
-local function in_system(point, at, degrees, g92)
+local function to_system(point, at, degrees, g92)
   local inside = {}
   for letter, value in pairs(point) do inside[letter] = value - at[letter] end
   if inside.x and inside.y then inside.x, inside.y = systems.turned(inside.x, inside.y, -degrees) end
@@ -60,15 +60,15 @@ end
 
 -- L20: the origin moves so that the machine is at the given coordinates.
 local function set_origin_by_position(words)
-  not_allowed(words, { "i", "j", "q", "r" }, "G10 L20")
-  local system = system_of(words, "G10 L20")
+  reject_words(words, { "i", "j", "q", "r" }, "G10 L20")
+  local system = read_system(words, "G10 L20")
   wait_at(system)
   local at, degrees = systems.data(system)
   local here = carriage()
-  local wanted = in_system(here, at, degrees, state.g92)
-  local any = frames.each_axis(words, "G10 L20", " l p ", function(letter, value) wanted[letter] = value end)
+  local position = to_system(here, at, degrees, state.g92)
+  local any = frames.each_axis(words, "G10 L20", " l p ", function(letter, value) position[letter] = value end)
   if not any then return end
-  for letter, value in pairs(systems.placed(wanted, {}, degrees, state.g92)) do
+  for letter, value in pairs(systems.placed(position, {}, degrees, state.g92)) do
     systems.store_origin(system, letter, here[letter] - value)
   end
   reload(system)
@@ -76,7 +76,7 @@ end
 
 -- --- Tool table ---
 
-local function tool_of(words, name)
+local function find_tool(words, name)
   local number = parameters.whole(words.p)
   if number == nil or number < 1 then alarm("word-missing", "%s needs P, the number of a tool", name) end
   return tools.by_number[number] or alarm("tool", "%s P%d: there is no tool %d in the tool table", name, number, number)
@@ -113,7 +113,7 @@ end
 local TOOL_WORDS = " l p r i j q "
 
 local function set_tool(words)
-  local tool = tool_of(words, "G10 L1")
+  local tool = find_tool(words, "G10 L1")
   path.wait_at("G10 L1")
   frames.each_axis(words, "G10 L1", TOOL_WORDS, function(letter, value) set_tool_offset(tool, letter, value) end)
   set_shape(tool, words, "G10 L1")
@@ -121,19 +121,19 @@ end
 
 -- L10, L11: if the new offset is active (G43), the machine is at the given coordinates of the system.
 local function set_tool_by_position(name, words, system, g92)
-  local tool = tool_of(words, name)
+  local tool = find_tool(words, name)
   path.wait_at("G10 L1")
   local at, degrees = systems.data(system)
   local here = carriage()
   for letter, value in pairs(here) do here[letter] = value + (state.tool_offset[letter] or 0) end
-  local wanted = in_system(carriage(), at, degrees, g92)
+  local position = to_system(carriage(), at, degrees, g92)
   local named = {}
   frames.each_axis(words, name, TOOL_WORDS, function(letter, value)
-    wanted[letter] = value
+    position[letter] = value
     named[letter] = true
   end)
   if degrees ~= 0 and (named.x or named.y) then named.x, named.y = true, true end
-  local tip = systems.placed(wanted, at, degrees, g92)
+  local tip = systems.placed(position, at, degrees, g92)
   for letter in pairs(named) do set_tool_offset(tool, letter, here[letter] - tip[letter]) end
   set_shape(tool, words, name)
 end
@@ -142,7 +142,7 @@ local meanings = {
   [0] = function() path.event("tool_table", "read again: as it is") end,
   [1] = set_tool,
   [2] = set_origin,
-  [10] = function(words) set_tool_by_position("G10 L10", words, systems.in_force, state.g92) end,
+  [10] = function(words) set_tool_by_position("G10 L10", words, systems.active_system, state.g92) end,
   [11] = function(words) set_tool_by_position("G10 L11", words, REFERENCE_SYSTEM, {}) end,
   [20] = set_origin_by_position,
 }

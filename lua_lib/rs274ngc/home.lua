@@ -38,21 +38,21 @@ end
 local homes = {}
 for _, axis in ipairs(axes.list) do homes[axis.letter] = axis.home end
 
--- At the start, the point is home position `number_of_home` of the machine, or the first one if it has none.
+-- At the start, the point is home position `home_number` of the machine, or the first one if it has none.
 -- A value kept from the run before has priority.
-local function define(name, first, number_of_home)
-  local further = core.homes[number_of_home] or {}
+local function define(name, first, home_number)
+  local further = core.homes[home_number] or {}
   for i, letter in ipairs(parameters.letters) do
     local number, home = first + i - 1, further[letter] or homes[letter]
     if home and not core.variables[number] then parameters.set(number, parameters.to_stored(letter, home)) end
   end
   word(name, function(words)
-    axes.refuse_with_tip_control(name)
+    axes.refuse_with_tcp_control(name)
     go(words, first)
   end)
   word(name .. "_1", function()
-    axes.refuse_with_tip_control(name .. ".1")
-    store(first, axes.shown(axes.programmed_point()))
+    axes.refuse_with_tcp_control(name .. ".1")
+    store(first, axes.display_point(axes.programmed_point()))
   end)
 end
 define("G28", 5161, 1)

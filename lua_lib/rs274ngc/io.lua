@@ -49,7 +49,7 @@ analog("M68", false)
 local HOW = { "rises", "falls", "on", "off" }
 
 -- Returns the response of other processes: the signal of the input. The robot is idle meanwhile.
-local function ask_signal(kind, number, wait, timeout)
+local function read_signal(kind, number, wait, timeout)
   local name = kind == "digital" and "DI" or "AI"
   local value = inputs.input_value(name, number)
   if value == nil then return 0, 0 end
@@ -63,9 +63,9 @@ local function ask_signal(kind, number, wait, timeout)
 end
 
 local function ask(kind, number, wait, timeout)
-  local answer = inputs.answer
-  if answer == nil then return ask_signal(kind, number, wait, timeout) end
-  local value, waited = answer(kind, number, wait, timeout)
+  local handler = inputs.handler
+  if handler == nil then return read_signal(kind, number, wait, timeout) end
+  local value, waited = handler(kind, number, wait, timeout)
   if value == true then value = 1 elseif value == false then value = 0 end
   if value ~= nil and type(value) ~= "number" then
     alarm("script", "on_input's function returns a number, true, false or nil")
@@ -75,7 +75,7 @@ local function ask(kind, number, wait, timeout)
 end
 
 -- Returns the input that M66 reads: its kind and number.
-local function input_of(words)
+local function read_input(words)
   if words.p ~= nil and words.e ~= nil then
     alarm("word-out-of-place", "M66 reads a digital input (P) or an analog one (E), not both")
   end
@@ -84,7 +84,7 @@ local function input_of(words)
 end
 
 word("M66", function(words)
-  local kind, number = input_of(words or {})
+  local kind, number = read_input(words or {})
   local wait, timeout = parameters.whole(words.l or 0), words.q or 0
   if wait == nil or wait < 0 or wait > LAST_WAIT then
     alarm("word-value", "L of M66 is a way to wait, from 0 to %d", LAST_WAIT)

@@ -2,7 +2,7 @@
 -- are then diameters, and so are the depths of G76; centres, R, @ and parameter values of X are not.
 
 local word = use("core/words", "word")
-local axes, computed, context, named = use "core/axes", use "rs274ngc/computed", use "rs274ngc/context", use "rs274ngc/named"
+local axes, computed, context, named = use "core/axes", use "rs274ngc/computed_codes", use "rs274ngc/modal_state", use "rs274ngc/named_parameters"
 
 local HALF = 0.5
 
@@ -18,6 +18,6 @@ end
 mode("G7", true)
 mode("G8", false)
 
-context.keep_group("lathe diameter mode", "G8")
+context.save_group("lathe diameter mode", "G8")
 named.predefine("_lathe_diameter_mode", function() return is_diameter end)
 named.predefine("_lathe_radius_mode", function() return not is_diameter end)

@@ -7,7 +7,7 @@ local path = use "core/path"
 
 local DIGIT_0, DIGIT_9 = ("09"):byte(1, 2)
 local UNKNOWN = "######"   -- for a parameter without a value
-local SHOWN_AS_ZERO = 1e-4 -- what is smaller, as LinuxCNC prints it
+local ZERO_LIMIT = 1e-4 -- what is smaller, as LinuxCNC prints it
 
 local plain = { ["%f"] = "%f", ["%d"] = "%.0f", ["%%"] = "%%" }
 
@@ -21,10 +21,10 @@ local function format_at(text, at)
   return text:sub(at, at + 3), at + 4
 end
 
-local function shown(format, value)
+local function display_text(format, value)
   if value == nil then return UNKNOWN end
   local number = env.number(value)
-  local text = format:format(math.abs(number) < SHOWN_AS_ZERO and 0 or number)
+  local text = format:format(math.abs(number) < ZERO_LIMIT and 0 or number)
   if tonumber(text) == 0 and text:sub(1, 1) == "-" then return text:sub(2) end
   return text
 end
@@ -32,16 +32,16 @@ end
 local function filled(text, ...)
   local parts, used, at = {}, 0, 1
   while at <= #text do
-    local format, behind = format_at(text, at)
+    local format, after = format_at(text, at)
     if format == "%%" then
       parts[#parts + 1] = "%"
     elseif format then
       used = used + 1
-      parts[#parts + 1] = shown(format, (select(used, ...)))
+      parts[#parts + 1] = display_text(format, (select(used, ...)))
     else
       parts[#parts + 1] = text:sub(at, at)
     end
-    at = behind or at + 1
+    at = after or at + 1
   end
   return table.concat(parts)
 end
@@ -59,10 +59,10 @@ word("ABORT", function(text, ...)
 end)
 
 -- Comments that run Python inside of LinuxCNC's interpreter, which can have any effect.
-for name, shown in pairs { PY = "(py,)", PYRUN = "(pyrun,)" } do
+for name, display_text in pairs { PY = "(py,)", PYRUN = "(pyrun,)" } do
   word(name, function()
     alarm("code-unsupported",
-      "%s runs Python of the control, which is not supported: take it out, or write in Lua what it does", shown)
+      "%s runs Python of the control, which is not supported: take it out, or write in Lua what it does", display_text)
   end)
 end
 
@@ -70,10 +70,10 @@ word("PYRELOAD", function()
   core.warn("(pyreload) does nothing: there is no Python here")
 end)
 
-local function message(name, kind, is_shown)
+local function message(name, kind, is_visible)
   word(name, function(text, ...)
     check_text(text, name)
-    if is_shown == nil or is_shown() then path.event(kind, filled(text, ...)) end
+    if is_visible == nil or is_visible() then path.event(kind, filled(text, ...)) end
   end)
 end
 
@@ -84,13 +84,13 @@ message("LOG", "log")
 word("MSG", function(text) path.event("message", check_text(text, "MSG")) end)
 
 -- Defines a word for log files: the events of the report replace them.
-local function file_word(name, kind)
+local function define_log_word(name, kind)
   word(name, function(file)
     path.event(kind, ("%s (no file is written; the report has what is logged)"):format(check_text(file, name)))
   end)
 end
-file_word("LOGOPEN", "log_open")
-file_word("LOGAPPEND", "log_append")
-file_word("PROBEOPEN", "probe_open")
+define_log_word("LOGOPEN", "log_open")
+define_log_word("LOGAPPEND", "log_append")
+define_log_word("PROBEOPEN", "probe_open")
 word("LOGCLOSE", function() path.event("log_close") end)
 word("PROBECLOSE", function() path.event("probe_close") end)

@@ -5,7 +5,7 @@ local word = use("core/words", "word")
 local axes, path, spindle, state = use "core/axes", use "core/path", use "common/spindle", use "core/state"
 
 local MM_PER_M, MM_PER_FOOT = 1000, 304.8
-local WHOLE_TURN = 360
+local FULL_TURN = 360
 
 core.set_letters_uvw(false)            -- U, V and W are axes or invalid
 core.set_inverse_time_of_arcs(false)   -- 60/F s for a complete arc, as for a line
@@ -25,7 +25,7 @@ word("F", function(value)
   if value > 0 then core.set_feed(value) else core.clear_feed() end
 end)
 
-local function drop_feed()
+local function reset_feed()
   state.feed = 0
   core.clear_feed()
 end
@@ -34,7 +34,7 @@ end
 local function feed_mode(name, mode)
   word(name, function()
     core.set_feed_mode(mode)
-    if mode ~= "inverse" then drop_feed() end
+    if mode ~= "inverse" then reset_feed() end
   end)
 end
 feed_mode("G93", "inverse")
@@ -51,7 +51,7 @@ local function surface_rpm()
   if state.spindle_word == 0 then return 0 end
   local radius_mm = math.abs(axes.program_position().x or 0)
   local unit_mm = core.unit_mm() == 1 and MM_PER_M or MM_PER_FOOT
-  return math.min(surface.most_rpm, state.spindle_word * unit_mm / (2 * math.pi * radius_mm))
+  return math.min(surface.max_rpm, state.spindle_word * unit_mm / (2 * math.pi * radius_mm))
 end
 
 local function set_speed()
@@ -86,7 +86,7 @@ word("G96", function(words)
     speed(words.s, " of G96")
   end
   local most = math.abs(words.d or 0)
-  surface = { most_rpm = most > 0 and most or math.huge }
+  surface = { max_rpm = most > 0 and most or math.huge }
   core.warn("G96: the spindle speed is worked out where S is programmed, and does not follow X from there")
   set_speed()
 end)
@@ -117,7 +117,7 @@ word("M19", function(words)
   check_spindle(words, "M19", true)
   words = words or {}
   local angle, way = words.r or 0, ways[words.p or 0]
-  if angle < 0 or angle > WHOLE_TURN then
+  if angle < 0 or angle > FULL_TURN then
     alarm("word-value", "R of M19 is an angle from 0 to 360 degrees, not %.10g", angle)
   end
   if way == nil then alarm("word-value", "P of M19 is 0, 1 or 2: the shortest way, clockwise or counterclockwise") end

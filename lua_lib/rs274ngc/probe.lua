@@ -4,7 +4,7 @@ local alarm = use("core/basics", "alarm")
 local axes, motion, move_until_signal, parameters, path, polar =
   use "core/axes", use "common/motion", use "common/probe", use "rs274ngc/variables", use "core/path", use "common/polar"
 
-local FIRST_RESULT, FOUND = 5061, 5070
+local FIRST_RESULT, PROBE_FOUND = 5061, 5070
 
 local function store_result(point, found)
   local program = core.to_program(point)
@@ -12,7 +12,7 @@ local function store_result(point, found)
     local value = program[letter]
     parameters.set(FIRST_RESULT + i - 1, value and axes.in_program_units(letter, value) or 0)
   end
-  parameters.set(FOUND, found and 1 or 0)
+  parameters.set(PROBE_FOUND, found and 1 or 0)
 end
 
 local function check(name, words, must_find)
@@ -27,18 +27,18 @@ local function check(name, words, must_find)
 end
 
 local function define(name, must_find, away)
-  local shown = name:sub(1, 3) .. "." .. name:sub(5)
+  local code_name = name:sub(1, 3) .. "." .. name:sub(5)
   motion.modal_word(name, function(words)
-    local target = check(shown, words, must_find)
+    local target = check(code_name, words, must_find)
     local found, at_start, point = move_until_signal(target, away)
     if at_start and must_find then
       alarm("probe", away and "%s goes away from what the probe touches, and it touches nothing where it begins"
-        or "%s goes to what the probe is to touch, and it touches already where it begins", shown)
+        or "%s goes to what the probe is to touch, and it touches already where it begins", code_name)
     end
     store_result(point, found)
     path.event("probe", found and "found" or "nothing found")
     if not found and must_find then
-      alarm("probe", "%s has come to its end, and the probe has not %s", shown, away and "come free" or "touched anything")
+      alarm("probe", "%s has come to its end, and the probe has not %s", code_name, away and "come free" or "touched anything")
     end
   end)
 end

@@ -8,10 +8,10 @@ local axes, motion, path, splines = use "core/axes", use "common/motion", use "c
 
 local SAME_MM = 1e-9
 local DEFAULT_ORDER = 3
-local MOST_CONTROL_POINTS = 10000
+local MAX_CONTROL_POINTS = 10000
 local AXES = { "x", "y", "z" }
 
-local function on_machine(point)
+local function machine_target(point)
   local target = {}
   for _, letter in ipairs(AXES) do
     if axes.is_rotary[letter] ~= nil then target[letter] = point[letter] end
@@ -20,31 +20,31 @@ local function on_machine(point)
 end
 
 -- Outputs consecutive arcs and lines, as splines.arcs and splines.chords return them.
-local function put_out(pieces)
+local function output_segments(pieces)
   local whole = 0
-  for _, piece in ipairs(pieces) do whole = whole + piece.length end
+  for _, spline_part in ipairs(pieces) do whole = whole + spline_part.length end
   local feed = core.take_feed()
-  for _, piece in ipairs(pieces) do
-    if piece.length > SAME_MM then
+  for _, spline_part in ipairs(pieces) do
+    if spline_part.length > SAME_MM then
       -- The time of the block (G93) is distributed over the parts by their lengths.
-      local target, own_feed = on_machine(piece), feed_of_part(feed, piece.length / whole)
-      if piece.sweep then
-        path.arc("xy", piece.ccw, piece.first, piece.second, piece.sweep, target, own_feed)
+      local target, part_feed = machine_target(spline_part), feed_of_part(feed, spline_part.length / whole)
+      if spline_part.sweep then
+        path.arc("xy", spline_part.ccw, spline_part.first, spline_part.second, spline_part.sweep, target, part_feed)
       else
-        path.line(target, own_feed, "spline")
+        path.line(target, part_feed, "spline")
       end
     end
   end
 end
 
 -- A Bezier curve is a NURBS whose order is the number of its points.
-local function put_out_bezier(points)
+local function output_bezier(points)
   if core.spline_chord_mm > 0 then
-    return put_out(splines.chords(#points == 3 and splines.raised(points) or points, core.spline_chord_mm))
+    return output_segments(splines.chords(#points == 3 and splines.elevate_degree(points) or points, core.spline_chord_mm))
   end
   local weights = {}
   for i = 1, #points do weights[i] = 1 end
-  put_out(splines.arcs(points, weights, #points))
+  output_segments(splines.arcs(points, weights, #points))
 end
 
 -- --- The words ---
@@ -88,14 +88,14 @@ word("G5", function(words)
   words = words or {}
   check(words, "G5", " x y i j p q ")
   local start = here()
-  local goes_on = last_g5 ~= nil and space_between(last_g5.point, start) < SAME_MM
-  local first = pair(words, "i", "j", "G5", true) or goes_on and last_g5.lead or { 0, 0 }
+  local continues = last_g5 ~= nil and space_between(last_g5.point, start) < SAME_MM
+  local first = pair(words, "i", "j", "G5", true) or continues and last_g5.lead or { 0, 0 }
   local last = pair(words, "p", "q", "G5")
   -- grblHAL uses the negated P and Q of the block itself, while others use those of the block before.
-  if goes_on and words.i == nil and core.spline_chord_mm > 0 then first = { -last[1], -last[2] } end
+  if continues and words.i == nil and core.spline_chord_mm > 0 then first = { -last[1], -last[2] } end
   local target, named = core.target(words, " i j p q ")
   if not named then alarm("word-missing", "G5 needs X or Y, its end") end
-  put_out_bezier { start, moved(start, first[1], first[2]), moved(target, last[1], last[2]), target }
+  output_bezier { start, moved(start, first[1], first[2]), moved(target, last[1], last[2]), target }
   last_g5 = { point = target, lead = { -last[1], -last[2] } }
 end)
 
@@ -107,7 +107,7 @@ word("G5_1", function(words)
   local target, named = core.target(words, " i j ")
   if not named then alarm("word-missing", "G5.1 needs X or Y, its end") end
   local start = here()
-  put_out_bezier { start, moved(start, middle[1], middle[2]), target }
+  output_bezier { start, moved(start, middle[1], middle[2]), target }
 end)
 
 local nurbs   -- control points, weights and order of the curve between G5.2 and G5.3
@@ -128,8 +128,8 @@ local function add_control_point(words, first)
   end
   if not first and words.p == nil then alarm("word-missing", "a control point needs P, its weight") end
   if words.x == nil or words.y == nil then alarm("word-value", "a control point needs X and Y") end
-  if #nurbs.points == MOST_CONTROL_POINTS then
-    alarm("word-value", "a curve has up to %d control points", MOST_CONTROL_POINTS)
+  if #nurbs.points == MAX_CONTROL_POINTS then
+    alarm("word-value", "a curve has up to %d control points", MAX_CONTROL_POINTS)
   end
   nurbs.points[#nurbs.points + 1] = core.target(words, " p l ")
   nurbs.weights[#nurbs.weights + 1] = words.p or 1
@@ -158,5 +158,5 @@ word("G5_3", function()
       curve.order, curve.order,
       #curve.points)
   end
-  put_out(splines.arcs(curve.points, curve.weights, curve.order))
+  output_segments(splines.arcs(curve.points, curve.weights, curve.order))
 end)

@@ -8,19 +8,19 @@ local MAX_ARGUMENTS = 30
 
 local subs = {}   -- { body, place } by number or name
 
-local function key_of(name)
+local function sub_key(name)
   if type(name) == "string" then return name:lower() end
   return parameters.whole(name) or alarm("word-value", "the number of a subroutine is whole, not %s", tostring(name))
 end
 
-local function shown(key) return type(key) == "string" and ("o<%s>"):format(key) or ("o%d"):format(key) end
+local function display_text(key) return type(key) == "string" and ("o<%s>"):format(key) or ("o%d"):format(key) end
 
 function env.sub(name, body)
-  local key = key_of(name)
+  local key = sub_key(name)
   core.note_place()
   local place = core.place()
   if subs[key] and subs[key].place ~= place then
-    alarm("program-twice", "%s sub stands twice; the first one is in line %d", shown(key), subs[key].place & 0xffffffff)
+    alarm("program-twice", "%s sub stands twice; the first one is in line %d", display_text(key), subs[key].place & 0xffffffff)
   end
   subs[key] = { body = body, place = place }
 end
@@ -28,18 +28,18 @@ end
 local function find(key)
   if subs[key] == nil then programs.load_file(key) end
   return subs[key] or alarm("program-missing",
-    "%s call: there is no such subroutine, neither in this file nor in a file beside it", shown(key))
+    "%s call: there is no such subroutine, neither in this file nor in a file beside it", display_text(key))
 end
 
 function env.call(name, ...)
-  local key = key_of(name)
+  local key = sub_key(name)
   if select("#", ...) > MAX_ARGUMENTS then
-    alarm("word-value", "%s call has %d arguments; a subroutine takes up to %d", shown(key), select("#", ...),
+    alarm("word-value", "%s call has %d arguments; a subroutine takes up to %d", display_text(key), select("#", ...),
       MAX_ARGUMENTS)
   end
   local found = find(key)
   core.note_place()
-  local frame = calls.enter(shown(key), { ... })
+  local frame = calls.enter(display_text(key), { ... })
   state.call_value = nil
   local value = found.body()
   calls.leave(frame)

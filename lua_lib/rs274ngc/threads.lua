@@ -4,7 +4,7 @@ local alarm = use("core/basics", "alarm")
 local axes, cycles, motion, ngc_modes, path, spindle, state =
   use "core/axes", use "common/cycles", use "common/motion", use "rs274ngc/modes", use "core/path", use "common/spindle", use "core/state"
 
-local function needed(words, letter, name)
+local function required_word(words, letter, name)
   local value = cycles.word(words, letter, name)
   if value == nil then alarm("word-missing", "%s needs %s", name, letter:upper()) end
   return value
@@ -19,7 +19,7 @@ local function axis_words(words, name, others)
   return target
 end
 
-local function refuse_rotary(words, name)
+local function reject_rotary(words, name)
   for _, axis in ipairs(axes.list) do
     if axis.rotary and words[axis.letter] ~= nil then
       alarm("word-out-of-place", "%s moves linear axes only; %s cannot stand in its block", name, axis.letter:upper())
@@ -30,7 +30,7 @@ end
 -- With K0, LinuxCNC ignores the spindle: the move uses the active feed.
 local function thread(words)
   local target = axis_words(words, "G33", " k spindle ")
-  local pitch = needed(words, "k", "G33")
+  local pitch = required_word(words, "k", "G33")
   if state.spindle == nil then
     alarm("spindle", "G33 moves in step with the spindle, which does not turn (S and M3 or M4)")
   end
@@ -40,8 +40,8 @@ end
 -- Moves down and, with the spindle reversed, back to the start; I is the speed factor of the return.
 local function rigid_tap(words)
   local target = axis_words(words, "G33.1", " i k spindle ")
-  refuse_rotary(words, "G33.1")
-  local pitch = needed(words, "k", "G33.1") * core.unit_mm()
+  reject_rotary(words, "G33.1")
+  local pitch = required_word(words, "k", "G33.1") * core.unit_mm()
   local faster = cycles.word(words, "i", "G33.1") or 1
   if not (faster > 0) then alarm("word-value", "I of G33.1 is a factor of speed above 0, not %.10g", faster) end
   local start, forth = axes.programmed_point(), state.spindle
@@ -51,18 +51,18 @@ local function rigid_tap(words)
   spindle.turn(forth)
 end
 
-local MOST_PASSES = 10000
+local MAX_PASSES = 10000
 
 -- Returns a depth of G76: it is along X, and is interpreted like words of X.
 local function depth_word(words, letter)
-  return axes.word_in_units("x", needed(words, letter, "G76")) * core.unit_mm()
+  return axes.word_in_units("x", required_word(words, letter, "G76")) * core.unit_mm()
 end
 
 -- Returns the words of a threading cycle, lengths in mm.
 local function thread_words(words)
   local unit = core.unit_mm()
   local t = {
-    pitch = needed(words, "p", "G76") * unit,
+    pitch = required_word(words, "p", "G76") * unit,
     peak = depth_word(words, "i"),                  -- from the drive line to the crest, below 0 for an outside thread
     first_cut = depth_word(words, "j"),
     full_depth = depth_word(words, "k"),
@@ -129,7 +129,7 @@ end
 
 local function threading_cycle(words)
   local target = axis_words(words, "G76", " p i j k r q h e l spindle ")
-  refuse_rotary(words, "G76")
+  reject_rotary(words, "G76")
   local t, here = thread_words(words), axes.program_position()
   t.drive, t.from, t.to = here.x, here.z, core.to_program(target).z
   local tool = lathe_tool(here)
@@ -138,8 +138,8 @@ local function threading_cycle(words)
   -- pass.
   local drive, unit = math.abs(t.peak) / core.unit_mm(), core.unit_mm()
   while drive + depth / unit < drive + t.full_depth / unit do
-    if number > MOST_PASSES then
-      alarm("word-value", "G76 would take more than %d passes; J is too small or R too large", MOST_PASSES)
+    if number > MAX_PASSES then
+      alarm("word-value", "G76 would take more than %d passes; J is too small or R too large", MAX_PASSES)
     end
     pass(tool, t, depth)
     number = number + 1

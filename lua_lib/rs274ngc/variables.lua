@@ -79,11 +79,11 @@ end
 
 -- Returns the values that LinuxCNC keeps from one run to the next: those from the start, home points and
 -- offsets.
-local FIRST_KEPT, LAST_KEPT = 5161, 5390
+local FIRST_PERMANENT, LAST_PERMANENT = 5161, 5390
 function parameters.permanent()
   local kept = {}
   for number in pairs(core.variables) do kept[number] = rawget(values, number) end
-  for number = FIRST_KEPT, LAST_KEPT do
+  for number = FIRST_PERMANENT, LAST_PERMANENT do
     local value = rawget(values, number)
     if value and value ~= 0 then kept[number] = value end
   end
@@ -104,7 +104,7 @@ function parameters.stored(is_origin)
   for number in pairs(stored) do
     if number > 30 and number <= LAST then stored[number] = rawget(values, number) end
   end
-  for number = FIRST_KEPT, LAST_KEPT do
+  for number = FIRST_PERMANENT, LAST_PERMANENT do
     if parameters.has_changed(number) and not is_origin(number) then stored[number] = rawget(values, number) end
   end
   return stored

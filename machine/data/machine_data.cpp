@@ -16,8 +16,9 @@ tl::expected<MachineData, std::string> read_machine_data(std::string_view text, 
 }
 
 tl::expected<MachineData, std::string> load_machine_data(const std::filesystem::path& path,
-                                                         std::span<const Axis> axes, os::NamedBy named_by) {
-    return os::read_text_file(path, named_by).and_then([&](const std::string& text) {
+                                                         std::span<const Axis> axes,
+                                                         os::NameSource name_source) {
+    return os::read_text_file(path, name_source).and_then([&](const std::string& text) {
         return read_machine_data(text, path.string(), axes);
     });
 }
@@ -27,7 +28,7 @@ std::string write_machine_data(const MachineData& data, std::span<const Axis> ax
     std::string text = "NCFILE\n";
     for (const DataSection section : kDataSections) {
         const SectionRules& rules = all.of(section);
-        const std::vector<DataRow> rows = rows_of(data, rules);
+        const std::vector<DataRow> rows = section_rows(data, rules);
         if (rows.empty()) continue;
         text += fmt::format("{}\n", rules.keyword);
         for (const DataRow& row : rows) text += fmt::format("{}\n", row_line(rules, row));

@@ -61,9 +61,9 @@ tl::expected<MachineData, std::string> read_machine_data(std::string_view text, 
                                                          std::span<const Axis> axes = {});
 
 /// Runs read_machine_data() on a file on disk.
-tl::expected<MachineData, std::string> load_machine_data(const std::filesystem::path& path,
-                                                         std::span<const Axis> axes = {},
-                                                         os::NamedBy named_by = os::NamedBy::a_file);
+tl::expected<MachineData, std::string> load_machine_data(
+    const std::filesystem::path& path, std::span<const Axis> axes = {},
+    os::NameSource name_source = os::NameSource::in_file);
 
 /// Returns the data as a separate file, in mm: sections in the order of the documentation, entries by number.
 /// read_machine_data() gives the same data back, as long as further axes have values from the first one of

@@ -15,12 +15,12 @@ std::string joined(const std::vector<DataLine>& lines) {
 }
 
 std::string no_entry(DataSection section, std::string_view id) {
-    return fmt::format("there is no {} {} in the file", keyword(section), shown_word(id));
+    return fmt::format("there is no {} {} in the file", keyword(section), printable_word(id));
 }
 
 // Returns the message of "x:line:column: message"; line numbers of a rejected change refer to a text that
 // users never see.
-std::string sentence_of(const std::string& error) {
+std::string format_error(const std::string& error) {
     return error.substr(error.find(": ") + 2);
 }
 
@@ -53,22 +53,22 @@ std::vector<DataRow> MachineDataDocument::rows(DataSection section) const {
 }
 
 std::optional<DataRow> MachineDataDocument::find(DataSection section, std::string_view id) const {
-    const auto line = line_of(section, id);
+    const auto line = find_line(section, id);
     if (!line) return std::nullopt;
     return row_at(*line).row;
 }
 
-MachineDataDocument::Place MachineDataDocument::place(DataSection section, std::string_view id,
-                                                      std::optional<std::size_t> field) const {
-    const std::size_t line = line_of(section, id).value();
-    const std::size_t word = field ? row_at(line).word_of_field[*field].value_or(0) : 0;
+MachineDataDocument::SourceLocation MachineDataDocument::location(DataSection section, std::string_view id,
+                                                                  std::optional<std::size_t> field) const {
+    const std::size_t line = find_line(section, id).value();
+    const std::size_t word = field ? row_at(line).field_word_index[*field].value_or(0) : 0;
     return {line + 1, data_words(lines_[line].text)[word].column};
 }
 
 template <typename Change>
-MachineDataDocument::Changed MachineDataDocument::attempt(Change change) {
+MachineDataDocument::EditResult MachineDataDocument::attempt(Change change) {
     std::vector<DataLine> before = lines_;
-    Changed changed = change();
+    EditResult changed = change();
     if (changed) {
         auto read = read_data_lines(joined(lines_), "x", rules_);
         if (read) {
@@ -76,22 +76,22 @@ MachineDataDocument::Changed MachineDataDocument::attempt(Change change) {
             data_ = std::move(read->data);
             return {};
         }
-        changed = tl::unexpected(sentence_of(read.error().front()));
+        changed = tl::unexpected(format_error(read.error().front()));
     }
     lines_ = std::move(before);
     return changed;
 }
 
-MachineDataDocument::Changed MachineDataDocument::set(DataSection section, std::string_view id,
-                                                      const FieldValues& values,
-                                                      std::optional<LengthUnit> unit) {
-    return attempt([&]() -> Changed {
+MachineDataDocument::EditResult MachineDataDocument::set(DataSection section, std::string_view id,
+                                                         const FieldValues& values,
+                                                         std::optional<LengthUnit> unit) {
+    return attempt([&]() -> EditResult {
         const SectionRules& rules = rules_.of(section);
         if (unit && !rules.has_unit)
             return tl::unexpected(fmt::format("{} has no lengths, hence no unit", rules.keyword));
         auto known = read_id(rules, id);
         if (!known) return tl::unexpected(std::move(known.error()));
-        if (const auto line = line_of(section, *known)) {
+        if (const auto line = find_line(section, *known)) {
             return convert_line(*line, unit.value_or(row_at(*line).row.unit)).and_then([&] {
                 return edit(*line, values);
             });
@@ -103,46 +103,46 @@ MachineDataDocument::Changed MachineDataDocument::set(DataSection section, std::
     });
 }
 
-MachineDataDocument::Changed MachineDataDocument::erase(DataSection section, std::string_view id) {
-    return attempt([&]() -> Changed {
-        const auto line = line_of(section, id);
+MachineDataDocument::EditResult MachineDataDocument::erase(DataSection section, std::string_view id) {
+    return attempt([&]() -> EditResult {
+        const auto line = find_line(section, id);
         if (!line) return tl::unexpected(no_entry(section, id));
         erase_line(*line);
         return {};
     });
 }
 
-MachineDataDocument::Changed MachineDataDocument::reset(DataSection section, std::string_view id) {
-    return attempt([&]() -> Changed {
-        const auto line = line_of(section, id);
+MachineDataDocument::EditResult MachineDataDocument::reset(DataSection section, std::string_view id) {
+    return attempt([&]() -> EditResult {
+        const auto line = find_line(section, id);
         return line ? reset_line(*line) : tl::unexpected(no_entry(section, id));
     });
 }
 
-MachineDataDocument::Changed MachineDataDocument::reset_all(DataSection section) {
-    return attempt([&]() -> Changed {
+MachineDataDocument::EditResult MachineDataDocument::reset_all(DataSection section) {
+    return attempt([&]() -> EditResult {
         for (std::size_t i = lines_.size(); i-- > 0;) {  // from the end, as lines may go away
             if (lines_[i].kind != DataLine::Kind::entry || lines_[i].section != section) continue;
-            if (Changed changed = reset_line(i); !changed) return changed;
+            if (EditResult changed = reset_line(i); !changed) return changed;
         }
         return {};
     });
 }
 
-MachineDataDocument::Changed MachineDataDocument::convert(LengthUnit unit) {
-    return attempt([&]() -> Changed {
+MachineDataDocument::EditResult MachineDataDocument::convert(LengthUnit unit) {
+    return attempt([&]() -> EditResult {
         for (std::size_t i = 0; i < lines_.size(); ++i) {
             if (lines_[i].kind != DataLine::Kind::entry) continue;
-            if (Changed changed = convert_line(i, unit); !changed) return changed;
+            if (EditResult changed = convert_line(i, unit); !changed) return changed;
         }
         return {};
     });
 }
 
-MachineDataDocument::Changed MachineDataDocument::update(const MachineData& data) {
-    return attempt([&]() -> Changed {
+MachineDataDocument::EditResult MachineDataDocument::update(const MachineData& data) {
+    return attempt([&]() -> EditResult {
         for (const DataSection section : kDataSections) {
-            if (Changed changed = update_section(rules_.of(section), data); !changed) return changed;
+            if (EditResult changed = update_section(rules_.of(section), data); !changed) return changed;
         }
         return {};
     });

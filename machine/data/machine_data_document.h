@@ -35,54 +35,55 @@ class MachineDataDocument {
     std::vector<DataRow> rows(DataSection section) const;
     /// Returns one entry, or nothing if it does not exist. Names of aliases count without regard to case.
     std::optional<DataRow> find(DataSection section, std::string_view id) const;
-    struct Place {
+    struct SourceLocation {
         std::size_t line = 1;
         std::size_t column = 1;
     };
     /// Returns the position of an entry, or of its field of that index. The entry must exist; a field without
     /// a word counts as the entry.
-    Place place(DataSection section, std::string_view id, std::optional<std::size_t> field = {}) const;
+    SourceLocation location(DataSection section, std::string_view id,
+                            std::optional<std::size_t> field = {}) const;
 
     /// A field by its (upper case) name, and its new value as it is to be written, in the unit of the entry;
     /// an empty value removes it.
     using FieldValues = std::vector<std::pair<std::string, std::string>>;
-    using Changed = tl::expected<void, std::string>;
+    using EditResult = tl::expected<void, std::string>;
 
     /// Changes an entry, or adds it at the end of its section; missing values are then 0, or no limit. If
     /// `unit` is given and the entry has the other one, its other lengths are converted first.
-    Changed set(DataSection section, std::string_view id, const FieldValues& values,
-                std::optional<LengthUnit> unit = {});
+    EditResult set(DataSection section, std::string_view id, const FieldValues& values,
+                   std::optional<LengthUnit> unit = {});
     /// Removes an entry from the file, with its line.
-    Changed erase(DataSection section, std::string_view id);
+    EditResult erase(DataSection section, std::string_view id);
     /// Sets the numbers of an entry to 0. Removes named values, except the name of a point. Removes an alias
     /// or a zone completely.
-    Changed reset(DataSection section, std::string_view id);
+    EditResult reset(DataSection section, std::string_view id);
     /// Runs reset() on all entries of a section.
-    Changed reset_all(DataSection section);
+    EditResult reset_all(DataSection section);
     /// Writes all lengths in one unit. Their meaning stays the same, to 15 digits.
-    Changed convert(LengthUnit unit);
+    EditResult convert(LengthUnit unit);
     /// Changes the file so that it contains these data. Entries keep their units.
-    Changed update(const MachineData& data);
+    EditResult update(const MachineData& data);
 
   private:
     // Defined in machine_data_edit.cpp: changes of lines_, without a check of the complete file.
-    std::optional<std::size_t> line_of(DataSection section, std::string_view id) const;
-    ReadRow row_at(std::size_t line) const;
-    Changed edit(std::size_t line, const FieldValues& values);
-    Changed convert_line(std::size_t line, LengthUnit unit);
-    Changed add(const SectionRules& rules, DataRow row, const FieldValues& values);
-    std::size_t end_of_section(DataSection section);
+    std::optional<std::size_t> find_line(DataSection section, std::string_view id) const;
+    ParsedRow row_at(std::size_t line) const;
+    EditResult edit(std::size_t line, const FieldValues& values);
+    EditResult convert_line(std::size_t line, LengthUnit unit);
+    EditResult add(const SectionRules& rules, DataRow row, const FieldValues& values);
+    std::size_t section_end(DataSection section);
     void insert_line(std::size_t before, std::string text, DataLine::Kind kind, DataSection section);
     void erase_line(std::size_t line);
-    Changed reset_line(std::size_t line);
+    EditResult reset_line(std::size_t line);
 
     // Defined in machine_data_update.cpp.
-    Changed update_section(const SectionRules& rules, const MachineData& data);
-    Changed update_entry(const SectionRules& rules, const DataRow& before, const DataRow& after);
+    EditResult update_section(const SectionRules& rules, const MachineData& data);
+    EditResult update_entry(const SectionRules& rules, const DataRow& before, const DataRow& after);
 
     /// Runs a change of lines_ and reads the result; undoes the change if the file is invalid.
     template <typename Change>
-    Changed attempt(Change change);
+    EditResult attempt(Change change);
 
     DataRules rules_;
     std::vector<DataLine> lines_;

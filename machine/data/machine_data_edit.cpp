@@ -16,7 +16,7 @@ double in_unit(double value, LengthUnit unit) {
 }
 
 // 15 digits, so that 1.5 inches are 38.1 mm and not 38.099999999999994; more if 15 would not lead back.
-std::string converted(double value, LengthUnit unit) {
+std::string convert_length(double value, LengthUnit unit) {
     const LengthUnit other = unit == LengthUnit::inch ? LengthUnit::metric : LengthUnit::inch;
     std::string text;
     for (int digits = 15; digits <= 17; ++digits) {
@@ -36,16 +36,16 @@ bool is_number(const DataField& field) {
 }
 
 tl::expected<void, std::string> check_words(const DataRow& row) {
-    const auto wrong = std::find_if(row.values.begin(), row.values.end(), [](const std::string& value) {
+    const auto invalid = std::find_if(row.values.begin(), row.values.end(), [](const std::string& value) {
         return !value.empty() && !is_data_word(value);
     });
-    const std::string& word = wrong == row.values.end() ? row.id : *wrong;
+    const std::string& word = invalid == row.values.end() ? row.id : *invalid;
     if (is_data_word(word)) return {};
     return tl::unexpected(
-        fmt::format("'{}' cannot be written: it is not one word of a line", shown_word(word)));
+        fmt::format("'{}' cannot be written: it is not one word of a line", printable_word(word)));
 }
 
-std::string names_of(const SectionRules& rules) {
+std::string field_names(const SectionRules& rules) {
     std::string names;
     for (const DataField& field : rules.fields)
         names += fmt::format("{}{}", names.empty() ? "" : ", ", field.name);
@@ -58,8 +58,8 @@ tl::expected<void, std::string> merge(const SectionRules& rules, DataRow& row,
     for (const auto& [name, value] : values) {
         const auto field = rules.find(name);
         if (!field) {
-            return tl::unexpected(
-                fmt::format("{} has no '{}'; it has {}", rules.keyword, shown_word(name), names_of(rules)));
+            return tl::unexpected(fmt::format("{} has no '{}'; it has {}", rules.keyword,
+                                              printable_word(name), field_names(rules)));
         }
         const bool choice = rules.fields[*field].form == FieldForm::choice;
         row.values[*field] = choice ? upper_case(value) : value;
@@ -77,12 +77,12 @@ tl::expected<void, std::string> fill(const SectionRules& rules, DataRow& row) {
     for (std::size_t i = 0; i < count; ++i) {
         const DataField& field = rules.fields[i];
         if (!row.values[i].empty()) continue;
-        if (!is_number(field)) return tl::unexpected(std::string(rules.lacking));
+        if (!is_number(field)) return tl::unexpected(std::string(rules.missing_message));
         if (rules.section == DataSection::home && i >= kSpaceAxes) {
             return tl::unexpected(fmt::format(
                 "a home position needs a value for {} too: its values stand in a row", field.name));
         }
-        row.values[i] = std::string(1, field.may_be_open ? '-' : '0');
+        row.values[i] = std::string(1, field.may_be_unlimited ? '-' : '0');
     }
     return {};
 }
@@ -96,126 +96,126 @@ bool is_same(const DataField& field, std::string_view a, std::string_view b) {
 /// Change of the words of a line to the content of a row.
 class LineChange {
   public:
-    LineChange(const SectionRules& rules, std::string_view line, const ReadRow& read)
+    LineChange(const SectionRules& rules, std::string_view line, const ParsedRow& read)
         : rules_(rules), line_(line), read_(read) {}
 
-    std::string to(const DataRow& wanted) {
-        replace_words(wanted);
-        erase_words(wanted);
-        insert_words(wanted);
-        set_unit(wanted.unit);
+    std::string to(const DataRow& requested) {
+        replace_words(requested);
+        erase_words(requested);
+        insert_words(requested);
+        set_unit(requested.unit);
         return line_.text();
     }
 
   private:
-    void replace_words(const DataRow& wanted) {
+    void replace_words(const DataRow& requested) {
         for (std::size_t i = 0; i < rules_.fields.size(); ++i) {
             const DataField& field = rules_.fields[i];
-            const std::string& value = wanted.values[i];
-            if (!read_.word_of_field[i] || value.empty() || is_same(field, value, read_.row.values[i]))
+            const std::string& value = requested.values[i];
+            if (!read_.field_word_index[i] || value.empty() || is_same(field, value, read_.row.values[i]))
                 continue;
-            line_.replace(*read_.word_of_field[i], value_word(field, value));
+            line_.replace(*read_.field_word_index[i], value_word(field, value));
         }
     }
 
     // Such words shift the indices of all later words.
     void moved(std::size_t from, std::ptrdiff_t by) {
-        for (auto& word : read_.word_of_field) {
+        for (auto& word : read_.field_word_index) {
             if (word && *word >= from)
                 *word = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(*word) + by);
         }
-        if (read_.word_of_unit && *read_.word_of_unit >= from) {
-            read_.word_of_unit =
-                static_cast<std::size_t>(static_cast<std::ptrdiff_t>(*read_.word_of_unit) + by);
+        if (read_.unit_word_index && *read_.unit_word_index >= from) {
+            read_.unit_word_index =
+                static_cast<std::size_t>(static_cast<std::ptrdiff_t>(*read_.unit_word_index) + by);
         }
     }
 
-    void erase_words(const DataRow& wanted) {
+    void erase_words(const DataRow& requested) {
         for (std::size_t i = 0; i < rules_.fields.size(); ++i) {
-            if (!read_.word_of_field[i] || !wanted.values[i].empty()) continue;
-            const std::size_t word = *read_.word_of_field[i];
+            if (!read_.field_word_index[i] || !requested.values[i].empty()) continue;
+            const std::size_t word = *read_.field_word_index[i];
             line_.erase(word);
-            read_.word_of_field[i].reset();
+            read_.field_word_index[i].reset();
             moved(word + 1, -1);
         }
     }
 
-    void insert_words(const DataRow& wanted) {
+    void insert_words(const DataRow& requested) {
         for (std::size_t i = 0; i < rules_.fields.size(); ++i) {
             const DataField& field = rules_.fields[i];
-            if (read_.word_of_field[i] || wanted.values[i].empty()) continue;
-            const std::size_t end = read_.word_of_unit.value_or(line_.size());
+            if (read_.field_word_index[i] || requested.values[i].empty()) continue;
+            const std::size_t end = read_.unit_word_index.value_or(line_.size());
             const std::size_t word = field.form == FieldForm::positional ? i + 1 : end;
-            line_.insert(word, value_word(field, wanted.values[i]));
+            line_.insert(word, value_word(field, requested.values[i]));
             moved(word, 1);
-            read_.word_of_field[i] = word;
+            read_.field_word_index[i] = word;
         }
     }
 
     void set_unit(LengthUnit unit) {
         if (unit == read_.row.unit) return;
         const std::string_view word = unit == LengthUnit::inch ? "inch" : "metric";
-        if (read_.word_of_unit) return line_.replace(*read_.word_of_unit, word);
+        if (read_.unit_word_index) return line_.replace(*read_.unit_word_index, word);
         line_.insert(line_.size(), word);
     }
 
     const SectionRules& rules_;
     EditedLine line_;
-    ReadRow read_;
+    ParsedRow read_;
 };
 
 }  // namespace
 
-std::optional<std::size_t> MachineDataDocument::line_of(DataSection section, std::string_view id) const {
-    const bool any_case = section == DataSection::alias;
+std::optional<std::size_t> MachineDataDocument::find_line(DataSection section, std::string_view id) const {
+    const bool ignore_case = section == DataSection::alias;
     const std::string upper = upper_case(id);
     for (std::size_t i = 0; i < lines_.size(); ++i) {
         const DataLine& line = lines_[i];
         if (line.kind != DataLine::Kind::entry || line.section != section) continue;
-        if (any_case ? upper_case(line.id) == upper : line.id == id) return i;
+        if (ignore_case ? upper_case(line.id) == upper : line.id == id) return i;
     }
     return std::nullopt;
 }
 
-ReadRow MachineDataDocument::row_at(std::size_t line) const {
+ParsedRow MachineDataDocument::row_at(std::size_t line) const {
     return read_row(rules_.of(lines_[line].section), data_words(lines_[line].text)).value();
 }
 
-MachineDataDocument::Changed MachineDataDocument::edit(std::size_t line, const FieldValues& values) {
+MachineDataDocument::EditResult MachineDataDocument::edit(std::size_t line, const FieldValues& values) {
     const SectionRules& rules = rules_.of(lines_[line].section);
-    const ReadRow read = row_at(line);
-    DataRow wanted = read.row;
-    return merge(rules, wanted, values).and_then([&] { return fill(rules, wanted); }).map([&] {
-        lines_[line].text = LineChange(rules, lines_[line].text, read).to(wanted);
+    const ParsedRow read = row_at(line);
+    DataRow requested = read.row;
+    return merge(rules, requested, values).and_then([&] { return fill(rules, requested); }).map([&] {
+        lines_[line].text = LineChange(rules, lines_[line].text, read).to(requested);
     });
 }
 
-MachineDataDocument::Changed MachineDataDocument::convert_line(std::size_t line, LengthUnit unit) {
+MachineDataDocument::EditResult MachineDataDocument::convert_line(std::size_t line, LengthUnit unit) {
     const SectionRules& rules = rules_.of(lines_[line].section);
-    const ReadRow read = row_at(line);
+    const ParsedRow read = row_at(line);
     if (!rules.has_unit || read.row.unit == unit) return {};
-    DataRow wanted = read.row;
-    wanted.unit = unit;
+    DataRow requested = read.row;
+    requested.unit = unit;
     for (std::size_t i = 0; i < rules.fields.size(); ++i) {
         const Quantity quantity = rules.fields[i].quantity;
-        const auto value = parse_number<double>(wanted.values[i]);
+        const auto value = parse_number<double>(requested.values[i]);
         if (!value) continue;
-        if (quantity == Quantity::length) wanted.values[i] = converted(*value, unit);
+        if (quantity == Quantity::length) requested.values[i] = convert_length(*value, unit);
         if (quantity != Quantity::unknown || *value == 0) continue;
         return tl::unexpected(fmt::format(
             "{} {} has values of further axes; whether they are lengths or angles only the machine "
             "file can tell",
             rules.keyword, read.row.id));
     }
-    lines_[line].text = LineChange(rules, lines_[line].text, read).to(wanted);
+    lines_[line].text = LineChange(rules, lines_[line].text, read).to(requested);
     return {};
 }
 
-MachineDataDocument::Changed MachineDataDocument::add(const SectionRules& rules, DataRow row,
-                                                      const FieldValues& values) {
+MachineDataDocument::EditResult MachineDataDocument::add(const SectionRules& rules, DataRow row,
+                                                         const FieldValues& values) {
     row.values.resize(rules.fields.size());
     return merge(rules, row, values).and_then([&] { return fill(rules, row); }).map([&] {
-        const std::size_t before = end_of_section(rules.section);
+        const std::size_t before = section_end(rules.section);
         const DataLine& above = lines_[before - 1];
         const bool sibling = above.kind == DataLine::Kind::entry;
         insert_line(
@@ -227,7 +227,7 @@ MachineDataDocument::Changed MachineDataDocument::add(const SectionRules& rules,
 }
 
 // Returns the position after the last entry of the section, or after its keyword; a missing section is added.
-std::size_t MachineDataDocument::end_of_section(DataSection section) {
+std::size_t MachineDataDocument::section_end(DataSection section) {
     for (std::size_t i = lines_.size(); i-- > 0;) {
         const DataLine& line = lines_[i];
         const bool in_section = line.kind == DataLine::Kind::section || line.kind == DataLine::Kind::entry ||
@@ -256,7 +256,7 @@ void MachineDataDocument::erase_line(std::size_t line) {
     lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(line));
 }
 
-MachineDataDocument::Changed MachineDataDocument::reset_line(std::size_t line) {
+MachineDataDocument::EditResult MachineDataDocument::reset_line(std::size_t line) {
     const SectionRules& rules = rules_.of(lines_[line].section);
     if (rules.section == DataSection::alias || rules.holds_zones) {
         erase_line(line);
@@ -267,7 +267,7 @@ MachineDataDocument::Changed MachineDataDocument::reset_line(std::size_t line) {
     for (std::size_t i = 0; i < rules.fields.size(); ++i) {
         const DataField& field = rules.fields[i];
         if (!is_number(field) || row.values[i].empty()) continue;
-        values.emplace_back(field.name, field.form == FieldForm::named ? "" : "0");
+        values.emplace_back(field.name, field.form == FieldForm::named_field ? "" : "0");
     }
     return edit(line, values);
 }

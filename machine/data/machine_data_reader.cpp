@@ -12,11 +12,11 @@ namespace gsim::machine {
 
 namespace {
 
-constexpr std::size_t kMostErrors = 100;
-constexpr std::string_view kLeftOut = "...";
-constexpr std::string_view kNotBegun = "the file does not begin with NCFILE";
+constexpr std::size_t kMaxErrors = 100;
+constexpr std::string_view kEllipsis = "...";
+constexpr std::string_view kMissingNcfile = "the file does not begin with NCFILE";
 
-std::vector<DataLine> lines_of(std::string_view text) {
+std::vector<DataLine> split_lines(std::string_view text) {
     std::vector<DataLine> lines;
     while (!text.empty()) {
         const std::size_t newline = text.find('\n');
@@ -32,87 +32,87 @@ std::vector<DataLine> lines_of(std::string_view text) {
     return lines;
 }
 
-class Reader {
+class DataReader {
   public:
-    Reader(std::string_view file_name, const DataRules& rules) : file_name_(file_name), rules_(rules) {}
+    DataReader(std::string_view file_name, const DataRules& rules) : file_name_(file_name), rules_(rules) {}
 
-    tl::expected<ReadData, std::vector<std::string>> read(std::string_view text) {
-        read_.lines = lines_of(text);
+    tl::expected<ParsedData, std::vector<std::string>> read(std::string_view text) {
+        read_.lines = split_lines(text);
         for (DataLine& line : read_.lines) {
             ++number_;
-            faulty_ = false;
+            has_error_ = false;
             read_line(line);
-            if (errors_.size() >= kMostErrors || lost_) break;
+            if (errors_.size() >= kMaxErrors || lost_) break;
         }
-        if (errors_.size() < kMostErrors && !lost_) check_frame();
+        if (errors_.size() < kMaxErrors && !lost_) check_begin_and_end();
         if (!errors_.empty()) return tl::unexpected(std::move(errors_));
         return std::move(read_);
     }
 
   private:
     /// Keeps the first error of a line.
-    void fail(std::size_t column, std::string_view sentence) {
-        if (!faulty_) errors_.push_back(fmt::format("{}:{}:{}: {}", file_name_, number_, column, sentence));
-        faulty_ = true;
+    void fail(std::size_t column, std::string_view message) {
+        if (!has_error_) errors_.push_back(fmt::format("{}:{}:{}: {}", file_name_, number_, column, message));
+        has_error_ = true;
     }
 
     /// Reports an error after which the remainder has no usable meaning.
-    void fail_wholly(std::size_t column, std::string_view sentence) {
-        fail(column, sentence);
+    void fail_fatally(std::size_t column, std::string_view message) {
+        fail(column, message);
         lost_ = true;
     }
 
-    void check_frame() {
+    void check_begin_and_end() {
         ++number_;
-        faulty_ = false;
-        if (!begun_) return fail(1, kNotBegun);
+        has_error_ = false;
+        if (!begun_) return fail(1, kMissingNcfile);
         if (!ended_) fail(1, "the file does not end with ENDFILE");
     }
 
     void read_line(DataLine& line) {
         if (const std::size_t nul = line.text.find('\0'); nul != std::string::npos)
-            return fail_wholly(nul + 1, "there is a NUL byte; the file is no text");
+            return fail_fatally(nul + 1, "there is a NUL byte; the file is no text");
         words_ = data_words(line.text);
         if (words_.empty()) return;
         const DataWord& first = words_[0];
         if (!begun_) {
-            if (first.text != "NCFILE") return fail_wholly(first.column, kNotBegun);
-            expect_alone();
+            if (first.text != "NCFILE") return fail_fatally(first.column, kMissingNcfile);
+            expect_single_word();
             begun_ = true;
         } else if (ended_) {
-            fail_wholly(first.column, "there is text behind ENDFILE");
-        } else if (const auto section = section_named(first.text)) {
+            fail_fatally(first.column, "there is text behind ENDFILE");
+        } else if (const auto section = find_section(first.text)) {
             begin_section(line, *section);
         } else if (first.text == "NCFILE") {
             fail(first.column, "NCFILE may stand in the first line only");
         } else if (first.text == "ENDFILE") {
-            expect_alone();
+            expect_single_word();
             ended_ = true;
             line.kind = DataLine::Kind::end;
-        } else if (first.text.starts_with(kLeftOut)) {
+        } else if (first.text.starts_with(kEllipsis)) {
             leave_out(line);
         } else {
             read_entry(line);
         }
     }
 
-    void expect_alone() {
+    void expect_single_word() {
         if (words_.size() < 2) return;
-        fail(words_[1].column, fmt::format("'{}' is one word too many", shown_word(words_[1].text)));
+        fail(words_[1].column, fmt::format("'{}' is one word too many", printable_word(words_[1].text)));
     }
 
     void begin_section(DataLine& line, DataSection section) {
-        expect_alone();
+        expect_single_word();
         section_ = section;
         skipping_ = false;
         line.kind = DataLine::Kind::section;
         line.section = section;
-        remember_once(std::string(keyword(section)), fmt::format("the section {}", keyword(section)));
+        check_unique(std::string(keyword(section)), fmt::format("the section {}", keyword(section)));
     }
 
     // Entries that are not in the file have their default values, as indicated by the dots of a printed file.
     void leave_out(DataLine& line) {
-        if (!section_ || words_.size() > 1 || words_[0].text != kLeftOut) {
+        if (!section_ || words_.size() > 1 || words_[0].text != kEllipsis) {
             return fail(words_[0].column,
                         "'...' stands for entries left out of a section: alone in its line, behind the "
                         "section's keyword");
@@ -127,30 +127,30 @@ class Reader {
         if (!section_ || words_.size() == 1) return fail_unknown_keyword(first);
         const SectionRules& rules = rules_.of(*section_);
         const auto read = read_row(rules, words_);
-        if (!read) return fail(read.error().column, read.error().sentence);
+        if (!read) return fail(read.error().column, read.error().message);
         line.kind = DataLine::Kind::entry;
         line.section = *section_;
         line.id = read->row.id;
-        remember_once(data_key(*section_, read->row.id),
-                      fmt::format("the {} {}", rules.what, shown_word(first.text)));
-        remember_name(rules, *read);
-        if (!faulty_) add_row(read_.data, rules, read->row, rules_.axes_known());
+        check_unique(data_key(*section_, read->row.id),
+                     fmt::format("the {} {}", rules.what, printable_word(first.text)));
+        check_unique_name(rules, *read);
+        if (!has_error_) add_row(read_.data, rules, read->row, rules_.axes_known());
     }
 
-    void remember_name(const SectionRules& rules, const ReadRow& read) {
+    void check_unique_name(const SectionRules& rules, const ParsedRow& read) {
         const auto key = name_key(rules, read.row);
         if (!key) return;
         const std::size_t field = *rules.name_field();
-        remember_once(*key,
-                      fmt::format("the name {} of a {}", shown_word(read.row.values[field]), rules.what),
-                      words_[*read.word_of_field[field]].column);
+        check_unique(*key,
+                     fmt::format("the name {} of a {}", printable_word(read.row.values[field]), rules.what),
+                     words_[*read.field_word_index[field]].column);
     }
 
     // Lines after a misspelled keyword belong to no known section.
     void fail_unknown_keyword(const DataWord& first) {
         const bool number = parse_number<double>(first.text).has_value();
         if (number && section_)
-            return fail(first.column, fmt::format("{} has no values", shown_word(first.text)));
+            return fail(first.column, fmt::format("{} has no values", printable_word(first.text)));
         skipping_ = true;
         std::vector<std::string_view> known{"NCFILE", "ENDFILE"};
         for (const DataSection section : kDataSections) known.push_back(keyword(section));
@@ -158,40 +158,40 @@ class Reader {
         fail(first.column,
              fmt::format("'{}' is no keyword; a section begins with OFFSET, FIXED, REFERENCE, HOME, TOOL, "
                          "VARIABLE, ALIAS, SECURITY or WORKING{}",
-                         shown_word(first.text),
+                         printable_word(first.text),
                          nearest ? fmt::format("; did you mean {}?", *nearest) : std::string()));
     }
 
-    void remember_once(std::string key, const std::string& what) {
-        remember_once(std::move(key), what, words_[0].column);
+    void check_unique(std::string key, const std::string& what) {
+        check_unique(std::move(key), what, words_[0].column);
     }
 
-    void remember_once(std::string key, const std::string& what, std::size_t column) {
-        const auto [first, added] = first_lines_.try_emplace(std::move(key), number_);
-        if (!added) fail(column, fmt::format("{} is given twice; first in line {}", what, first->second));
+    void check_unique(std::string key, const std::string& what, std::size_t column) {
+        const auto [first, is_new] = first_lines_.try_emplace(std::move(key), number_);
+        if (!is_new) fail(column, fmt::format("{} is given twice; first in line {}", what, first->second));
     }
 
     std::string_view file_name_;
     const DataRules& rules_;
     std::vector<DataWord> words_;  // of the line that is read
     std::size_t number_ = 0;       // of that line, from 1
-    bool faulty_ = false;          // that line has an error
+    bool has_error_ = false;       // that line has an error
     bool lost_ = false;
     bool begun_ = false;
     bool ended_ = false;
     bool skipping_ = false;
     std::optional<DataSection> section_;
     std::map<std::string, std::size_t> first_lines_;
-    ReadData read_;
+    ParsedData read_;
     std::vector<std::string> errors_;
 };
 
 }  // namespace
 
-tl::expected<ReadData, std::vector<std::string>> read_data_lines(std::string_view text,
-                                                                 std::string_view file_name,
-                                                                 const DataRules& rules) {
-    return Reader(file_name, rules).read(text);
+tl::expected<ParsedData, std::vector<std::string>> read_data_lines(std::string_view text,
+                                                                   std::string_view file_name,
+                                                                   const DataRules& rules) {
+    return DataReader(file_name, rules).read(text);
 }
 
 }  // namespace gsim::machine

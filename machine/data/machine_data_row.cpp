@@ -12,8 +12,8 @@ namespace gsim::machine {
 
 namespace {
 
-constexpr double kGreatestValue = 1e9;
-constexpr int kGreatestNumber = 99999;
+constexpr double kMaxValue = 1e9;
+constexpr int kMaxNumber = 99999;
 
 bool is_offset_code(std::string_view code) {
     if (code == "59.1" || code == "59.2" || code == "59.3") return true;
@@ -37,7 +37,7 @@ std::string with_article(std::string_view what) {
     return fmt::format("{} {}", what.starts_with('a') ? "an" : "a", what);
 }
 
-double mm_of(const DataField& field, LengthUnit unit) {
+double mm_per_unit(const DataField& field, LengthUnit unit) {
     return field.quantity == Quantity::length && unit == LengthUnit::inch ? kMmPerInch : 1;
 }
 
@@ -45,51 +45,51 @@ class RowReader {
   public:
     RowReader(const SectionRules& rules, std::span<const DataWord> words) : rules_(rules), words_(words) {
         read_.row.values.resize(rules.fields.size());
-        read_.word_of_field.resize(rules.fields.size());
+        read_.field_word_index.resize(rules.fields.size());
     }
 
-    tl::expected<ReadRow, DataFault> read() {
+    tl::expected<ParsedRow, DataError> read() {
         const auto id = read_id(rules_, words_[0].text);
-        if (!id) return fault(0, id.error());
+        if (!id) return make_error(0, id.error());
         read_.row.id = *id;
-        for (std::size_t i = 1; i < words_.size() && !fault_; ++i) read_word(i);
-        if (!fault_) check_required();
-        if (!fault_) check_ranges();
-        if (!fault_ && rules_.holds_zones) check_walls();
-        if (fault_) return tl::unexpected(*std::move(fault_));
+        for (std::size_t i = 1; i < words_.size() && !error_; ++i) read_word(i);
+        if (!error_) check_required();
+        if (!error_) check_ranges();
+        if (!error_ && rules_.holds_zones) check_walls();
+        if (error_) return tl::unexpected(*std::move(error_));
         return std::move(read_);
     }
 
   private:
-    tl::unexpected<DataFault> fault(std::size_t word, std::string sentence) {
-        return tl::unexpected(DataFault{words_[word].column, std::move(sentence)});
+    tl::unexpected<DataError> make_error(std::size_t word, std::string message) {
+        return tl::unexpected(DataError{words_[word].column, std::move(message)});
     }
 
-    void fail(std::size_t word, std::string sentence) {
-        if (!fault_) fault_ = DataFault{words_[word].column, std::move(sentence)};
+    void fail(std::size_t word, std::string message) {
+        if (!error_) error_ = DataError{words_[word].column, std::move(message)};
     }
 
-    void one_too_many(std::size_t word) {
-        fail(word, fmt::format("'{}' is one word too many", shown_word(words_[word].text)));
+    void fail_extra_word(std::size_t word) {
+        fail(word, fmt::format("'{}' is one word too many", printable_word(words_[word].text)));
     }
 
     void read_word(std::size_t word) {
         const std::string upper = upper_case(words_[word].text);
         if (rules_.has_unit && (upper == "INCH" || upper == "METRIC"))
             return read_unit(word, upper == "INCH");
-        if (const auto field = field_of_choice(upper)) return take(*field, word, upper);
+        if (const auto field = find_choice_field(upper)) return set_field(*field, word, upper);
         if (const std::size_t equals = upper.find('='); equals != std::string::npos && has_named_fields())
             return read_named(word, upper.substr(0, equals));
         read_positional(word);
     }
 
     void read_unit(std::size_t word, bool inch) {
-        if (read_.word_of_unit) return one_too_many(word);
-        read_.word_of_unit = word;
+        if (read_.unit_word_index) return fail_extra_word(word);
+        read_.unit_word_index = word;
         read_.row.unit = inch ? LengthUnit::inch : LengthUnit::metric;
     }
 
-    std::optional<std::size_t> field_of_choice(const std::string& upper) const {
+    std::optional<std::size_t> find_choice_field(const std::string& upper) const {
         for (std::size_t i = 0; i < rules_.fields.size(); ++i) {
             const auto& choices = rules_.fields[i].choices;
             if (std::find(choices.begin(), choices.end(), upper) != choices.end()) return i;
@@ -99,80 +99,82 @@ class RowReader {
 
     bool has_named_fields() const {
         return std::any_of(rules_.fields.begin(), rules_.fields.end(),
-                           [](const DataField& field) { return field.form == FieldForm::named; });
+                           [](const DataField& field) { return field.form == FieldForm::named_field; });
     }
 
     void read_named(std::size_t word, const std::string& name) {
         const auto field = rules_.find(name);
-        if (!field || rules_.fields[*field].form != FieldForm::named) {
+        if (!field || rules_.fields[*field].form != FieldForm::named_field) {
             return fail(word, fmt::format("{} has no value of the name '{}'", with_article(rules_.what),
-                                          shown_word(name)));
+                                          printable_word(name)));
         }
-        take(*field, word, std::string(words_[word].text.substr(name.size() + 1)));
+        set_field(*field, word, std::string(words_[word].text.substr(name.size() + 1)));
     }
 
     void read_positional(std::size_t word) {
         if (position_ < rules_.positional()) {
             if (word != position_ + 1) {
                 return fail(word, fmt::format("'{}' stands too late: values come before other words",
-                                              shown_word(words_[word].text)));
+                                              printable_word(words_[word].text)));
             }
-            return take(position_++, word, std::string(words_[word].text));
+            return set_field(position_++, word, std::string(words_[word].text));
         }
-        if (!rules_.holds_points) return one_too_many(word);
+        if (!rules_.holds_points) return fail_extra_word(word);
         fail(word, fmt::format("there are more values than axes; behind X, Y and Z this machine has {}",
                                rules_.positional() - 3));
     }
 
-    void take(std::size_t field, std::size_t word, std::string value) {
-        if (read_.word_of_field[field]) return one_too_many(word);
-        read_.word_of_field[field] = word;
-        if (const auto sentence = fault_of_value(rules_.fields[field], value)) return fail(word, *sentence);
+    void set_field(std::size_t field, std::size_t word, std::string value) {
+        if (read_.field_word_index[field]) return fail_extra_word(word);
+        read_.field_word_index[field] = word;
+        if (const auto message = value_error(rules_.fields[field], value)) return fail(word, *message);
         read_.row.values[field] = std::move(value);
     }
 
-    static std::optional<std::string> fault_of_value(const DataField& field, std::string_view value) {
+    static std::optional<std::string> value_error(const DataField& field, std::string_view value) {
         if (field.is_name && !is_name(value)) {
             return fmt::format("'{}' is no name: a letter first, then letters, digits and '_'",
-                               shown_word(value));
+                               printable_word(value));
         }
-        if (field.quantity == Quantity::text || (field.may_be_open && value == kNoLimit)) return std::nullopt;
-        if (field.quantity == Quantity::whole) {
+        if (field.quantity == Quantity::text || (field.may_be_unlimited && value == kNoLimit))
+            return std::nullopt;
+        if (field.quantity == Quantity::integer) {
             const auto number = parse_number<int>(value);
-            if (number && *number >= field.least && *number <= field.greatest) return std::nullopt;
-            return fmt::format("{} is a whole number from {} to {}, not '{}'", field.name, field.least,
-                               field.greatest, shown_word(value));
+            if (number && *number >= field.min && *number <= field.max) return std::nullopt;
+            return fmt::format("{} is a whole number from {} to {}, not '{}'", field.name, field.min,
+                               field.max, printable_word(value));
         }
         const auto number = parse_number<double>(value);
         if (number && std::isfinite(*number)) return std::nullopt;
-        return fmt::format("'{}' is not a number", shown_word(value));
+        return fmt::format("'{}' is not a number", printable_word(value));
     }
 
     void check_required() {
         for (std::size_t i = 0; i < rules_.fields.size(); ++i) {
-            if (!rules_.fields[i].required || read_.word_of_field[i]) continue;
+            if (!rules_.fields[i].required || read_.field_word_index[i]) continue;
             return fail(0, rules_.holds_points
-                               ? fmt::format("{} needs values for X, Y and Z", shown_word(words_[0].text))
-                               : std::string(rules_.lacking));
+                               ? fmt::format("{} needs values for X, Y and Z", printable_word(words_[0].text))
+                               : std::string(rules_.missing_message));
         }
     }
 
     void check_ranges() {
         for (std::size_t i = 0; i < rules_.fields.size(); ++i) {
-            if (!read_.word_of_field[i] || std::abs(read_.row.number(rules_, i)) <= kGreatestValue) continue;
-            const bool inch = mm_of(rules_.fields[i], read_.row.unit) != 1;
-            fail(*read_.word_of_field[i], fmt::format("{} is not between -1e9 and 1e9{}",
-                                                      shown_word(read_.row.values[i]), inch ? " mm" : ""));
+            if (!read_.field_word_index[i] || std::abs(read_.row.number(rules_, i)) <= kMaxValue) continue;
+            const bool inch = mm_per_unit(rules_.fields[i], read_.row.unit) != 1;
+            fail(*read_.field_word_index[i],
+                 fmt::format("{} is not between -1e9 and 1e9{}", printable_word(read_.row.values[i]),
+                             inch ? " mm" : ""));
         }
     }
 
     bool is_open(std::size_t field) const {
-        return !read_.word_of_field[field] || read_.row.values[field] == kNoLimit;
+        return !read_.field_word_index[field] || read_.row.values[field] == kNoLimit;
     }
 
     void check_walls() {
         bool any = false;
-        for (std::size_t low = 0; low < 6 && !fault_; low += 2) {
+        for (std::size_t low = 0; low < 6 && !error_; low += 2) {
             const DataField& field = rules_.fields[low];
             if (is_open(low) != is_open(low + 1)) {
                 return fail(0, fmt::format("{0}min and {0}max are both numbers, or both '-' (no walls there)",
@@ -181,27 +183,28 @@ class RowReader {
             if (is_open(low)) continue;
             any = true;
             if (read_.row.number(rules_, low) < read_.row.number(rules_, low + 1)) continue;
-            fail(*read_.word_of_field[low],
+            fail(*read_.field_word_index[low],
                  fmt::format("{0}min is {1} and {0}max is {2}; the first must be less", field.name[0],
-                             shown_word(read_.row.values[low]), shown_word(read_.row.values[low + 1])));
+                             printable_word(read_.row.values[low]),
+                             printable_word(read_.row.values[low + 1])));
         }
         if (!any) fail(0, "a zone needs its two walls on one axis at least");
     }
 
     const SectionRules& rules_;
     std::span<const DataWord> words_;
-    ReadRow read_;
+    ParsedRow read_;
     std::size_t position_ = 0;
-    std::optional<DataFault> fault_;
+    std::optional<DataError> error_;
 };
 
 }  // namespace
 
 double DataRow::number(const SectionRules& rules, std::size_t field) const {
-    return parse_number<double>(values[field]).value_or(0) * mm_of(rules.fields[field], unit);
+    return parse_number<double>(values[field]).value_or(0) * mm_per_unit(rules.fields[field], unit);
 }
 
-tl::expected<ReadRow, DataFault> read_row(const SectionRules& rules, std::span<const DataWord> words) {
+tl::expected<ParsedRow, DataError> read_row(const SectionRules& rules, std::span<const DataWord> words) {
     return RowReader(rules, words).read();
 }
 
@@ -221,12 +224,12 @@ tl::expected<std::string, std::string> read_id(const SectionRules& rules, std::s
     if (rules.section == DataSection::offset) {
         if (is_offset_code(word)) return std::string(word);
         return tl::unexpected(fmt::format(
-            "'{}' is no frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599", shown_word(word)));
+            "'{}' is no frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599", printable_word(word)));
     }
     const auto number = parse_number<int>(word);
-    if (!number || *number < 1 || *number > kGreatestNumber) {
-        return tl::unexpected(fmt::format("'{}' is not the number of {}, 1 to {}", shown_word(word),
-                                          with_article(rules.what), kGreatestNumber));
+    if (!number || *number < 1 || *number > kMaxNumber) {
+        return tl::unexpected(fmt::format("'{}' is not the number of {}, 1 to {}", printable_word(word),
+                                          with_article(rules.what), kMaxNumber));
     }
     if (rules.section == DataSection::home && (*number < 2 || *number > 4))
         return tl::unexpected(std::string("home positions are 2 to 4; the first one is in the machine file"));
@@ -236,7 +239,8 @@ tl::expected<std::string, std::string> read_id(const SectionRules& rules, std::s
 }
 
 std::string value_word(const DataField& field, std::string_view value) {
-    return field.form == FieldForm::named ? fmt::format("{}={}", field.name, value) : std::string(value);
+    return field.form == FieldForm::named_field ? fmt::format("{}={}", field.name, value)
+                                                : std::string(value);
 }
 
 std::string row_line(const SectionRules& rules, const DataRow& row) {

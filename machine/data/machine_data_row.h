@@ -13,7 +13,7 @@
 
 namespace gsim::machine {
 
-/// Word for a value that may be open (DataField::may_be_open).
+/// Word for a value that may be open (DataField::may_be_unlimited).
 inline constexpr std::string_view kNoLimit = "-";
 
 enum class LengthUnit { metric, inch };
@@ -31,20 +31,20 @@ struct DataRow {
 };
 
 /// Error in a line, and its position.
-struct DataFault {
+struct DataError {
     std::size_t column = 1;
-    std::string sentence;
+    std::string message;
 };
 
 /// A line read as an entry, and the assignment of its words to fields.
-struct ReadRow {
+struct ParsedRow {
     DataRow row;
-    std::vector<std::optional<std::size_t>> word_of_field;  ///< Index of the word.
-    std::optional<std::size_t> word_of_unit;
+    std::vector<std::optional<std::size_t>> field_word_index;  ///< Index of the word.
+    std::optional<std::size_t> unit_word_index;
 };
 
 /// Reads the words of a line, at least one. Does not detect duplicates.
-tl::expected<ReadRow, DataFault> read_row(const SectionRules& rules, std::span<const DataWord> words);
+tl::expected<ParsedRow, DataError> read_row(const SectionRules& rules, std::span<const DataWord> words);
 
 /// Returns the search key of an entry; equal sections and entries have one key. Names of aliases count
 /// without regard to case.

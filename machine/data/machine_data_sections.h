@@ -24,9 +24,9 @@ inline constexpr std::size_t kSpaceAxes = 3;
 
 /// Form of a value in its line.
 enum class FieldForm {
-    positional,  ///< By its position after the entry's number.
-    named,       ///< NAME=VALUE, after the others.
-    choice,      ///< One of several words, after the values.
+    positional,   ///< By its position after the entry's number.
+    named_field,  ///< NAME=VALUE, after the others.
+    choice,       ///< One of several words, after the values.
 };
 
 /// Meaning of a value.
@@ -35,7 +35,7 @@ enum class Quantity {
     angle,    ///< deg
     unknown,  ///< A length or an angle: of an axis of a machine that is not known.
     plain,    ///< A number without unit.
-    whole,    ///< An integer between two limits.
+    integer,  ///< An integer between two limits.
     text,
 };
 
@@ -45,10 +45,10 @@ struct DataField {
     FieldForm form = FieldForm::positional;
     Quantity quantity = Quantity::length;
     bool required = false;
-    bool may_be_open = false;  ///< '-' may replace it: no such limit exists.
-    bool is_name = false;      ///< For texts: unique in the section, regardless of case.
-    int least = 0;             ///< For integers.
-    int greatest = 0;
+    bool may_be_unlimited = false;  ///< '-' may replace it: no such limit exists.
+    bool is_name = false;           ///< For texts: unique in the section, regardless of case.
+    int min = 0;                    ///< For integers.
+    int max = 0;
     std::vector<std::string_view> choices = {};  ///< Upper case; the first one applies if none is given.
     std::string meaning = {};                    ///< For people: "angle of the front edge".
 };
@@ -56,13 +56,13 @@ struct DataField {
 /// Rules for the entries of a section.
 struct SectionRules {
     DataSection section = DataSection::offset;
-    std::string_view keyword = {};  ///< The line that begins the section.
-    std::string_view title = {};    ///< For people: "Fixed points".
-    std::string_view what = {};     ///< An entry: "fixed point".
-    std::string_view ids = {};      ///< Numbers, codes or names of entries: "1 to 99999".
-    std::string_view lacking = {};  ///< Message if required values are missing; for points: empty.
-    bool has_unit = false;          ///< INCH or METRIC may end a line.
-    bool holds_points = false;      ///< X, Y, Z and the further axes of the machine.
+    std::string_view keyword = {};          ///< The line that begins the section.
+    std::string_view title = {};            ///< For people: "Fixed points".
+    std::string_view what = {};             ///< An entry: "fixed point".
+    std::string_view ids = {};              ///< Numbers, codes or names of entries: "1 to 99999".
+    std::string_view missing_message = {};  ///< Message if required values are missing; for points: empty.
+    bool has_unit = false;                  ///< INCH or METRIC may end a line.
+    bool holds_points = false;              ///< X, Y, Z and the further axes of the machine.
     bool holds_zones = false;
     std::vector<DataField> fields = {};  ///< The positional ones first.
 
@@ -89,6 +89,6 @@ class DataRules {
 
 std::string_view keyword(DataSection section);
 /// Returns the section that a keyword, in upper case, begins.
-std::optional<DataSection> section_named(std::string_view keyword);
+std::optional<DataSection> find_section(std::string_view keyword);
 
 }  // namespace gsim::machine

@@ -12,13 +12,13 @@ namespace {
 
 using RowsByKey = std::map<std::string, DataRow>;
 
-RowsByKey by_key(const SectionRules& rules, std::vector<DataRow> rows) {
-    RowsByKey keyed;
+RowsByKey rows_by_key(const SectionRules& rules, std::vector<DataRow> rows) {
+    RowsByKey keyed_rows;
     for (DataRow& row : rows) {
         std::string key = data_key(rules.section, row.id);
-        keyed.emplace(std::move(key), std::move(row));
+        keyed_rows.emplace(std::move(key), std::move(row));
     }
-    return keyed;
+    return keyed_rows;
 }
 
 // Returns the shortest text of a number of inches that reads as exactly so many mm; the nearest if none does.
@@ -38,38 +38,39 @@ std::string inch_text(double value_mm) {
 bool is_same_value(const SectionRules& rules, const DataField& field, const std::string& a,
                    const std::string& b) {
     if (a == b) return true;
-    if (field.quantity == Quantity::text || field.may_be_open || rules.section == DataSection::home)
+    if (field.quantity == Quantity::text || field.may_be_unlimited || rules.section == DataSection::home)
         return false;
     return (a.empty() && b == "0") || (b.empty() && a == "0");
 }
 
 }  // namespace
 
-MachineDataDocument::Changed MachineDataDocument::update_section(const SectionRules& rules,
-                                                                 const MachineData& data) {
-    const RowsByKey before = by_key(rules, rows_of(data_, rules));
-    const RowsByKey after = by_key(rules, rows_of(data, rules));
+MachineDataDocument::EditResult MachineDataDocument::update_section(const SectionRules& rules,
+                                                                    const MachineData& data) {
+    const RowsByKey before = rows_by_key(rules, section_rows(data_, rules));
+    const RowsByKey after = rows_by_key(rules, section_rows(data, rules));
     for (const auto& [key, row] : before) {
-        if (!after.contains(key)) erase_line(line_of(rules.section, row.id).value());
+        if (!after.contains(key)) erase_line(find_line(rules.section, row.id).value());
     }
-    for (const DataRow& row : rows_of(data, rules)) {
+    for (const DataRow& row : section_rows(data, rules)) {
         const auto known = before.find(data_key(rules.section, row.id));
-        Changed changed =
+        EditResult changed =
             known == before.end() ? add(rules, row, {}) : update_entry(rules, known->second, row);
         if (!changed) return changed;
     }
     return {};
 }
 
-MachineDataDocument::Changed MachineDataDocument::update_entry(const SectionRules& rules,
-                                                               const DataRow& before, const DataRow& after) {
+MachineDataDocument::EditResult MachineDataDocument::update_entry(const SectionRules& rules,
+                                                                  const DataRow& before,
+                                                                  const DataRow& after) {
     FieldValues changed;
     for (std::size_t i = 0; i < rules.fields.size(); ++i) {
         if (!is_same_value(rules, rules.fields[i], before.values[i], after.values[i]))
             changed.emplace_back(rules.fields[i].name, after.values[i]);
     }
     if (changed.empty()) return {};
-    const std::size_t line = line_of(rules.section, before.id).value();
+    const std::size_t line = find_line(rules.section, before.id).value();
     const bool inch = row_at(line).row.unit == LengthUnit::inch;
     for (auto& [name, value] : changed) {
         const auto number = parse_number<double>(value);

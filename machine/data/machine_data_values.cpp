@@ -8,7 +8,7 @@ namespace gsim::machine {
 
 namespace {
 
-int number_of(const std::string& id) {
+int id_number(const std::string& id) {
     return parse_number<int>(id).value_or(0);
 }
 
@@ -34,17 +34,17 @@ class RowWriter {
 
     void set(std::string_view name, std::string text) { row_.values[*rules_.find(name)] = std::move(text); }
     void set(std::string_view name, double value) { set(name, number_text(value)); }
-    void set_unless_0(std::string_view name, double value) {
+    void set_nonzero(std::string_view name, double value) {
         if (value != 0) set(name, value);
     }
-    DataRow take() { return std::move(row_); }
+    DataRow release() { return std::move(row_); }
 
   private:
     const SectionRules& rules_;
     DataRow row_;
 };
 
-AxisValues point_of(const SectionRules& rules, const DataRow& row, bool axes_known) {
+AxisValues axis_values(const SectionRules& rules, const DataRow& row, bool axes_known) {
     AxisValues values;
     for (std::size_t i = 0; i < rules.positional(); ++i) {
         if (i >= kSpaceAxes && (row.values[i].empty() || !axes_known)) break;
@@ -64,14 +64,14 @@ DataRow point_row(const SectionRules& rules, std::string id, const AxisValues& p
         const auto value = point.find(rules.fields[i].name[0]);
         row.set(rules.fields[i].name, value == point.end() ? 0 : value->second);
     }
-    return row.take();
+    return row.release();
 }
 
-bool is_offset_of_tool(const DataField& field) {
-    return field.form == FieldForm::named && field.name.size() == 1;
+bool is_tool_offset(const DataField& field) {
+    return field.form == FieldForm::named_field && field.name.size() == 1;
 }
 
-Tool tool_of(const SectionRules& rules, const DataRow& row) {
+Tool make_tool(const SectionRules& rules, const DataRow& row) {
     const NamedValues values(rules, row);
     Tool tool;
     tool.length_mm = values.number("LENGTH");
@@ -84,7 +84,7 @@ Tool tool_of(const SectionRules& rules, const DataRow& row) {
     if (values.text("KIND") == "CUTTER") tool.kind = ToolKind::cutter;
     if (values.text("KIND") == "JET") tool.kind = ToolKind::jet;
     for (std::size_t i = 0; i < rules.fields.size(); ++i) {
-        if (is_offset_of_tool(rules.fields[i]) && !row.values[i].empty())
+        if (is_tool_offset(rules.fields[i]) && !row.values[i].empty())
             tool.offsets[rules.fields[i].name[0]] = row.number(rules, i);
     }
     return tool;
@@ -94,22 +94,22 @@ DataRow tool_row(const SectionRules& rules, int number, const Tool& tool) {
     RowWriter row(rules, std::to_string(number));
     row.set("LENGTH", tool.length_mm);
     row.set("DIAMETER", tool.diameter_mm);
-    row.set_unless_0("LENGTH_WEAR", tool.length_wear_mm);
-    row.set_unless_0("DIAMETER_WEAR", tool.diameter_wear_mm);
-    row.set_unless_0("FRONT", tool.front_angle_deg);
-    row.set_unless_0("BACK", tool.back_angle_deg);
-    row.set_unless_0("ORIENTATION", tool.orientation);
+    row.set_nonzero("LENGTH_WEAR", tool.length_wear_mm);
+    row.set_nonzero("DIAMETER_WEAR", tool.diameter_wear_mm);
+    row.set_nonzero("FRONT", tool.front_angle_deg);
+    row.set_nonzero("BACK", tool.back_angle_deg);
+    row.set_nonzero("ORIENTATION", tool.orientation);
     if (tool.kind != ToolKind::unspecified) row.set("KIND", tool.kind == ToolKind::jet ? "JET" : "CUTTER");
     for (const auto& [letter, value] : tool.offsets) {
         const auto field = rules.find(std::string_view(&letter, 1));
-        if (field && is_offset_of_tool(rules.fields[*field])) row.set(rules.fields[*field].name, value);
+        if (field && is_tool_offset(rules.fields[*field])) row.set(rules.fields[*field].name, value);
     }
-    return row.take();
+    return row.release();
 }
 
-Zone zone_of(const SectionRules& rules, const DataRow& row) {
+Zone make_zone(const SectionRules& rules, const DataRow& row) {
     Zone zone;
-    zone.number = number_of(row.id);
+    zone.number = id_number(row.id);
     for (std::size_t axis = 0; axis < zone.limits.size(); ++axis) {
         const std::size_t low = 2 * axis;
         if (row.values[low].empty() || row.values[low] == kNoLimit) continue;
@@ -122,7 +122,7 @@ Zone zone_of(const SectionRules& rules, const DataRow& row) {
     const NamedValues values(rules, row);
     if (values.text("KIND") == "LEAVE") zone.kind = ZoneKind::leave_forbidden;
     zone.active_at_start = values.text("STATE") != "OFF";
-    if (!values.text("SWITCH").empty()) zone.switch_number = number_of(values.text("SWITCH"));
+    if (!values.text("SWITCH").empty()) zone.switch_number = id_number(values.text("SWITCH"));
     return zone;
 }
 
@@ -135,11 +135,11 @@ DataRow zone_row(const SectionRules& rules, const Zone& zone) {
         row.set(rules.fields[low].name, limits ? number_text(limits->min_mm) : std::string(kNoLimit));
         row.set(rules.fields[low + 1].name, limits ? number_text(limits->max_mm) : std::string(kNoLimit));
     }
-    if (rules.section == DataSection::working) return row.take();
+    if (rules.section == DataSection::working) return row.release();
     row.set("KIND", zone.kind == ZoneKind::leave_forbidden ? "LEAVE" : "ENTER");
     if (!zone.active_at_start) row.set("STATE", "OFF");
     if (zone.switch_number) row.set("SWITCH", std::to_string(*zone.switch_number));
-    return row.take();
+    return row.release();
 }
 
 template <typename Points>
@@ -163,7 +163,7 @@ std::vector<DataRow> named_point_rows(const SectionRules& rules, const std::map<
     std::vector<DataRow> rows = point_rows(rules, points);
     const std::size_t field = rules.name_field().value();
     for (DataRow& row : rows) {
-        const auto name = names.find(number_of(row.id));
+        const auto name = names.find(id_number(row.id));
         if (name != names.end()) row.values[field] = name->second;
     }
     return rows;
@@ -206,27 +206,27 @@ std::vector<DataRow> zone_rows(const MachineData& data, const SectionRules& rule
 }  // namespace
 
 void add_row(MachineData& data, const SectionRules& rules, const DataRow& row, bool axes_known) {
-    const int number = number_of(row.id);
+    const int number = id_number(row.id);
     switch (rules.section) {
-        case DataSection::offset: data.offsets[row.id] = point_of(rules, row, axes_known); break;
+        case DataSection::offset: data.offsets[row.id] = axis_values(rules, row, axes_known); break;
         case DataSection::fixed:
-            data.fixed[number] = point_of(rules, row, axes_known);
+            data.fixed[number] = axis_values(rules, row, axes_known);
             add_name(data.fixed_names, number, rules, row);
             break;
         case DataSection::reference:
-            data.references[number] = point_of(rules, row, axes_known);
+            data.references[number] = axis_values(rules, row, axes_known);
             add_name(data.reference_names, number, rules, row);
             break;
-        case DataSection::home: data.homes[number] = point_of(rules, row, axes_known); break;
-        case DataSection::tool: data.tools[number] = tool_of(rules, row); break;
+        case DataSection::home: data.homes[number] = axis_values(rules, row, axes_known); break;
+        case DataSection::tool: data.tools[number] = make_tool(rules, row); break;
         case DataSection::variable: data.variables[number] = row.number(rules, 0); break;
         case DataSection::alias: data.aliases[row.id] = row.values[0]; break;
-        case DataSection::security: data.security_zones[number] = zone_of(rules, row); break;
-        case DataSection::working: data.working_zone = zone_of(rules, row); break;
+        case DataSection::security: data.security_zones[number] = make_zone(rules, row); break;
+        case DataSection::working: data.working_zone = make_zone(rules, row); break;
     }
 }
 
-std::vector<DataRow> rows_of(const MachineData& data, const SectionRules& rules) {
+std::vector<DataRow> section_rows(const MachineData& data, const SectionRules& rules) {
     switch (rules.section) {
         case DataSection::offset: return point_rows(rules, data.offsets);
         case DataSection::fixed: return named_point_rows(rules, data.fixed, data.fixed_names);

@@ -12,6 +12,6 @@ void add_row(MachineData& data, const SectionRules& rules, const DataRow& row, b
 
 /// Returns the entries of a section in mm, by number, code or name. Axes of points that have no field are
 /// omitted.
-std::vector<DataRow> rows_of(const MachineData& data, const SectionRules& rules);
+std::vector<DataRow> section_rows(const MachineData& data, const SectionRules& rules);
 
 }  // namespace gsim::machine

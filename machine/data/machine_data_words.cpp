@@ -8,7 +8,7 @@ namespace gsim::machine {
 
 namespace {
 
-constexpr std::size_t kMostShown = 40;
+constexpr std::size_t kMaxPrintedBytes = 40;
 
 bool is_blank(char c) {
     return c == ' ' || c == '\t';
@@ -43,11 +43,11 @@ std::string upper_case(std::string_view text) {
     return out;
 }
 
-std::string shown_word(std::string_view word) {
+std::string printable_word(std::string_view word) {
     std::string out;
-    for (const char c : word.substr(0, kMostShown))
+    for (const char c : word.substr(0, kMaxPrintedBytes))
         out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-    return word.size() > kMostShown ? out + "..." : out;
+    return word.size() > kMaxPrintedBytes ? out + "..." : out;
 }
 
 std::string number_text(double value) {

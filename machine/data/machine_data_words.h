@@ -26,7 +26,7 @@ bool is_data_word(std::string_view text);
 std::string upper_case(std::string_view text);
 
 /// Returns a word for messages: short, and without bytes that would upset a terminal.
-std::string shown_word(std::string_view word);
+std::string printable_word(std::string_view word);
 
 /// Returns the shortest text that reads as the same number.
 std::string number_text(double value);
@@ -35,7 +35,7 @@ std::string number_text(double value);
 template <typename Number>
 std::optional<Number> parse_number(std::string_view text) {
     if constexpr (std::is_floating_point_v<Number>) {
-        return text::number_of(text);
+        return text::parse_number(text);
     } else {
         if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
         Number value{};

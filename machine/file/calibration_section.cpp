@@ -6,7 +6,7 @@
 
 #include "base/dense/symmetric.h"
 #include "machine/file/number_list.h"
-#include "machine/model/figure.h"
+#include "machine/model/machine_parameter.h"
 
 namespace gsim::machine {
 
@@ -15,26 +15,26 @@ namespace {
 using base::FirstError;
 using base::NumberRule;
 using base::TomlSection;
-using base::TomlText;
+using base::TomlWriter;
 
 constexpr std::array<std::string_view, 2> kCalibrationKeys{"runs", "left_percent"};
-constexpr std::array<std::string_view, 3> kFigureKeys{"of", "key", "covariance_percent2"};
+constexpr std::array<std::string_view, 3> kCalibratedKeys{"of", "key", "covariance_percent2"};
 
-void read_figure(FirstError& error, const toml::table& table, std::size_t count, const Machine& machine,
-                 Calibration& calibration) {
-    TomlSection section(error, table, "[[calibrated]]", kFigureKeys);
-    CalibratedFigure figure;
-    figure.of = section.text("of");
-    figure.key = section.text("key");
+void read_calibrated(FirstError& error, const toml::table& table, std::size_t count, const Machine& machine,
+                     Calibration& calibration) {
+    TomlSection section(error, table, "[[calibrated]]", kCalibratedKeys);
+    CalibratedParameter parameter_id;
+    parameter_id.of = section.text("of");
+    parameter_id.key = section.text("key");
     section.require("covariance_percent2");
     const auto row = read_numbers(section, table, "covariance_percent2",
                                   "a list, one number for each [[calibrated]]", {count});
-    if (section.has("of") && section.has("key") && !value_of(figure, machine)) {
+    if (section.has("of") && section.has("key") && !parameter_value(parameter_id, machine)) {
         section.fail("key", fmt::format("{} is no figure that can be calibrated: 'of' is letters of axes, "
                                         "\"path\", \"controller\" or \"times\", and 'key' one of theirs",
-                                        name_of(figure)));
+                                        parameter_name(parameter_id)));
     }
-    calibration.figures.push_back(std::move(figure));
+    calibration.parameters.push_back(std::move(parameter_id));
     calibration.covariance_percent2.push_back(row.value_or(std::vector<double>(count)));
 }
 
@@ -47,10 +47,10 @@ bool is_covariance(const std::vector<std::vector<double>>& rows) {
             matrix(i, k) = rows[static_cast<std::size_t>(i)][static_cast<std::size_t>(k)];
     }
     constexpr double kRounding = 1e-6;
-    const double most = matrix.cwiseAbs().maxCoeff();
-    if ((matrix - matrix.transpose()).cwiseAbs().maxCoeff() > kRounding * most) return false;
-    matrix.diagonal().array() += kRounding * most;
-    return most == 0 || base::is_positive_definite(matrix);
+    const double max = matrix.cwiseAbs().maxCoeff();
+    if ((matrix - matrix.transpose()).cwiseAbs().maxCoeff() > kRounding * max) return false;
+    matrix.diagonal().array() += kRounding * max;
+    return max == 0 || base::is_positive_definite(matrix);
 }
 
 }  // namespace
@@ -65,36 +65,36 @@ void read_calibration(FirstError& error, TomlSection& file, Machine& machine) {
     }
     Calibration calibration;
     calibration.runs = static_cast<int>(TomlSection(*section).number("runs", 1, NumberRule::count));
-    calibration.left_percent = TomlSection(*section).number("left_percent", 0, NumberRule::not_negative);
-    const auto figures =
+    calibration.residual_percent = TomlSection(*section).number("left_percent", 0, NumberRule::not_negative);
+    const auto parameters =
         file.has("calibrated") ? file.tables("calibrated") : std::vector<const toml::table*>();
-    for (const toml::table* figure : figures)
-        read_figure(error, *figure, figures.size(), machine, calibration);
+    for (const toml::table* parameter_id : parameters)
+        read_calibrated(error, *parameter_id, parameters.size(), machine, calibration);
     if (error.text()) return;
-    if (!figures.empty() && !is_covariance(calibration.covariance_percent2))
+    if (!parameters.empty() && !is_covariance(calibration.covariance_percent2))
         file.fail("calibrated",
                   "the rows 'covariance_percent2' are no covariance: they should be symmetric, "
                   "without negative spread of any combination");
     machine.calibration = std::move(calibration);
 }
 
-void print_calibration(TomlText& out, const Calibration& calibration) {
+void print_calibration(TomlWriter& out, const Calibration& calibration) {
     out.section("[calibration]");
     out.line("runs", std::to_string(calibration.runs));
-    out.number("left_percent", calibration.left_percent);
-    for (std::size_t i = 0; i < calibration.figures.size(); ++i) {
+    out.number("left_percent", calibration.residual_percent);
+    for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         out.section("[[calibrated]]");
-        out.line("of", base::toml_string(calibration.figures[i].of));
-        out.line("key", base::toml_string(calibration.figures[i].key));
+        out.line("of", base::toml_string(calibration.parameters[i].of));
+        out.line("key", base::toml_string(calibration.parameters[i].key));
         out.line("covariance_percent2", number_list(calibration.covariance_percent2[i]));
     }
 }
 
-std::vector<GuideTable> calibration_guide() {
+std::vector<TableSchema> calibration_schema() {
     return {
         {.at = {"calibration"},
          .meaning = "that figures were fitted to recorded runs, and how well",
-         .keys = {number_key("runs", {.least = 1, .greatest = 100000, .whole = true}, "1",
+         .keys = {number_key("runs", {.min = 1, .max = 100000, .integer_only = true}, "1",
                              "how many they were fitted to"),
                   number_key("left_percent", kNotNegative, "0.0",
                              "of the times of runs, what the fit leaves, as a standard deviation")}},

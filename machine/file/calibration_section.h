@@ -1,9 +1,9 @@
 #pragma once
 
 #include "base/toml/toml_section.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 #include "machine/model/machine.h"
-#include "machine/schema/key_guide.h"
+#include "machine/schema/key_schema.h"
 
 namespace gsim::machine {
 
@@ -11,9 +11,9 @@ namespace gsim::machine {
 /// read.
 void read_calibration(base::FirstError& error, base::TomlSection& file, Machine& machine);
 
-void print_calibration(base::TomlText& out, const Calibration& calibration);
+void print_calibration(base::TomlWriter& out, const Calibration& calibration);
 
 /// Returns the tables as people fill them in.
-std::vector<GuideTable> calibration_guide();
+std::vector<TableSchema> calibration_schema();
 
 }  // namespace gsim::machine

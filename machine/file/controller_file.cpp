@@ -5,7 +5,7 @@
 #include "base/text/format.h"
 #include "base/text/printable.h"
 #include "base/toml/toml_section.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 #include "machine/embedded_controllers.h"
 #include "machine/schema/controller_keys.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 using base::FirstError;
 using base::TomlSection;
-using base::TomlText;
+using base::TomlWriter;
 
 using std::string_view_literals::operator""sv;
 
@@ -33,18 +33,19 @@ std::string unknown_model(std::string_view model) {
 }
 
 /// Location in which custom controller files are searched.
-struct OwnFiles {
+struct CustomFiles {
     const std::filesystem::path& folder;
     const os::Files& files;
 };
 
-rrs::ControllerRules read_own_file(TomlSection& section, const std::string& model, const OwnFiles& own) {
+rrs::ControllerRules read_custom_file(TomlSection& section, const std::string& model,
+                                      const CustomFiles& local_files) {
     if (!text::is_printable(model)) {
         section.fail(kModelKey, "'model' must not hold control characters");
         return {};
     }
-    const std::filesystem::path path = own.folder / model;
-    const auto text = own.files.read_text(path);
+    const std::filesystem::path path = local_files.folder / model;
+    const auto text = local_files.files.read_text(path);
     if (!text) {
         section.fail(kModelKey, text.error());
         return {};
@@ -56,7 +57,7 @@ rrs::ControllerRules read_own_file(TomlSection& section, const std::string& mode
 }
 
 // Reads the rules that the section's other keys change. Without `own` custom files are not available.
-rrs::ControllerRules read_model(TomlSection& section, const OwnFiles* own) {
+rrs::ControllerRules read_model(TomlSection& section, const CustomFiles* local_files) {
     if (!section.has(kModelKey)) return {};
     const std::string model = section.text(kModelKey);
     if (const auto rules = built_in_controller(model)) return *rules;
@@ -64,7 +65,7 @@ rrs::ControllerRules read_model(TomlSection& section, const OwnFiles* own) {
         section.fail(kModelKey, unknown_model(model));
         return {};
     }
-    if (own != nullptr) return read_own_file(section, model, *own);
+    if (local_files != nullptr) return read_custom_file(section, model, *local_files);
     section.fail(kModelKey, fmt::format("'model' of a controller file must be one of {}",
                                         text::joined(built_in_controllers(), ", ")));
     return {};
@@ -109,13 +110,13 @@ std::optional<rrs::ControllerRules> built_in_controller(std::string_view model) 
 
 rrs::ControllerRules read_controller_section(TomlSection& section, const std::filesystem::path& folder,
                                              const os::Files& files) {
-    const OwnFiles own{folder, files};
-    rrs::ControllerRules rules = read_model(section, &own);
+    const CustomFiles local_files{folder, files};
+    rrs::ControllerRules rules = read_model(section, &local_files);
     read_controller_keys(section, rules);
     return rules;
 }
 
-void print_controller(TomlText& out, const rrs::ControllerRules& rules) {
+void print_controller(TomlWriter& out, const rrs::ControllerRules& rules) {
     if (rules == rrs::ControllerRules{}) return;
     const rrs::ControllerRules base = built_in_controller(rules.model).value_or(rrs::ControllerRules{});
     out.section("[controller]");

@@ -13,7 +13,7 @@
 
 namespace gsim::base {
 class TomlSection;
-class TomlText;
+class TomlWriter;
 }  // namespace gsim::base
 
 namespace gsim::machine {
@@ -41,6 +41,6 @@ rrs::ControllerRules read_controller_section(base::TomlSection& section, const s
 
 /// Writes a self-contained table [controller]: it gives equal rules wherever it is read. Writes nothing if
 /// the rules are those of a machine without such a table.
-void print_controller(base::TomlText& out, const rrs::ControllerRules& rules);
+void print_controller(base::TomlWriter& out, const rrs::ControllerRules& rules);
 
 }  // namespace gsim::machine

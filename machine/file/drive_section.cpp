@@ -25,7 +25,7 @@ constexpr DriveKeys kRotaryDrive{
     "coulomb_nm", "viscous_nm_per_deg_s", "rotor_kg_m2",       "counterweight_nm",
     "peak_nm",    "continuous_nm",        "curve_speed_deg_s", "curve_peak_nm"};
 
-const DriveKeys& keys_of(AxisKind kind) {
+const DriveKeys& drive_keys_of_kind(AxisKind kind) {
     return kind == AxisKind::linear ? kLinearDrive : kRotaryDrive;
 }
 
@@ -40,11 +40,11 @@ void read_curve(TomlSection& axis, const toml::table& table, const DriveKeys& ke
     const auto speeds = read_numbers(axis, table, keys.curve_speeds, "a list of speeds");
     const auto peaks = read_numbers(axis, table, keys.curve_peaks, "a list, one for each speed of the curve");
     if (!speeds && !peaks) return;
-    const std::string_view lacking = speeds ? keys.curve_peaks : keys.curve_speeds;
-    if (!axis.has(lacking)) {
+    const std::string_view missing_message = speeds ? keys.curve_peaks : keys.curve_speeds;
+    if (!axis.has(missing_message)) {
         axis.fail(speeds ? keys.curve_speeds : keys.curve_peaks,
                   fmt::format("a curve of the motor is '{}' and '{}', and '{}' is missing", keys.curve_speeds,
-                              keys.curve_peaks, lacking));
+                              keys.curve_peaks, missing_message));
         return;
     }
     if (!speeds || !peaks) return;
@@ -72,11 +72,11 @@ void read_curve(TomlSection& axis, const toml::table& table, const DriveKeys& ke
 }  // namespace
 
 std::vector<std::string_view> drive_keys(AxisKind kind) {
-    return keys_of(kind).all();
+    return drive_keys_of_kind(kind).all();
 }
 
 Drive read_drive(TomlSection& axis, const toml::table& table, AxisKind kind) {
-    const DriveKeys& keys = keys_of(kind);
+    const DriveKeys& keys = drive_keys_of_kind(kind);
     const Drive none;
     Drive drive;
     drive.coulomb = axis.number(keys.coulomb, 0, NumberRule::not_negative);
@@ -89,8 +89,8 @@ Drive read_drive(TomlSection& axis, const toml::table& table, AxisKind kind) {
     return drive;
 }
 
-void print_drive(base::TomlText& out, const Axis& axis) {
-    const DriveKeys& keys = keys_of(axis.kind);
+void print_drive(base::TomlWriter& out, const Axis& axis) {
+    const DriveKeys& keys = drive_keys_of_kind(axis.kind);
     const Drive& drive = axis.drive;
     const auto number = [&](std::string_view key, double value) {
         if (value != 0) out.number(key, value);

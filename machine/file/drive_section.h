@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/toml/toml_section.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 #include "machine/model/machine.h"
 
 namespace gsim::machine {
@@ -17,6 +17,6 @@ std::vector<std::string_view> drive_keys(AxisKind kind);
 /// Reads the drive of an axis.
 Drive read_drive(base::TomlSection& axis, const toml::table& table, AxisKind kind);
 
-void print_drive(base::TomlText& out, const Axis& axis);
+void print_drive(base::TomlWriter& out, const Axis& axis);
 
 }  // namespace gsim::machine

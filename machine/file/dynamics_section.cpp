@@ -53,8 +53,8 @@ std::array<double, 6> read_inertia(TomlSection& section, const toml::table& tabl
     const auto& [xx, yy, zz, xy, yz, zx] = inertia;
     Eigen::Matrix3d tensor;
     tensor << xx, xy, zx, xy, yy, yz, zx, yz, zz;
-    if (const auto fault = dynamics::find_inertia_fault(tensor))
-        section.fail("inertia_kg_m2", fmt::format("'inertia_kg_m2' is of no body: {}", *fault));
+    if (const auto error = dynamics::find_inertia_error(tensor))
+        section.fail("inertia_kg_m2", fmt::format("'inertia_kg_m2' is of no body: {}", *error));
     return inertia;
 }
 
@@ -83,7 +83,7 @@ HoseTable read_hose(FirstError& error, const toml::table& table, const Machine& 
 }
 
 /// Checks that no key specifies forces if forces are not computed.
-void check_alone(TomlSection& file, const Machine& machine) {
+void check_without_dynamics(TomlSection& file, const Machine& machine) {
     const auto fail = [&](std::string_view key, std::string_view what) {
         file.fail(key, fmt::format("{} is for forces and torques, and there is no [dynamics]", what));
     };
@@ -101,7 +101,7 @@ void check_alone(TomlSection& file, const Machine& machine) {
 
 void read_dynamics(FirstError& error, TomlSection& file, Machine& machine) {
     const toml::table* table = file.table("dynamics");
-    if (table == nullptr) return check_alone(file, machine);
+    if (table == nullptr) return check_without_dynamics(file, machine);
     TomlSection section(error, *table, "[dynamics]", kDynamicsKeys);
     DynamicsTable dynamics;
     dynamics.gravity_m_s2 = read_vector(section, *table, "gravity_m_s2", dynamics.gravity_m_s2);
@@ -118,7 +118,7 @@ void read_dynamics(FirstError& error, TomlSection& file, Machine& machine) {
     machine.dynamics = std::move(dynamics);
 }
 
-void print_dynamics(base::TomlText& out, const DynamicsTable& dynamics) {
+void print_dynamics(base::TomlWriter& out, const DynamicsTable& dynamics) {
     out.section("[dynamics]");
     out.line("gravity_m_s2", number_list(dynamics.gravity_m_s2));
     if (dynamics.limit != AccelerationLimit::axes)

@@ -3,7 +3,7 @@
 // Only for readers of TOML files (toml_section.h).
 
 #include "base/toml/toml_section.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 #include "machine/model/machine.h"
 
 namespace gsim::machine {
@@ -12,6 +12,6 @@ namespace gsim::machine {
 /// Their forces and masses without [dynamics] are an error.
 void read_dynamics(base::FirstError& error, base::TomlSection& file, Machine& machine);
 
-void print_dynamics(base::TomlText& out, const DynamicsTable& dynamics);
+void print_dynamics(base::TomlWriter& out, const DynamicsTable& dynamics);
 
 }  // namespace gsim::machine

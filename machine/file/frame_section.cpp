@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 
 namespace gsim::machine {
 

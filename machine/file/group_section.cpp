@@ -10,7 +10,7 @@ namespace gsim::machine {
 
 using base::FirstError;
 using base::TomlSection;
-using base::TomlText;
+using base::TomlWriter;
 
 using std::string_view_literals::operator""sv;
 
@@ -20,7 +20,7 @@ constexpr std::array kGroupKeys{"name"sv, "axes"sv, "motion"sv};
 constexpr std::array kMotionNames{"synchronous"sv, "coordinated"sv,
                                   "independent"sv};  // in the order of GroupMotion
 // Parts of a pose in addition to the groups: {x=, y=, z=, roll=, pitch=, yaw=}.
-constexpr std::array kPartsOfPoses{"x"sv, "y"sv, "z"sv, "roll"sv, "pitch"sv, "yaw"sv};
+constexpr std::array kPoseComponents{"x"sv, "y"sv, "z"sv, "roll"sv, "pitch"sv, "yaw"sv};
 
 bool is_group_name(std::string_view name) {
     const auto is_letter = [](char c) {
@@ -50,7 +50,7 @@ class GroupReader {
         std::string name = section.text("name");
         if (!is_group_name(name)) {
             section.fail("name", "'name' must be letters, digits and _, and begin with no digit");
-        } else if (std::find(kPartsOfPoses.begin(), kPartsOfPoses.end(), name) != kPartsOfPoses.end()) {
+        } else if (std::find(kPoseComponents.begin(), kPoseComponents.end(), name) != kPoseComponents.end()) {
             section.fail("name",
                          fmt::format("'{}' is a part of a pose; a group has a name of its own", name));
         }
@@ -117,16 +117,16 @@ std::string_view name(GroupMotion motion) {
 void read_groups(FirstError& error, TomlSection& file, Machine& machine) {
     if (!file.has("group")) return;
     GroupReader reader(error, machine);
-    std::size_t in_groups = 0;
+    std::size_t grouped_axes = 0;
     for (const toml::table* table : file.tables("group")) {
         reader.read(*table);
-        in_groups += machine.groups.back().axes.size();
+        grouped_axes += machine.groups.back().axes.size();
     }
-    if (machine.inverse == InverseKind::numeric && in_groups == machine.axes.size())
+    if (machine.inverse == InverseKind::numeric && grouped_axes == machine.axes.size())
         file.fail("group", "all axes are in groups; those that move the tool to a pose are in none");
 }
 
-void print_groups(TomlText& out, const Machine& machine) {
+void print_groups(TomlWriter& out, const Machine& machine) {
     for (const AxisGroup& group : machine.groups) {
         out.section("[[group]]");
         out.line("name", base::toml_string(group.name));

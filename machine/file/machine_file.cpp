@@ -41,9 +41,9 @@ constexpr std::array kMachineFileKeys{
 constexpr std::array kMachineKeys{"name"sv, "inverse"sv};
 constexpr std::array kPathKeys{"max_feed_mm_s"sv, "max_rapid_mm_s"sv, "max_acceleration_mm_s2"sv,
                                "max_rapid_acceleration_mm_s2"sv, "max_jerk_mm_s3"sv};
-constexpr std::array kInverseNames{"none"sv, "gantry"sv, "numeric"sv};      // in the order of InverseKind
-constexpr std::array kCarriesNames{"tool"sv, "work"sv, "nothing"sv};        // of Carries
-constexpr std::array kTurningNames{"limited"sv, "shortest"sv, "unwind"sv};  // of Turning
+constexpr std::array kInverseNames{"none"sv, "gantry"sv, "numeric"sv};         // in the order of InverseKind
+constexpr std::array kCarriedPartNames{"tool"sv, "work"sv, "nothing"sv};       // of Carries
+constexpr std::array kRotaryModeNames{"limited"sv, "shortest"sv, "unwind"sv};  // of Turning
 constexpr std::array kDhKeys{"theta_deg"sv, "d_mm"sv, "a_mm"sv, "alpha_deg"sv};
 
 // The keys of an axis; their units depend on its kind.
@@ -163,7 +163,7 @@ void read_homes(TomlSection& section, const AxisKeys& keys, Axis& axis) {
 
 // Reads a table of joints, by rows, frames or directions.
 void read_joint(FirstError& error, TomlSection& section, Axis& axis) {
-    const bool carries_nothing = axis.carries == Carries::nothing;
+    const bool carries_nothing = axis.carries == CarriedPart::none;
     if (carries_nothing && axis.kind == AxisKind::rotary)
         section.fail("carries", "'carries = \"nothing\"' is of linear axes alone");
     if (!carries_nothing && !section.has("frame") && !section.has("direction") && !section.has("dh")) {
@@ -181,9 +181,9 @@ void read_joint(FirstError& error, TomlSection& section, Axis& axis) {
     axis.dh = read_dh_row(error, section.table("dh"));
 }
 
-Turning read_turning(TomlSection& section, const AxisKeys& keys, const Axis& axis) {
-    const auto turning = static_cast<Turning>(section.choice("turning", 0, kTurningNames));
-    if (turning == Turning::unwind && (std::isfinite(axis.min) || std::isfinite(axis.max))) {
+RotaryMode read_rotary_mode(TomlSection& section, const AxisKeys& keys, const Axis& axis) {
+    const auto turning = static_cast<RotaryMode>(section.choice("turning", 0, kRotaryModeNames));
+    if (turning == RotaryMode::unwind && (std::isfinite(axis.min) || std::isfinite(axis.max))) {
         section.fail("turning",
                      fmt::format("an axis that unwinds turns on without end; leave out '{}' and '{}'",
                                  keys.min, keys.max));
@@ -213,8 +213,8 @@ Axis read_axis(FirstError& error, const toml::table& table) {
     axis.zero = section.number(keys.zero, 0, NumberRule::finite);
     check_range(section, keys, axis);
     read_homes(section, keys, axis);
-    axis.carries = static_cast<Carries>(section.choice("carries", 0, kCarriesNames));
-    if (axis.kind == AxisKind::rotary) axis.turning = read_turning(section, keys, axis);
+    axis.carries = static_cast<CarriedPart>(section.choice("carries", 0, kCarriedPartNames));
+    if (axis.kind == AxisKind::rotary) axis.turning = read_rotary_mode(section, keys, axis);
     read_joint(error, section, axis);
     axis.drive = read_drive(section, table, axis.kind);
     axis.servo = read_servo(section);
@@ -223,18 +223,18 @@ Axis read_axis(FirstError& error, const toml::table& table) {
 
 std::vector<Axis> read_axes(FirstError& error, TomlSection& file) {
     std::vector<Axis> axes;
-    std::vector<toml::source_position> places;
+    std::vector<toml::source_position> locations;
     for (const toml::table* table : file.tables("axis")) {
         const Axis axis = read_axis(error, *table);
         const toml::node* letter = table->get("letter");
-        const auto place = (letter == nullptr ? table : letter)->source().begin;
+        const auto location = (letter == nullptr ? table : letter)->source().begin;
         for (std::size_t i = 0; i < axes.size(); ++i) {
             if (axes[i].letter != axis.letter || axis.letter == kNoLetter) continue;
-            error.report(place, fmt::format("the letter {} is given twice; first in line {}", axis.letter,
-                                            places[i].line));
+            error.report(location, fmt::format("the letter {} is given twice; first in line {}", axis.letter,
+                                               locations[i].line));
         }
         axes.push_back(axis);
-        places.push_back(place);
+        locations.push_back(location);
     }
     if (axes.empty()) file.fail("axis", "a machine needs at least one [[axis]]");
     return axes;
@@ -274,29 +274,29 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
     read_dynamics(error, file, machine);
     read_calibration(error, file, machine);
     if (error.text()) return machine;
-    if (const auto fault = find_kinematic_fault(machine)) section.fail("inverse", *fault);
+    if (const auto message = find_kinematic_error(machine)) section.fail("inverse", *message);
     if (error.text()) return machine;
-    if (const auto fault = find_controller_fault(machine)) file.fail("controller", *fault);
-    if (const auto fault = find_torque_limit_fault(machine)) file.fail("dynamics", *fault);
-    if (const auto fault = find_servo_fault(machine)) file.fail("axis", *fault);
+    if (const auto message = find_controller_error(machine)) file.fail("controller", *message);
+    if (const auto message = find_torque_limit_error(machine)) file.fail("dynamics", *message);
+    if (const auto message = find_servo_error(machine)) file.fail("axis", *message);
     return machine;
 }
 
 }  // namespace
 
 tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name,
-                                                const os::Files& files, std::vector<std::string>* faults) {
+                                                const os::Files& files, std::vector<std::string>* errors) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     Machine machine = read_tables(error, root, std::filesystem::path(file_name).parent_path(), files);
-    if (faults != nullptr) *faults = error.all();
+    if (errors != nullptr) *errors = error.all();
     if (error.text()) return tl::unexpected(*error.text());
     return machine;
 }
 
-tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path, os::NamedBy named_by,
+tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path, os::NameSource name_source,
                                                 const os::Files& files) {
-    return files.read_text(path, named_by).and_then([&](const std::string& text) {
+    return files.read_text(path, name_source).and_then([&](const std::string& text) {
         return read_machine(text, path.string(), files);
     });
 }

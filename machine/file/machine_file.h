@@ -18,11 +18,11 @@ namespace gsim::machine {
 /// are not read. `files` has them. `faults`, if given, receives all errors, the first one first.
 tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name,
                                                 const os::Files& files = os::disk(),
-                                                std::vector<std::string>* faults = nullptr);
+                                                std::vector<std::string>* errors = nullptr);
 
 /// Runs read_machine() on a file.
 tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path,
-                                                os::NamedBy named_by = os::NamedBy::a_file,
+                                                os::NameSource name_source = os::NameSource::in_file,
                                                 const os::Files& files = os::disk());
 
 /// Returns a machine file that read_machine() reads back as an equal machine, if it accepts this one at all.

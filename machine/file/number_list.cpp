@@ -1,7 +1,7 @@
 #include "machine/file/number_list.h"
 
 #include "base/text/format.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 
 namespace gsim::machine {
 
@@ -16,7 +16,7 @@ std::optional<std::vector<double>> read_numbers(base::TomlSection& section, cons
     for (std::size_t i = 0; read && i < array->size(); ++i) {
         const toml::node* node = array->get(i);
         const auto value = node->is_number() ? node->value<double>() : std::nullopt;
-        read = value && std::abs(*value) <= kMostOfFiles;
+        read = value && std::abs(*value) <= kMaxFileValue;
         numbers.push_back(value.value_or(0));
     }
     if (read) return numbers;

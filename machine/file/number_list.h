@@ -14,7 +14,7 @@
 namespace gsim::machine {
 
 /// Largest magnitude of a number in a file, positive or negative.
-inline constexpr double kMostOfFiles = 1e9;
+inline constexpr double kMaxFileValue = 1e9;
 
 /// Returns the list of finite numbers under `key`, or nothing if the key is missing. Anything else, or a
 /// wrong number of values, is an error, which `meaning` explains: "[x, y, z]".

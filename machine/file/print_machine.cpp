@@ -1,7 +1,9 @@
+#include <string>
+
 #include <fmt/format.h>
 
 #include "base/text/file_format.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 #include "machine/file/calibration_section.h"
 #include "machine/file/controller_file.h"
 #include "machine/file/drive_section.h"
@@ -19,9 +21,9 @@ namespace gsim::machine {
 
 namespace {
 
-using base::TomlText;
+using base::TomlWriter;
 
-void print_path_limits(TomlText& out, const PathLimits& path) {
+void print_path_limits(TomlWriter& out, const PathLimits& path) {
     if (path == PathLimits{}) return;
     out.section("[path]");
     out.limit("max_feed_mm_s", path.max_feed_mm_s);
@@ -31,7 +33,7 @@ void print_path_limits(TomlText& out, const PathLimits& path) {
     out.limit("max_jerk_mm_s3", path.max_jerk_mm_s3);
 }
 
-void print_frame(TomlText& out, std::string_view header, const Frame& frame) {
+void print_frame(TomlWriter& out, std::string_view header, const Frame& frame) {
     if (frame == Frame{}) return;
     out.section(header);
     out.number("x_mm", frame.x_mm);
@@ -51,17 +53,17 @@ std::string_view name(InverseKind kind) {
     return "\"none\"";
 }
 
-std::string_view name(Turning turning) {
+std::string_view name(RotaryMode turning) {
     switch (turning) {
-        case Turning::shortest: return "\"shortest\"";
-        case Turning::unwind: return "\"unwind\"";
-        case Turning::limited: break;
+        case RotaryMode::shortest: return "\"shortest\"";
+        case RotaryMode::unwind: return "\"unwind\"";
+        case RotaryMode::limited: break;
     }
     return "\"limited\"";
 }
 
-void print_joint(TomlText& out, const Axis& axis) {
-    if (axis.carries == Carries::nothing) return;
+void print_joint(TomlWriter& out, const Axis& axis) {
+    if (axis.carries == CarriedPart::none) return;
     if (axis.direction) out.line("direction", base::toml_string(name(*axis.direction)));
     if (!axis.direction && (!axis.frame || axis.dh != DhRow{})) {
         out.line("dh", fmt::format("{{ theta_deg = {}, d_mm = {}, a_mm = {}, alpha_deg = {} }}",
@@ -71,7 +73,7 @@ void print_joint(TomlText& out, const Axis& axis) {
     if (axis.frame) out.line("frame", inline_frame(*axis.frame));
 }
 
-void print_axis(TomlText& out, const Axis& axis) {
+void print_axis(TomlWriter& out, const Axis& axis) {
     const bool linear = axis.kind == AxisKind::linear;
     const auto key = [unit = linear ? "mm" : "deg"](std::string_view name, std::string_view per = "") {
         return fmt::format("{}_{}{}", name, unit, per);
@@ -92,8 +94,8 @@ void print_axis(TomlText& out, const Axis& axis) {
         if (axis.other_homes[i]) out.number(key(fmt::format("home{}", i + 2)), *axis.other_homes[i]);
     }
     out.number(key("zero"), axis.zero);
-    if (axis.carries != Carries::tool) out.line("carries", base::toml_string(name(axis.carries)));
-    if (axis.turning != Turning::limited) out.line("turning", name(axis.turning));
+    if (axis.carries != CarriedPart::tool) out.line("carries", base::toml_string(name(axis.carries)));
+    if (axis.turning != RotaryMode::limited) out.line("turning", name(axis.turning));
     print_joint(out, axis);
     print_drive(out, axis);
     print_servo(out, axis);
@@ -102,8 +104,8 @@ void print_axis(TomlText& out, const Axis& axis) {
 }  // namespace
 
 std::string print_machine(const Machine& machine) {
-    TomlText out;
-    out.number("format", text::kFileFormat);
+    TomlWriter out;
+    out.line("format", std::to_string(text::kFileFormat));
     print_ignored(out, machine);
     out.section("[machine]");
     out.line("name", base::toml_string(machine.name));
@@ -121,7 +123,7 @@ std::string print_machine(const Machine& machine) {
     print_link_shapes(out, machine);
     if (machine.dynamics) print_dynamics(out, *machine.dynamics);
     if (machine.calibration) print_calibration(out, *machine.calibration);
-    return out.take();
+    return out.release();
 }
 
 }  // namespace gsim::machine

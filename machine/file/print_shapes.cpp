@@ -15,7 +15,7 @@ namespace gsim::machine {
 
 namespace {
 
-using base::TomlText;
+using base::TomlWriter;
 
 std::string inline_form(const BoxShape& box) {
     return fmt::format("box_mm = [{}, {}, {}]", base::toml_number(box.x_mm), base::toml_number(box.y_mm),
@@ -51,7 +51,7 @@ std::string inline_shape(const ShapeForm& form) {
 
 }  // namespace
 
-void print_ignored(TomlText& out, const Machine& machine) {
+void print_ignored(TomlWriter& out, const Machine& machine) {
     if (machine.ignored.empty()) return;
     std::vector<std::string> pairs;
     pairs.reserve(machine.ignored.size());
@@ -62,7 +62,7 @@ void print_ignored(TomlText& out, const Machine& machine) {
     out.line("ignore", fmt::format("[{}]", text::joined(pairs, ", ")));
 }
 
-void print_link_shapes(TomlText& out, const Machine& machine) {
+void print_link_shapes(TomlWriter& out, const Machine& machine) {
     for (const LinkShape& shape : machine.shapes) {
         out.section("[[shape]]");
         out.line("name", base::toml_string(shape.name));

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "base/text/read_number.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 
 namespace gsim::machine {
 
@@ -15,7 +15,7 @@ namespace {
 using base::FirstError;
 using base::NumberRule;
 using base::TomlSection;
-using base::TomlText;
+using base::TomlWriter;
 
 using std::string_view_literals::operator""sv;
 
@@ -23,7 +23,7 @@ constexpr std::array kProcessKeys{"kind"sv, "on"sv, "off"sv};
 constexpr std::array kProcessKinds{"jet"sv, "plasma"sv, "laser"sv,
                                    "spindle"sv};  // in the order of ProcessKind
 // The longest dwell of each kind; a jet may take long to pierce.
-constexpr std::array kDwells_s{60.0, 5.0, 10.0, std::numeric_limits<double>::infinity()};
+constexpr std::array kDefaultDwells_s{60.0, 5.0, 10.0, std::numeric_limits<double>::infinity()};
 
 struct CheckKey {
     std::string_view name;
@@ -35,33 +35,33 @@ constexpr std::array kCheckKeys{CheckKey{"rapid_with_process_on", &ProcessChecks
                                 CheckKey{"feed_with_process_off", &ProcessChecks::feed_with_process_off}};
 constexpr std::string_view kDwellKey = "dwell_s";
 
-constexpr std::string_view kBlanks = " \t";
+constexpr std::string_view kWhitespace = " \t";
 
 bool is_word_letter(char c) {
     return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
 }
 
 /// Removes a letter and its number from the front of a text and returns them.
-std::optional<std::pair<char, double>> take_word(std::string_view& text) {
-    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+std::optional<std::pair<char, double>> consume_word(std::string_view& text) {
+    text.remove_prefix(std::min(text.find_first_not_of(kWhitespace), text.size()));
     if (text.empty() || !is_word_letter(text.front())) return std::nullopt;
     const char letter = static_cast<char>(text.front() & ~0x20);
     double value = 0;
-    const auto [end, fault] = text::read_number(text.data() + 1, text.data() + text.size(), value);
-    if (fault != std::errc() || !std::isfinite(value)) return std::nullopt;
+    const auto [end, error] = text::read_number(text.data() + 1, text.data() + text.size(), value);
+    if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
     text.remove_prefix(static_cast<std::size_t>(end - text.data()));
     return std::pair(letter, value);
 }
 
 std::optional<SwitchWord> switch_word(std::string_view text) {
-    const auto code = take_word(text);
+    const auto code = consume_word(text);
     if (!code || code->first != 'M' || code->second != std::floor(code->second) || code->second < 0 ||
         code->second > 999) {
         return std::nullopt;
     }
     SwitchWord word{.code = static_cast<int>(code->second), .words = {}};
-    while (text.find_first_not_of(kBlanks) != std::string_view::npos) {
-        const auto next = take_word(text);
+    while (text.find_first_not_of(kWhitespace) != std::string_view::npos) {
+        const auto next = consume_word(text);
         if (!next || !word.words.insert(*next).second) return std::nullopt;
     }
     return word;
@@ -99,7 +99,7 @@ std::vector<SwitchWord> read_words(TomlSection& section, std::string_view key) {
     return words;
 }
 
-void check_apart(TomlSection& section, const Process& process) {
+void check_distinct(TomlSection& section, const Process& process) {
     for (const SwitchWord& word : process.on) {
         if (std::find(process.off.begin(), process.off.end(), word) == process.off.end()) continue;
         section.fail("off", fmt::format("{} is in 'on' and in 'off'", word.text()));
@@ -122,7 +122,7 @@ void read_checks(FirstError& error, const toml::table* table, ProcessChecks& che
     checks.dwell_s = section.number(kDwellKey, checks.dwell_s, NumberRule::positive);
 }
 
-std::string list_of(const std::vector<SwitchWord>& words) {
+std::string word_list(const std::vector<SwitchWord>& words) {
     std::string list;
     for (const SwitchWord& word : words) list += (list.empty() ? "" : ", ") + base::toml_string(word.text());
     return fmt::format("[{}]", list);
@@ -155,17 +155,17 @@ std::optional<Process> read_process(FirstError& error, TomlSection& file) {
     process.kind = static_cast<ProcessKind>(section.choice("kind", 0, kProcessKinds));
     process.on = read_words(section, "on");
     process.off = read_words(section, "off");
-    check_apart(section, process);
-    process.checks.dwell_s = kDwells_s[static_cast<std::size_t>(process.kind)];
+    check_distinct(section, process);
+    process.checks.dwell_s = kDefaultDwells_s[static_cast<std::size_t>(process.kind)];
     read_checks(error, checks, process.checks);
     return process;
 }
 
-void print_process(TomlText& out, const Process& process) {
+void print_process(TomlWriter& out, const Process& process) {
     out.section("[process]");
     out.line("kind", base::toml_string(name(process.kind)));
-    out.line("on", list_of(process.on));
-    out.line("off", list_of(process.off));
+    out.line("on", word_list(process.on));
+    out.line("off", word_list(process.off));
     out.section("[checks]");
     for (const CheckKey& key : kCheckKeys) out.line(key.name, process.checks.*key.flag ? "true" : "false");
     out.number(kDwellKey, process.checks.dwell_s);

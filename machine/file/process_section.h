@@ -6,7 +6,7 @@
 #include "machine/model/process.h"
 
 namespace gsim::base {
-class TomlText;
+class TomlWriter;
 }
 
 namespace gsim::machine {
@@ -16,6 +16,6 @@ namespace gsim::machine {
 std::optional<Process> read_process(base::FirstError& error, base::TomlSection& file);
 
 /// Writes the same tables as text.
-void print_process(base::TomlText& out, const Process& process);
+void print_process(base::TomlWriter& out, const Process& process);
 
 }  // namespace gsim::machine

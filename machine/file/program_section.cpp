@@ -8,7 +8,7 @@ namespace gsim::machine {
 
 using base::FirstError;
 using base::TomlSection;
-using base::TomlText;
+using base::TomlWriter;
 
 using std::string_view_literals::operator""sv;
 
@@ -35,7 +35,7 @@ ProgramTable read_program_section(FirstError& error, const toml::table* table) {
     return program;
 }
 
-void print_program_section(TomlText& out, const ProgramTable& program) {
+void print_program_section(TomlWriter& out, const ProgramTable& program) {
     if (program == ProgramTable{}) return;
     out.section("[program]");
     if (!program.dialect.empty()) out.line("dialect", base::toml_string(program.dialect));

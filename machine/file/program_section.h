@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/toml/toml_section.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 #include "machine/model/program_table.h"
 
 namespace gsim::machine {
@@ -10,6 +10,6 @@ namespace gsim::machine {
 ProgramTable read_program_section(base::FirstError& error, const toml::table* table);
 
 /// Writes it as it is read; writes nothing if it is empty.
-void print_program_section(base::TomlText& out, const ProgramTable& program);
+void print_program_section(base::TomlWriter& out, const ProgramTable& program);
 
 }  // namespace gsim::machine

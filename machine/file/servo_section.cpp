@@ -12,8 +12,8 @@ namespace {
 using base::NumberRule;
 using base::TomlSection;
 
-constexpr std::string_view kGain = "position_gain_1_s";
-constexpr double kLeastGain_1_s = 1;
+constexpr std::string_view kGainKey = "position_gain_1_s";
+constexpr double kMinGain_1_s = 1;
 
 /// A key with a value from 0 to 1: a share, or seconds.
 struct ServoKey {
@@ -22,16 +22,17 @@ struct ServoKey {
     NumberRule rule = NumberRule::not_negative;
 };
 
-constexpr std::array kToOne{ServoKey{"velocity_feed_forward", &Servo::velocity_feed_forward},
-                            ServoKey{"acceleration_feed_forward", &Servo::acceleration_feed_forward},
-                            ServoKey{"velocity_lag_s", &Servo::velocity_lag_s, NumberRule::step},
-                            ServoKey{"command_delay_s", &Servo::command_delay_s}};
+constexpr std::array kUnitIntervalKeys{
+    ServoKey{"velocity_feed_forward", &Servo::velocity_feed_forward},
+    ServoKey{"acceleration_feed_forward", &Servo::acceleration_feed_forward},
+    ServoKey{"velocity_lag_s", &Servo::velocity_lag_s, NumberRule::step},
+    ServoKey{"command_delay_s", &Servo::command_delay_s}};
 
 }  // namespace
 
 std::vector<std::string_view> servo_keys() {
-    std::vector<std::string_view> keys{kGain};
-    for (const ServoKey& key : kToOne) keys.push_back(key.key);
+    std::vector<std::string_view> keys{kGainKey};
+    for (const ServoKey& key : kUnitIntervalKeys) keys.push_back(key.key);
     return keys;
 }
 
@@ -40,10 +41,11 @@ std::optional<Servo> read_servo(TomlSection& axis) {
     if (std::none_of(keys.begin(), keys.end(), [&](std::string_view key) { return axis.has(key); }))
         return std::nullopt;
     Servo servo;
-    servo.position_gain_1_s = axis.number(kGain, 0, NumberRule::not_negative);
-    if (axis.has(kGain) && servo.position_gain_1_s < kLeastGain_1_s)
-        axis.fail(kGain, fmt::format("'{}' must be 1 or greater; it is {}", kGain, servo.position_gain_1_s));
-    for (const ServoKey& key : kToOne) {
+    servo.position_gain_1_s = axis.number(kGainKey, 0, NumberRule::not_negative);
+    if (axis.has(kGainKey) && servo.position_gain_1_s < kMinGain_1_s)
+        axis.fail(kGainKey,
+                  fmt::format("'{}' must be 1 or greater; it is {}", kGainKey, servo.position_gain_1_s));
+    for (const ServoKey& key : kUnitIntervalKeys) {
         const double value = axis.number(key.key, 0, key.rule);
         if (value > 1) axis.fail(key.key, fmt::format("'{}' must be from 0 to 1; it is {}", key.key, value));
         servo.*key.value = value;
@@ -51,25 +53,25 @@ std::optional<Servo> read_servo(TomlSection& axis) {
     return servo;
 }
 
-void print_servo(base::TomlText& out, const Axis& axis) {
+void print_servo(base::TomlWriter& out, const Axis& axis) {
     if (!axis.servo) return;
     // It is written even if it has no effect, because the keys define that a loop exists.
-    if (axis.servo->position_gain_1_s > 0) out.number(kGain, axis.servo->position_gain_1_s);
+    if (axis.servo->position_gain_1_s > 0) out.number(kGainKey, axis.servo->position_gain_1_s);
     out.number("velocity_feed_forward", axis.servo->velocity_feed_forward);
-    for (const ServoKey& key : kToOne) {
+    for (const ServoKey& key : kUnitIntervalKeys) {
         if (key.value != &Servo::velocity_feed_forward && axis.servo.value().*key.value != 0)
             out.number(key.key, axis.servo.value().*key.value);
     }
 }
 
-std::optional<std::string> find_servo_fault(const Machine& machine) {
+std::optional<std::string> find_servo_error(const Machine& machine) {
     const double gain_1_s = machine.controller.position_gain_1_s;
-    if (gain_1_s >= kLeastGain_1_s) return std::nullopt;
+    if (gain_1_s >= kMinGain_1_s) return std::nullopt;
     for (const Axis& axis : machine.axes) {
         if (!axis.servo || axis.servo->position_gain_1_s > 0) continue;
         return fmt::format(
             "axis {} has a servo loop without a gain: it needs '{}', 1 or greater, or else [controller] does",
-            axis.letter, kGain);
+            axis.letter, kGainKey);
     }
     return std::nullopt;
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/toml/toml_section.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 #include "machine/model/machine.h"
 
 namespace gsim::machine {
@@ -19,9 +19,9 @@ std::vector<std::string_view> servo_keys();
 /// Reads the servo loop of an axis; returns nothing if it has no such key.
 std::optional<Servo> read_servo(base::TomlSection& axis);
 
-void print_servo(base::TomlText& out, const Axis& axis);
+void print_servo(base::TomlWriter& out, const Axis& axis);
 
 /// Returns why the servo loops of a machine are invalid, as a message; nothing if they are valid.
-std::optional<std::string> find_servo_fault(const Machine& machine);
+std::optional<std::string> find_servo_error(const Machine& machine);
 
 }  // namespace gsim::machine

@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "base/text/printable.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 #include "geometry/mesh/mesh.h"
 
 namespace gsim::machine {
@@ -19,9 +19,9 @@ namespace {
 
 constexpr std::array kFormKeys{"box_mm"sv, "cylinder_mm"sv, "sphere_mm"sv,   "capsule_mm"sv,
                                "mesh"sv,   "scale"sv,       "tolerance_mm"sv};
-constexpr double kLongest_mm = 1e6;
-constexpr double kLeastTolerance_mm = 1e-3;
-constexpr double kGreatestTolerance_mm = 100;
+constexpr double kMaxLength_mm = 1e6;
+constexpr double kMinTolerance_mm = 1e-3;
+constexpr double kMaxTolerance_mm = 100;
 
 /// Reads `count` lengths, each greater than 0; returns nothing if they are not.
 std::optional<std::array<double, 3>> read_lengths(TomlSection& section, const toml::table& table,
@@ -33,7 +33,7 @@ std::optional<std::array<double, 3>> read_lengths(TomlSection& section, const to
     for (std::size_t i = 0; read && i < count; ++i) {
         const toml::node* node = array->get(i);
         const auto value = node->is_number() ? node->value<double>() : std::nullopt;
-        read = value && *value > 0 && *value <= kLongest_mm;
+        read = value && *value > 0 && *value <= kMaxLength_mm;
         lengths[i] = value.value_or(0);
     }
     if (read) return lengths;
@@ -56,19 +56,20 @@ std::optional<ShapeForm> read_mesh_shape(TomlSection& section, const std::filesy
                      "'tolerance_mm' is for STEP and IGES files; this mesh is made of triangles");
         return std::nullopt;
     }
-    if (tolerance_mm < kLeastTolerance_mm || tolerance_mm > kGreatestTolerance_mm) {
-        section.fail("tolerance_mm", fmt::format("'tolerance_mm' must be from {} to {}", kLeastTolerance_mm,
-                                                 kGreatestTolerance_mm));
+    if (tolerance_mm < kMinTolerance_mm || tolerance_mm > kMaxTolerance_mm) {
+        section.fail("tolerance_mm",
+                     fmt::format("'tolerance_mm' must be from {} to {}", kMinTolerance_mm, kMaxTolerance_mm));
         return std::nullopt;
     }
     const std::filesystem::path path = folder / name;
-    const std::optional<std::string> fault = files.find_fault(path);
-    if (!fault) return MeshShape{path, scale, tolerance_mm};
-    section.fail("mesh", fmt::format("{}: {}", path.string(), *fault));
+    const std::optional<std::string> error = files.find_error(path);
+    if (!error) return MeshShape{path, scale, tolerance_mm};
+    section.fail("mesh", fmt::format("{}: {}", path.string(), *error));
     return std::nullopt;
 }
 
-std::optional<ShapeForm> read_round(TomlSection& section, const toml::table& table, std::string_view key) {
+std::optional<ShapeForm> read_round_shape(TomlSection& section, const toml::table& table,
+                                          std::string_view key) {
     const auto lengths = read_lengths(section, table, key, 2, "diameter, height");
     if (!lengths) return std::nullopt;
     const auto [diameter, height, none] = *lengths;
@@ -84,7 +85,7 @@ std::optional<ShapeForm> read_box(TomlSection& section, const toml::table& table
 
 std::optional<ShapeForm> read_sphere(TomlSection& section) {
     const double diameter = section.number("sphere_mm", 1, NumberRule::positive);
-    if (diameter <= kLongest_mm) return SphereShape{diameter};
+    if (diameter <= kMaxLength_mm) return SphereShape{diameter};
     section.fail("sphere_mm", "'sphere_mm' is a diameter of at most 1e6");
     return std::nullopt;
 }
@@ -95,20 +96,20 @@ std::optional<ShapeForm> read_shape(FirstError& error, TomlSection& section, con
                                     const std::filesystem::path& folder, const os::Files& files) {
     section.require("shape");
     if (section.table("shape") == nullptr) return std::nullopt;
-    const toml::table& of_shape = *table.get_as<toml::table>("shape");
-    TomlSection shape(error, of_shape, "'shape'", kFormKeys);
+    const toml::table& shape_table = *table.get_as<toml::table>("shape");
+    TomlSection shape(error, shape_table, "'shape'", kFormKeys);
     const std::size_t more = (shape.has("scale") ? 1U : 0U) + (shape.has("tolerance_mm") ? 1U : 0U);
-    if (of_shape.size() != more + 1 || (more > 0 && !shape.has("mesh"))) {
+    if (shape_table.size() != more + 1 || (more > 0 && !shape.has("mesh"))) {
         section.fail(
             "shape",
             "'shape' must hold one of box_mm, cylinder_mm, sphere_mm, capsule_mm and mesh; beside mesh "
             "there may be scale and tolerance_mm");
         return std::nullopt;
     }
-    if (shape.has("box_mm")) return read_box(shape, of_shape);
+    if (shape.has("box_mm")) return read_box(shape, shape_table);
     if (shape.has("sphere_mm")) return read_sphere(shape);
-    if (shape.has("cylinder_mm")) return read_round(shape, of_shape, "cylinder_mm");
-    if (shape.has("capsule_mm")) return read_round(shape, of_shape, "capsule_mm");
+    if (shape.has("cylinder_mm")) return read_round_shape(shape, shape_table, "cylinder_mm");
+    if (shape.has("capsule_mm")) return read_round_shape(shape, shape_table, "capsule_mm");
     if (shape.has("mesh")) return read_mesh_shape(shape, folder, files);
     return std::nullopt;
 }

@@ -10,7 +10,7 @@ namespace {
 using base::FirstError;
 using base::NumberRule;
 using base::TomlSection;
-using base::TomlText;
+using base::TomlWriter;
 
 struct TimeKey {
     std::string_view name;
@@ -28,7 +28,7 @@ constexpr std::string_view kBeforeFirstMove = "before_first_move";
 constexpr int kLastCode = 999;
 
 // Returns the number of an M code; none if the key is not such a code.
-std::optional<int> code_of(std::string_view key) {
+std::optional<int> parse_code_key(std::string_view key) {
     if (key.size() < 2 || key.front() != 'M') return std::nullopt;
     int code = -1;
     const char* end = key.data() + key.size();
@@ -37,13 +37,13 @@ std::optional<int> code_of(std::string_view key) {
     return code;
 }
 
-std::vector<std::string_view> keys_of(const toml::table& table) {
+std::vector<std::string_view> table_keys(const toml::table& table) {
     std::vector<std::string_view> keys;
     keys.reserve(kTimeKeys.size() + 1 + table.size());
     for (const TimeKey& key : kTimeKeys) keys.push_back(key.name);
     keys.push_back(kBeforeFirstMove);
     for (const auto& [key, value] : table) {
-        if (code_of(key.str())) keys.push_back(key.str());
+        if (parse_code_key(key.str())) keys.push_back(key.str());
     }
     return keys;
 }
@@ -53,18 +53,18 @@ auto find_time(std::string_view name, Times& times) -> decltype(&times.tool_chan
     for (const TimeKey& key : kTimeKeys) {
         if (key.name == name) return &(times.*key.time_s);
     }
-    const auto code = code_of(name);
+    const auto code = parse_code_key(name);
     const auto found = code ? times.codes_s.find(*code) : times.codes_s.end();
     return found == times.codes_s.end() ? nullptr : &found->second;
 }
 
 }  // namespace
 
-double* time_at(std::string_view key, WordTimes& times) {
+double* word_time(std::string_view key, WordTimes& times) {
     return find_time(key, times);
 }
 
-const double* time_at(std::string_view key, const WordTimes& times) {
+const double* word_time(std::string_view key, const WordTimes& times) {
     return find_time(key, times);
 }
 
@@ -75,7 +75,7 @@ std::vector<std::string> named_time_keys() {
     return keys;
 }
 
-std::vector<std::string> timed_keys(const WordTimes& times) {
+std::vector<std::string> nonzero_time_keys(const WordTimes& times) {
     std::vector<std::string> keys;
     for (const TimeKey& key : kTimeKeys) {
         if (times.*key.time_s > 0) keys.emplace_back(key.name);
@@ -89,19 +89,19 @@ std::vector<std::string> timed_keys(const WordTimes& times) {
 WordTimes read_times(FirstError& error, const toml::table* table) {
     WordTimes times;
     if (table == nullptr) return times;
-    const std::vector<std::string_view> keys = keys_of(*table);
+    const std::vector<std::string_view> keys = table_keys(*table);
     TomlSection section(error, *table, "[times]", keys);
     for (const TimeKey& key : kTimeKeys)
         times.*key.time_s = section.number(key.name, 0, NumberRule::not_negative);
     times.before_first_move = section.flag(kBeforeFirstMove, true);
     for (const std::string_view key : keys) {
-        if (const auto code = code_of(key))
+        if (const auto code = parse_code_key(key))
             times.codes_s[*code] = section.number(key, 0, NumberRule::not_negative);
     }
     return times;
 }
 
-void print_times(TomlText& out, const WordTimes& times) {
+void print_times(TomlWriter& out, const WordTimes& times) {
     if (times == WordTimes{}) return;
     out.section("[times]");
     for (const TimeKey& key : kTimeKeys) out.number(key.name, times.*key.time_s);

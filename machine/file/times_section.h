@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/toml/toml_section.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 #include "machine/model/word_times.h"
 
 namespace gsim::machine {
@@ -14,15 +14,15 @@ namespace gsim::machine {
 WordTimes read_times(base::FirstError& error, const toml::table* table);
 
 /// Returns the time for a key of the table; null: it is neither a named key nor a code in the table.
-double* time_at(std::string_view key, WordTimes& times);
-const double* time_at(std::string_view key, const WordTimes& times);
+double* word_time(std::string_view key, WordTimes& times);
+const double* word_time(std::string_view key, const WordTimes& times);
 
 /// Returns the keys of the table, except those of codes.
 std::vector<std::string> named_time_keys();
 /// Returns the keys of all times above 0, those of codes after the others.
-std::vector<std::string> timed_keys(const WordTimes& times);
+std::vector<std::string> nonzero_time_keys(const WordTimes& times);
 
 /// Writes it as it is read; writes nothing if no word takes time.
-void print_times(base::TomlText& out, const WordTimes& times);
+void print_times(base::TomlWriter& out, const WordTimes& times);
 
 }  // namespace gsim::machine

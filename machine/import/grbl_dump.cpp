@@ -15,11 +15,11 @@ namespace gsim::import {
 
 namespace {
 
-using Done = tl::expected<void, std::string>;
+using VoidResult = tl::expected<void, std::string>;
 
 constexpr std::string_view kGrblModel = "grbl-1.1";
 constexpr std::string_view kLetters = "XYZABC";
-constexpr std::size_t kLeastAxes = 3;
+constexpr std::size_t kMinAxes = 3;
 
 // Numbers of settings; those of axes are for X, and those of the others follow.
 constexpr int kJunctionDeviation = 11;
@@ -37,7 +37,7 @@ struct Setting {
     double value = 0;
     std::string line;
     int line_number = 1;
-    bool taken = false;
+    bool is_used = false;
 };
 
 /// A line in brackets.
@@ -53,24 +53,24 @@ struct StoredPoint {
 };
 constexpr std::array kStoredPoints{StoredPoint{"G28", 5161}, StoredPoint{"G30", 5181},
                                    StoredPoint{"G92", 5211}};
-constexpr int kGrblG92InForce = 5210;
+constexpr int kGrblG92Active = 5210;
 
 // Returns "110" and "5000.000 (x max rate)" of "$110=5000.000 (x max rate)".
-std::optional<std::pair<int, double>> setting_of(std::string_view line) {
+std::optional<std::pair<int, double>> parse_setting(std::string_view line) {
     const std::size_t equals = line.find('=');
     if (!line.starts_with('$') || equals == std::string_view::npos) return std::nullopt;
-    const auto number = plain_number(line.substr(1, equals - 1));
+    const auto number = parse_number_text(line.substr(1, equals - 1));
     const std::string_view value = line.substr(equals + 1);
-    const auto of = plain_number(value.substr(0, value.find_first_of(" \t(")));
+    const auto of = parse_number_text(value.substr(0, value.find_first_of(" \t(")));
     if (!number || !of || *number < 0 || *number > 999) return std::nullopt;
     return std::pair(static_cast<int>(*number), *of);
 }
 
-class Dump {
+class GrblDump {
   public:
-    explicit Dump(std::string_view file_name) : file_name_(file_name) {}
+    explicit GrblDump(std::string_view file_name) : file_name_(file_name) {}
 
-    Done read(std::string_view text) {
+    VoidResult read(std::string_view text) {
         std::size_t at = 0;
         for (int number = 1; at < text.size(); ++number) {
             const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -78,7 +78,7 @@ class Dump {
             at = end + 1;
             if (line.empty() || line == "ok" || line.starts_with("Grbl") || line == "$$" || line == "$#")
                 continue;
-            if (const auto setting = setting_of(line)) {
+            if (const auto setting = parse_setting(line)) {
                 settings_[setting->first] = {
                     .value = setting->second, .line = std::string(line), .line_number = number};
             } else if (line.starts_with('[')) {
@@ -91,19 +91,19 @@ class Dump {
         return {};
     }
 
-    tl::expected<Imported, std::string> take() {
+    tl::expected<ImportResult, std::string> release() {
         result_.machine.name = "grbl";
         result_.machine.inverse = machine::InverseKind::gantry;
         result_.machine.program.dialect = "grbl";
-        if (Done done = take_axes(); !done) return tl::unexpected(done.error());
-        if (result_.machine.axes.size() > kLeastAxes) result_.machine.inverse = machine::InverseKind::none;
-        take_planner();
+        if (VoidResult done = import_axes(); !done) return tl::unexpected(done.error());
+        if (result_.machine.axes.size() > kMinAxes) result_.machine.inverse = machine::InverseKind::none;
+        import_planner();
         report_unit_mm_ = value(kReportInches).value_or(0) != 0 ? kMmPerInch : 1;
         for (const Point& point : points_) {
-            if (Done done = take_point(point); !done) return tl::unexpected(done.error());
+            if (VoidResult done = import_point(point); !done) return tl::unexpected(done.error());
         }
         for (const auto& [number, setting] : settings_) {
-            if (!setting.taken) result_.left_out.push_back(setting.line);
+            if (!setting.is_used) result_.left_out.push_back(setting.line);
         }
         return std::move(result_);
     }
@@ -112,16 +112,16 @@ class Dump {
     std::optional<double> value(int number) {
         const auto found = settings_.find(number);
         if (found == settings_.end()) return std::nullopt;
-        found->second.taken = true;
+        found->second.is_used = true;
         return found->second.value;
     }
 
     bool has(int number) const { return settings_.find(number) != settings_.end(); }
 
-    Done take_axes() {
+    VoidResult import_axes() {
         for (std::size_t i = 0; i < kLetters.size(); ++i) {
-            if (i >= kLeastAxes && !has(kSpeed + static_cast<int>(i))) break;
-            if (Done done = take_axis(i); !done) return done;
+            if (i >= kMinAxes && !has(kSpeed + static_cast<int>(i))) break;
+            if (VoidResult done = import_axis(i); !done) return done;
         }
         if (value(kHoming).value_or(0) == 0) {
             result_.warnings.emplace_back(
@@ -132,26 +132,26 @@ class Dump {
         return {};
     }
 
-    Done take_axis(std::size_t index) {
+    VoidResult import_axis(std::size_t index) {
         const int number = static_cast<int>(index);
-        const bool rotary = index >= kLeastAxes;
+        const bool rotary = index >= kMinAxes;
         machine::Axis axis;
         axis.letter = kLetters[index];
         axis.kind = rotary ? machine::AxisKind::rotary : machine::AxisKind::linear;
-        axis.direction = static_cast<machine::AxisDirection>(index % kLeastAxes);
+        axis.direction = static_cast<machine::AxisDirection>(index % kMinAxes);
         for (const int base : {kSteps, kSpeed, kAcceleration}) {
             const auto of = value(base + number);
-            if (!of || *of <= 0) return lacking(base + number, axis.letter);
+            if (!of || *of <= 0) return missing_message(base + number, axis.letter);
             if (base == kSteps) axis.step = 1 / *of;
             if (base == kSpeed) axis.max_speed = *of / kSecondsPerMinute;
             if (base == kAcceleration) axis.max_acceleration = *of;
         }
-        take_range(number, axis);
+        import_range(number, axis);
         result_.machine.axes.push_back(axis);
         return {};
     }
 
-    Done lacking(int number, char letter) const {
+    VoidResult missing_message(int number, char letter) const {
         const auto found = settings_.find(number);
         if (found == settings_.end())
             return tl::unexpected(
@@ -161,7 +161,7 @@ class Dump {
     }
 
     // After homing, machine coordinates run from minus the travel to 0, whichever end the switch is at.
-    void take_range(int number, machine::Axis& axis) {
+    void import_range(int number, machine::Axis& axis) {
         axis.min = -std::numeric_limits<double>::infinity();
         axis.max = std::numeric_limits<double>::infinity();
         const double travel = value(kTravel + number).value_or(0);
@@ -171,11 +171,11 @@ class Dump {
         const double pull_off = std::min(value(kPullOff).value_or(0), travel);
         constexpr double kAllAxes = 255;  // the greatest mask of grbl
         const double mask = std::clamp(value(kHomingDirection).value_or(0), 0.0, kAllAxes);
-        const auto homed_low = static_cast<unsigned>(mask) >> static_cast<unsigned>(number);
-        axis.home = (homed_low & 1U) != 0 ? pull_off - travel : -pull_off;
+        const auto homing_direction_bits = static_cast<unsigned>(mask) >> static_cast<unsigned>(number);
+        axis.home = (homing_direction_bits & 1U) != 0 ? pull_off - travel : -pull_off;
     }
 
-    void take_planner() {
+    void import_planner() {
         rrs::ControllerRules& rules = result_.machine.controller;
         rules = machine::built_in_controller(kGrblModel).value();
         rules.junction_deviation_mm = value(kJunctionDeviation).value_or(rules.junction_deviation_mm);
@@ -183,7 +183,7 @@ class Dump {
     }
 
     // Reads "[G54:4.000,0.000,0.000]".
-    Done take_point(const Point& given) {
+    VoidResult import_point(const Point& given) {
         const std::string& line = given.line;
         const std::size_t colon = line.find(':');
         const std::string name = line.substr(1, std::min(colon, line.size()) - 1);
@@ -207,9 +207,9 @@ class Dump {
         for (const auto& [letter, of] : *values) {
             if (of == 0) continue;
             const int number = stored->first + static_cast<int>(kLetters.find(letter));
-            const bool rotary = kLetters.find(letter) >= kLeastAxes;
+            const bool rotary = kLetters.find(letter) >= kMinAxes;
             result_.data.variables[number] = rotary ? of : of / kMmPerInch;  // parameters hold inches
-            if (name == "G92") result_.data.variables[kGrblG92InForce] = 1;
+            if (name == "G92") result_.data.variables[kGrblG92Active] = 1;
         }
         return {};
     }
@@ -219,10 +219,10 @@ class Dump {
         text = text.substr(0, text.find(']'));
         for (const machine::Axis& axis : result_.machine.axes) {
             const std::size_t comma = std::min(text.find(','), text.size());
-            const auto of = plain_number(text.substr(0, comma));
+            const auto of = parse_number_text(text.substr(0, comma));
             if (!of) return std::nullopt;
             values[axis.letter] =
-                axis.kind == machine::AxisKind::linear ? without_noise(*of * report_unit_mm_) : *of;
+                axis.kind == machine::AxisKind::linear ? remove_rounding_noise(*of * report_unit_mm_) : *of;
             text.remove_prefix(std::min(comma + 1, text.size()));
         }
         return values;
@@ -232,7 +232,7 @@ class Dump {
     std::map<int, Setting> settings_;
     std::vector<Point> points_;
     double report_unit_mm_ = 1;
-    Imported result_;
+    ImportResult result_;
 };
 
 }  // namespace
@@ -240,15 +240,15 @@ class Dump {
 bool is_grbl_dump(std::string_view text) {
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
-        if (setting_of(trimmed_text(text.substr(0, end)))) return true;
+        if (parse_setting(trimmed_text(text.substr(0, end)))) return true;
         text.remove_prefix(std::min(end + 1, text.size()));
     }
     return false;
 }
 
-tl::expected<Imported, std::string> import_grbl(std::string_view text, std::string_view file_name) {
-    Dump dump(file_name);
-    return dump.read(text).and_then([&] { return dump.take(); });
+tl::expected<ImportResult, std::string> import_grbl(std::string_view text, std::string_view file_name) {
+    GrblDump dump(file_name);
+    return dump.read(text).and_then([&] { return dump.release(); });
 }
 
 }  // namespace gsim::import

@@ -4,7 +4,7 @@
 
 #include "base/text/letter_case.h"
 #include "base/text/printable.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 #include "machine/data/machine_data_document.h"
 #include "machine/file/machine_file.h"
 #include "machine/import/grbl_dump.h"
@@ -27,13 +27,14 @@ std::string remark(std::string_view text) {
 
 }  // namespace
 
-bool is_control_file(std::string_view text, const std::filesystem::path& path) {
+bool is_controller_file(std::string_view text, const std::filesystem::path& path) {
     if (is_ini(path)) return true;
     return text::lower(path.extension().string()) != ".toml" && is_grbl_dump(text);
 }
 
-tl::expected<Imported, std::string> import_machine(std::string_view text, const std::filesystem::path& path,
-                                                   const os::Files& files) {
+tl::expected<ImportResult, std::string> import_machine(std::string_view text,
+                                                       const std::filesystem::path& path,
+                                                       const os::Files& files) {
     auto imported = is_ini(path) ? import_linuxcnc(text, path, files) : import_grbl(text, path.string());
     if (!imported) return imported;
     // A planner cannot use values that a machine file may not contain.
@@ -41,7 +42,7 @@ tl::expected<Imported, std::string> import_machine(std::string_view text, const 
     return imported;
 }
 
-tl::expected<std::string, std::string> machine_toml(const Imported& imported,
+tl::expected<std::string, std::string> machine_toml(const ImportResult& imported,
                                                     const std::filesystem::path& path) {
     std::string toml = remark(fmt::format("Made from {}.", path.filename().string()));
     if (!imported.warnings.empty()) toml += "#\n";
@@ -53,11 +54,11 @@ tl::expected<std::string, std::string> machine_toml(const Imported& imported,
     const auto machine = machine::read_machine(toml, kName);
     if (machine) return toml;
     // Its line numbers refer to a file that no user has seen.
-    const std::string sentence = machine.error().substr(machine.error().find(": ") + 2);
-    return tl::unexpected(fmt::format("{}: its settings make no machine: {}", path.string(), sentence));
+    const std::string message = machine.error().substr(machine.error().find(": ") + 2);
+    return tl::unexpected(fmt::format("{}: its settings make no machine: {}", path.string(), message));
 }
 
-tl::expected<std::string, std::string> machine_data_text(const Imported& imported) {
+tl::expected<std::string, std::string> machine_data_text(const ImportResult& imported) {
     machine::MachineDataDocument document(imported.machine.axes);
     return document.update(imported.data).map([&] { return document.text(); });
 }

@@ -20,7 +20,7 @@ struct IniEntry {
     std::string key;
     std::string value;
     std::size_t line = 1;
-    bool taken = false;  ///< Somebody has asked for it.
+    bool is_used = false;  ///< Somebody has asked for it.
 };
 
 /// An INI file as LinuxCNC writes it: [SECTION], KEY = VALUE, remarks on separate lines, `\` at the end of a
@@ -41,30 +41,31 @@ class IniFile {
     /// "file:line: message".
     tl::expected<std::optional<double>, std::string> number(std::string_view section, std::string_view key);
     /// Returns "file:line: message".
-    std::string at(const IniEntry& entry, std::string_view sentence) const;
+    std::string at(const IniEntry& entry, std::string_view message) const;
     const std::vector<IniEntry>& entries() const { return entries_; }
 
   private:
-    using Done = tl::expected<void, std::string>;
+    using VoidResult = tl::expected<void, std::string>;
     /// Position of an included file.
-    struct Inclusion {
+    struct IncludeContext {
         const os::Files& files;
         std::string& section;
         int depth;
     };
-    Done add(std::string_view text, const std::filesystem::path& path, const Inclusion& in);
-    Done add_included(std::string_view name, const std::filesystem::path& folder, const Inclusion& in);
+    VoidResult add(std::string_view text, const std::filesystem::path& path, const IncludeContext& in);
+    VoidResult add_included(std::string_view name, const std::filesystem::path& folder,
+                            const IncludeContext& in);
 
     std::string file_name_;
     std::vector<IniEntry> entries_;
-    std::size_t included_ = 0;  ///< Files, counted as often as they are.
+    std::size_t include_count_ = 0;  ///< Files, counted as often as they are.
 };
 
 /// Returns a number of such a file if it is the complete `text`, else nothing.
-std::optional<double> plain_number(std::string_view text);
+std::optional<double> parse_number_text(std::string_view text);
 
 /// Returns the value rounded to 1e-9: 3 inches are 76.2 mm, not 76.19999999999999.
-double without_noise(double value);
+double remove_rounding_noise(double value);
 
 /// Returns the text without blanks at both ends.
 std::string_view trimmed_text(std::string_view text);

@@ -16,25 +16,25 @@ namespace gsim::import {
 
 namespace {
 
-constexpr std::string_view kTrivial = "trivkins";
-constexpr std::string_view kLettersOfJoints = "XYZABCUVW";  // if the kinematics name none
-constexpr double kEndless = 1e9;                            // what LinuxCNC has for no limit is 1e99
-constexpr double kSpeedOfSilence = 1;  // units/s, if an [AXIS_..] gives no MAX_VELOCITY or MAX_ACCELERATION
+constexpr std::string_view kTrivialKinematics = "trivkins";
+constexpr std::string_view kJointLetters = "XYZABCUVW";  // if the kinematics name none
+constexpr double kUnlimited = 1e9;                       // what LinuxCNC has for no limit is 1e99
+constexpr double kDefaultSpeed = 1;  // units/s, if an [AXIS_..] gives no MAX_VELOCITY or MAX_ACCELERATION
 
 template <typename T>
 using Read = tl::expected<T, std::string>;
 
 bool is_letter(char c) {
-    return kLettersOfJoints.find(c) != std::string_view::npos;
+    return kJointLetters.find(c) != std::string_view::npos;
 }
 
-machine::AxisDirection direction_of(char letter) {
-    constexpr std::size_t kThree = 3;
-    return static_cast<machine::AxisDirection>(kLettersOfJoints.find(letter) % kThree);
+machine::AxisDirection letter_direction(char letter) {
+    constexpr std::size_t kSpatialDirections = 3;
+    return static_cast<machine::AxisDirection>(kJointLetters.find(letter) % kSpatialDirections);
 }
 
 // Returns the letters of a value such as "X Y Z" or "XYZ", in capitals.
-std::string letters_of(std::string_view value) {
+std::string parse_letters(std::string_view value) {
     std::string letters;
     for (const char c : text::upper(value)) {
         if (is_letter(c)) letters += c;
@@ -42,7 +42,7 @@ std::string letters_of(std::string_view value) {
     return letters;
 }
 
-std::string without_repeats(const std::string& letters) {
+std::string remove_duplicates(const std::string& letters) {
     std::string once;
     for (const char c : letters) {
         if (once.find(c) == std::string::npos) once += c;
@@ -51,12 +51,12 @@ std::string without_repeats(const std::string& letters) {
 }
 
 // Returns the letter of each joint, from KINEMATICS = trivkins coordinates=XYYZ kinstype=BOTH.
-Read<std::string> letters_of_joints(IniFile& ini) {
+Read<std::string> joint_letters(IniFile& ini) {
     const IniEntry* entry = ini.find("KINS", "KINEMATICS");
-    if (entry == nullptr) return std::string(kLettersOfJoints);
+    if (entry == nullptr) return std::string(kJointLetters);
     const std::string_view value = entry->value;
     const std::size_t blank = std::min(value.find_first_of(" \t"), value.size());
-    if (value.substr(0, blank) != kTrivial) {
+    if (value.substr(0, blank) != kTrivialKinematics) {
         return tl::unexpected(ini.at(
             *entry,
             fmt::format("the kinematics '{}' cannot be imported, only trivkins; write a machine file with "
@@ -64,9 +64,9 @@ Read<std::string> letters_of_joints(IniFile& ini) {
                         value.substr(0, blank))));
     }
     const std::size_t coordinates = text::lower(value).find("coordinates=");
-    if (coordinates == std::string::npos) return std::string(kLettersOfJoints);
+    if (coordinates == std::string::npos) return std::string(kJointLetters);
     const std::string_view given = value.substr(coordinates + std::string_view("coordinates=").size());
-    return letters_of(given.substr(0, given.find_first_of(" \t")));
+    return parse_letters(given.substr(0, given.find_first_of(" \t")));
 }
 
 struct Unit {
@@ -74,12 +74,12 @@ struct Unit {
     double size;
 };
 
-Read<double> unit_of(IniFile& ini, std::string_view key, std::initializer_list<Unit> units) {
+Read<double> read_unit(IniFile& ini, std::string_view key, std::initializer_list<Unit> units) {
     const IniEntry* entry = ini.find("TRAJ", key);
     if (entry == nullptr) return 1.0;
     const std::string name = text::lower(entry->value);
     // A number gives how many units make a mm, or a degree.
-    if (const auto per_unit = plain_number(name); per_unit && *per_unit > 0) return 1 / *per_unit;
+    if (const auto per_unit = parse_number_text(name); per_unit && *per_unit > 0) return 1 / *per_unit;
     std::string names;
     for (const Unit& unit : units) {
         if (name == unit.name) return unit.size;
@@ -117,56 +117,56 @@ class AxisReader {
         const bool rotary = letter >= 'A' && letter <= 'C';
         unit_ = rotary ? units_.angular_deg : units_.linear_mm;
         Limits limits;
-        const std::string of_axis = fmt::format("AXIS_{}", letter);
-        if (ini_.has_section(of_axis)) take(of_axis, kSpeedOfSilence, limits);
+        const std::string axis_section = fmt::format("AXIS_{}", letter);
+        if (ini_.has_section(axis_section)) read_limits(axis_section, kDefaultSpeed, limits);
         bool first = true;
         for (const std::size_t joint : joints) {
-            Limits of_joint;
-            const std::string section = section_of(joint);
+            Limits joint_limits;
+            const std::string section = joint_section(joint);
             if (!ini_.has_section(section)) continue;
-            take(section, kSpeedOfSilence, of_joint);
+            read_limits(section, kDefaultSpeed, joint_limits);
             check_type(section, letter, rotary);
-            limits.narrow(of_joint);
-            if (first) limits.home = of_joint.home;
+            limits.narrow(joint_limits);
+            if (first) limits.home = joint_limits.home;
             first = false;
         }
-        if (fault_) return tl::unexpected(*fault_);
-        if (first && !ini_.has_section(of_axis)) {
+        if (error_) return tl::unexpected(*error_);
+        if (first && !ini_.has_section(axis_section)) {
             return tl::unexpected(fmt::format("{}: there is neither [{}] nor a section [JOINT_n] for axis {}",
-                                              ini_.file_name(), of_axis, letter));
+                                              ini_.file_name(), axis_section, letter));
         }
-        return made(letter, rotary, limits);
+        return make_axis(letter, rotary, limits);
     }
 
   private:
     // Up to version 2.7 joints were in sections [AXIS_0].
-    std::string section_of(std::size_t joint) const {
+    std::string joint_section(std::size_t joint) const {
         const std::string now = fmt::format("JOINT_{}", joint);
         return ini_.has_section(now) ? now : fmt::format("AXIS_{}", joint);
     }
 
     std::optional<double> number(const std::string& section, std::string_view key) {
         const auto read = ini_.number(section, key);
-        if (!read && !fault_) fault_ = read.error();
+        if (!read && !error_) error_ = read.error();
         return read ? *read : std::nullopt;
     }
 
-    void take(const std::string& section, double silent_speed, Limits& limits) {
-        const auto length = [&](std::string_view key, double endless) {
+    void read_limits(const std::string& section, double default_speed, Limits& limits) {
+        const auto length = [&](std::string_view key, double unlimited) {
             const std::optional<double> value = number(section, key);
-            return value && std::abs(*value) < kEndless ? without_noise(*value * unit_) : endless;
+            return value && std::abs(*value) < kUnlimited ? remove_rounding_noise(*value * unit_) : unlimited;
         };
         limits.min = length("MIN_LIMIT", limits.min);
         limits.max = length("MAX_LIMIT", limits.max);
-        limits.speed = number(section, "MAX_VELOCITY").value_or(silent_speed) * unit_;
-        limits.acceleration = number(section, "MAX_ACCELERATION").value_or(silent_speed) * unit_;
+        limits.speed = number(section, "MAX_VELOCITY").value_or(default_speed) * unit_;
+        limits.acceleration = number(section, "MAX_ACCELERATION").value_or(default_speed) * unit_;
         if (const auto jerk = number(section, "MAX_JERK"); jerk && *jerk > 0)
-            limits.jerk = without_noise(*jerk * unit_);
-        limits.home = without_noise(number(section, "HOME").value_or(0) * unit_);
+            limits.jerk = remove_rounding_noise(*jerk * unit_);
+        limits.home = remove_rounding_noise(number(section, "HOME").value_or(0) * unit_);
         for (const std::string_view key : {"MAX_VELOCITY", "MAX_ACCELERATION"}) {
             const std::optional<double> value = number(section, key);
-            if (!value || *value > 0 || fault_) continue;
-            fault_ = ini_.at(*ini_.find(section, key),
+            if (!value || *value > 0 || error_) continue;
+            error_ = ini_.at(*ini_.find(section, key),
                              fmt::format("{} of [{}] must be greater than 0", key, section));
         }
     }
@@ -178,7 +178,7 @@ class AxisReader {
                                         letter, rotary ? "rotary" : "linear"));
     }
 
-    Read<machine::Axis> made(char letter, bool rotary, const Limits& limits) {
+    Read<machine::Axis> make_axis(char letter, bool rotary, const Limits& limits) {
         if (limits.min > limits.max) {
             return tl::unexpected(fmt::format("{}: the limits of axis {} leave no range: {} .. {}",
                                               ini_.file_name(), letter, limits.min, limits.max));
@@ -196,7 +196,7 @@ class AxisReader {
             warnings_.push_back(
                 fmt::format("HOME of axis {} is outside of its range; it is taken as {}", letter, axis.home));
         }
-        axis.direction = direction_of(letter);
+        axis.direction = letter_direction(letter);
         return axis;
     }
 
@@ -204,47 +204,47 @@ class AxisReader {
     const IniUnits& units_;
     std::vector<std::string>& warnings_;
     double unit_ = 1;
-    std::optional<std::string> fault_;
+    std::optional<std::string> error_;
 };
 
 }  // namespace
 
 Read<IniUnits> read_units(IniFile& ini) {
-    const auto linear = unit_of(ini, "LINEAR_UNITS",
-                                {{"mm", 1},
-                                 {"metric", 1},
-                                 {"inch", kMmPerInch},
-                                 {"in", kMmPerInch},
-                                 {"imperial", kMmPerInch},
-                                 {"cm", 10}});
+    const auto linear = read_unit(ini, "LINEAR_UNITS",
+                                  {{"mm", 1},
+                                   {"metric", 1},
+                                   {"inch", kMmPerInch},
+                                   {"in", kMmPerInch},
+                                   {"imperial", kMmPerInch},
+                                   {"cm", 10}});
     if (!linear) return tl::unexpected(linear.error());
-    const auto angular = unit_of(ini, "ANGULAR_UNITS",
-                                 {{"degree", 1},
-                                  {"deg", 1},
-                                  {"degrees", 1},
-                                  {"radian", kDegPerRad},
-                                  {"rad", kDegPerRad},
-                                  {"grad", 0.9},
-                                  {"gon", 0.9}});
+    const auto angular = read_unit(ini, "ANGULAR_UNITS",
+                                   {{"degree", 1},
+                                    {"deg", 1},
+                                    {"degrees", 1},
+                                    {"radian", kDegPerRad},
+                                    {"rad", kDegPerRad},
+                                    {"grad", 0.9},
+                                    {"gon", 0.9}});
     if (!angular) return tl::unexpected(angular.error());
     return IniUnits{*linear, *angular};
 }
 
 Read<std::vector<machine::Axis>> read_axes(IniFile& ini, const IniUnits& units,
                                            std::vector<std::string>& warnings) {
-    const auto of_joints = letters_of_joints(ini);
-    if (!of_joints) return tl::unexpected(of_joints.error());
+    const auto pose_from_joints = joint_letters(ini);
+    if (!pose_from_joints) return tl::unexpected(pose_from_joints.error());
     const std::string letters =
-        without_repeats(letters_of(ini.text("TRAJ", "COORDINATES").value_or(*of_joints)));
+        remove_duplicates(parse_letters(ini.text("TRAJ", "COORDINATES").value_or(*pose_from_joints)));
     if (letters.empty())
         return tl::unexpected(fmt::format("{}: [TRAJ] COORDINATES names no axes", ini.file_name()));
     const auto joint_count = ini.number("KINS", "JOINTS");
     if (!joint_count) return tl::unexpected(joint_count.error());
-    const auto most = static_cast<double>(of_joints->size());
-    const double told = joint_count->value_or(most);
-    const auto count = static_cast<std::size_t>(told >= 0 ? std::min(told, most) : most);
+    const auto max = static_cast<double>(pose_from_joints->size());
+    const double given_count = joint_count->value_or(max);
+    const auto count = static_cast<std::size_t>(given_count >= 0 ? std::min(given_count, max) : max);
     std::map<char, std::vector<std::size_t>> joints;
-    for (std::size_t joint = 0; joint < count; ++joint) joints[(*of_joints)[joint]].push_back(joint);
+    for (std::size_t joint = 0; joint < count; ++joint) joints[(*pose_from_joints)[joint]].push_back(joint);
     std::vector<machine::Axis> axes;
     for (const char letter : letters) {
         auto axis = AxisReader(ini, units, warnings).read(letter, joints[letter]);

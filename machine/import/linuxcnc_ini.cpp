@@ -18,11 +18,11 @@ namespace gsim::import {
 
 namespace {
 
-using Done = tl::expected<void, std::string>;
+using VoidResult = tl::expected<void, std::string>;
 
 constexpr std::string_view kModel29 = "linuxcnc-2.9";
 constexpr std::string_view kModel210 = "linuxcnc-2.10";
-constexpr double kSilentJerk_mm_s3 = 1e9;  // of [TRAJ] in 2.10
+constexpr double kDefaultJerk_mm_s3 = 1e9;  // of [TRAJ] in 2.10
 constexpr double kPercent = 100;
 constexpr double kNanosecond_s = 1e-9;
 
@@ -43,7 +43,7 @@ class Importer {
     Importer(IniFile ini, const std::filesystem::path& path, const os::Files& files)
         : ini_(std::move(ini)), folder_(path.parent_path()), files_(files) {}
 
-    tl::expected<Imported, std::string> take() {
+    tl::expected<ImportResult, std::string> release() {
         return read_units(ini_)
             .and_then([&](const IniUnits& units) {
                 units_ = units;
@@ -51,7 +51,7 @@ class Importer {
             })
             .and_then([&](std::vector<machine::Axis> axes) {
                 result_.machine.axes = std::move(axes);
-                return take_rest();
+                return import_remainder();
             })
             .map([&] {
                 leave_out();
@@ -60,17 +60,17 @@ class Importer {
     }
 
   private:
-    Done take_rest() {
-        take_name();
-        take_units();
-        for (const auto step : {&Importer::take_path, &Importer::take_planner, &Importer::take_parameter_file,
-                                &Importer::take_tool_table}) {
-            if (Done done = (this->*step)(); !done) return done;
+    VoidResult import_remainder() {
+        read_name();
+        import_units();
+        for (const auto step : {&Importer::import_path_limits, &Importer::import_planner,
+                                &Importer::import_parameter_file, &Importer::import_tool_table}) {
+            if (VoidResult done = (this->*step)(); !done) return done;
         }
         return {};
     }
 
-    void take_name() {
+    void read_name() {
         result_.machine.name = ini_.text("EMC", "MACHINE").value_or("LinuxCNC");
         ini_.find("EMC", "VERSION");  // version of the file's format
         // Three slides have an inverse in any case; the file does not give the positions of rotary axes.
@@ -87,7 +87,7 @@ class Importer {
     }
 
     // RS274NGC_STARTUP_CODE runs before each program; only its units are known here.
-    void take_units() {
+    void import_units() {
         result_.machine.program.dialect = "linuxcnc";
         if (units_.linear_mm == kMmPerInch) result_.machine.program.units = machine::ProgramUnits::inch;
         const auto startup = ini_.text("RS274NGC", "RS274NGC_STARTUP_CODE");
@@ -103,18 +103,19 @@ class Importer {
     }
 
     // Reads a number of [TRAJ] by the first of two names; the second is the name in older versions.
-    tl::expected<std::optional<double>, std::string> of_path(std::string_view key, std::string_view older) {
+    tl::expected<std::optional<double>, std::string> path_limit(std::string_view key,
+                                                                std::string_view old_key) {
         auto value = ini_.number("TRAJ", key);
-        if (value && !value->has_value()) return ini_.number("TRAJ", older);
+        if (value && !value->has_value()) return ini_.number("TRAJ", old_key);
         return value;
     }
 
-    Done take_path() {
+    VoidResult import_path_limits() {
         machine::PathLimits& path = result_.machine.path;
-        const auto speed = of_path("MAX_LINEAR_VELOCITY", "MAX_VELOCITY");
+        const auto speed = path_limit("MAX_LINEAR_VELOCITY", "MAX_VELOCITY");
         if (!speed) return tl::unexpected(speed.error());
         if (*speed) path.max_feed_mm_s = path.max_rapid_mm_s = **speed * units_.linear_mm;
-        const auto acceleration = of_path("MAX_LINEAR_ACCELERATION", "MAX_ACCELERATION");
+        const auto acceleration = path_limit("MAX_LINEAR_ACCELERATION", "MAX_ACCELERATION");
         if (!acceleration) return tl::unexpected(acceleration.error());
         if (!*acceleration) return {};
         path.max_acceleration_mm_s2 = **acceleration * units_.linear_mm;
@@ -132,7 +133,7 @@ class Importer {
     }
 
     // The values are shares of 1.
-    Done take_overrides(rrs::OverrideRules& overrides) {
+    VoidResult read_overrides(rrs::OverrideRules& overrides) {
         for (const auto& [key, percent] : {std::pair{"MAX_FEED_OVERRIDE", &overrides.feed_max_percent},
                                            {"MIN_SPINDLE_OVERRIDE", &overrides.spindle_min_percent},
                                            {"MAX_SPINDLE_OVERRIDE", &overrides.spindle_max_percent}}) {
@@ -145,7 +146,7 @@ class Importer {
     }
 
     // PLANNER_TYPE is a key of 2.10.
-    Done take_release(rrs::ControllerRules& rules) {
+    VoidResult import_release(rrs::ControllerRules& rules) {
         const auto planner = ini_.number("TRAJ", "PLANNER_TYPE");
         if (!planner) return tl::unexpected(planner.error());
         rules = machine::built_in_controller(*planner ? kModel210 : kModel29).value();
@@ -155,14 +156,14 @@ class Importer {
         if (*clearance && **clearance >= 0) rules.peck_clearance_mm = **clearance * units_.linear_mm;
         if (**planner != 1) return {};
         rules.limit_jerk = true;
-        return take_jerk();
+        return import_jerk();
     }
 
-    Done take_jerk() {
+    VoidResult import_jerk() {
         const auto jerk = ini_.number("TRAJ", "MAX_LINEAR_JERK");
         if (!jerk) return tl::unexpected(jerk.error());
         const bool given = *jerk && **jerk > 0;
-        result_.machine.path.max_jerk_mm_s3 = given ? **jerk * units_.linear_mm : kSilentJerk_mm_s3;
+        result_.machine.path.max_jerk_mm_s3 = given ? **jerk * units_.linear_mm : kDefaultJerk_mm_s3;
         std::string straight;
         for (const machine::Axis& axis : result_.machine.axes) {
             if (std::isinf(axis.max_jerk)) straight += straight.empty() ? "" : ", ";
@@ -176,19 +177,19 @@ class Importer {
         return {};
     }
 
-    Done take_planner() {
+    VoidResult import_planner() {
         rrs::ControllerRules& rules = result_.machine.controller;
-        if (Done done = take_release(rules); !done) return done;
+        if (VoidResult done = import_release(rules); !done) return done;
         const auto period_ns = ini_.number("EMCMOT", "SERVO_PERIOD");
         if (!period_ns) return tl::unexpected(period_ns.error());
         if (*period_ns) rules.servo_period_s = **period_ns * kNanosecond_s;
         const auto depth = ini_.number("TRAJ", "ARC_BLEND_OPTIMIZATION_DEPTH");
         if (!depth) return tl::unexpected(depth.error());
-        constexpr double kMostBlocks =
+        constexpr double kMaxBlocks =
             1e6;  // above the max of a machine file, and within the range of an integer
         if (*depth && **depth >= 1)
-            rules.look_ahead_blocks = static_cast<std::size_t>(std::min(**depth, kMostBlocks));
-        if (auto taken = take_overrides(rules.overrides); !taken) return taken;
+            rules.look_ahead_blocks = static_cast<std::size_t>(std::min(**depth, kMaxBlocks));
+        if (auto is_used = read_overrides(rules.overrides); !is_used) return is_used;
         for (const FixedValue& fixed : kFixedValues) {
             const auto value = ini_.number(fixed.section, fixed.key);
             if (!value) return tl::unexpected(value.error());
@@ -214,21 +215,23 @@ class Importer {
         return std::nullopt;
     }
 
-    Done take_parameter_file() {
+    VoidResult import_parameter_file() {
         const auto file = named_file("RS274NGC", "PARAMETER_FILE");
-        return file ? take_table(*file, take_parameters) : Done();
+        return file ? import_table_file(*file, import_parameters) : VoidResult();
     }
 
-    Done take_tool_table() {
+    VoidResult import_tool_table() {
         const auto file = named_file("EMCIO", "TOOL_TABLE");
-        return file ? take_table(*file, take_tools) : Done();
+        return file ? import_table_file(*file, import_tools) : VoidResult();
     }
 
-    Done take_table(const std::pair<std::string, std::string>& file,
-                    Done (*take_over)(std::string_view, std::string_view, double, std::string_view,
-                                      machine::MachineData&, TableNotes&)) {
-        TableNotes notes;
-        Done done = take_over(file.second, file.first, units_.linear_mm, letters(), result_.data, notes);
+    VoidResult import_table_file(const std::pair<std::string, std::string>& file,
+                                 VoidResult (*import_table)(std::string_view, std::string_view, double,
+                                                            std::string_view, machine::MachineData&,
+                                                            ImportNotes&)) {
+        ImportNotes notes;
+        VoidResult done =
+            import_table(file.second, file.first, units_.linear_mm, letters(), result_.data, notes);
         result_.has_data = true;
         for (const std::string& name : notes.left_out)
             result_.left_out.push_back(
@@ -240,7 +243,7 @@ class Importer {
     void leave_out() {
         std::vector<std::pair<std::string, std::string>> sections;
         for (const IniEntry& entry : ini_.entries()) {
-            if (entry.taken) continue;
+            if (entry.is_used) continue;
             auto found = std::find_if(sections.begin(), sections.end(),
                                       [&](const auto& one) { return one.first == entry.section; });
             if (found == sections.end()) found = sections.insert(sections.end(), {entry.section, ""});
@@ -255,15 +258,16 @@ class Importer {
     std::filesystem::path folder_;
     const os::Files& files_;
     IniUnits units_;
-    Imported result_;
+    ImportResult result_;
 };
 
 }  // namespace
 
-tl::expected<Imported, std::string> import_linuxcnc(std::string_view text, const std::filesystem::path& path,
-                                                    const os::Files& files) {
+tl::expected<ImportResult, std::string> import_linuxcnc(std::string_view text,
+                                                        const std::filesystem::path& path,
+                                                        const os::Files& files) {
     return IniFile::read(text, path, files).and_then([&](IniFile ini) {
-        return Importer(std::move(ini), path, files).take();
+        return Importer(std::move(ini), path, files).release();
     });
 }
 

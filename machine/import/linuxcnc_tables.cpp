@@ -20,24 +20,25 @@ constexpr std::string_view kLettersInOrder = "XYZABCUVW";  // of parameters
 constexpr double kStoredMm = kMmPerInch;  // parameters of this project's RS274/NGC hold lengths in inches
 constexpr int kFirstHome = 5161;
 constexpr int kSecondHome = 5181;
-constexpr int kG92InForce = 5210;
+constexpr int kG92Active = 5210;
 constexpr int kFirstG92 = 5211;
-constexpr int kSystemInForce = 5220;
+constexpr int kActiveSystem = 5220;
 constexpr int kFirstSystem = 5221;
 constexpr int kPerSystem = 20;
 constexpr int kRotation = 9;
-constexpr int kFirstOwn = 31;  // of the variables that programs may keep
-constexpr int kLastOwn = 5000;
+constexpr int kFirstUserVariable = 31;  // of the variables that programs may keep
+constexpr int kLastUserVariable = 5000;
 constexpr std::array<std::string_view, 9> kSystems{"54", "55",   "56",   "57",  "58",
                                                    "59", "59.1", "59.2", "59.3"};
 
-bool turns(char letter) {
+bool is_rotary(char letter) {
     return letter >= 'A' && letter <= 'C';
 }
 
 // Calls take(line, number) for each line with content, until it returns an error.
-template <typename Take>
-tl::expected<void, std::string> each_line(std::string_view text, std::string_view file_name, Take take) {
+template <typename LineHandler>
+tl::expected<void, std::string> for_each_line(std::string_view text, std::string_view file_name,
+                                              LineHandler read_line) {
     std::size_t at = 0;
     for (int number = 1; at < text.size(); ++number) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -45,21 +46,21 @@ tl::expected<void, std::string> each_line(std::string_view text, std::string_vie
         at = end + 1;
         line = trimmed_text(line.substr(0, line.find_first_of(";#")));
         if (line.empty()) continue;
-        if (const std::optional<std::string> fault = take(line))
-            return tl::unexpected(fmt::format("{}:{}: {}", file_name, number, *fault));
+        if (const std::optional<std::string> error = read_line(line))
+            return tl::unexpected(fmt::format("{}:{}: {}", file_name, number, *error));
     }
     return {};
 }
 
 class Parameters {
   public:
-    Parameters(double unit_mm, std::string_view axes, machine::MachineData& data, TableNotes& notes)
+    Parameters(double unit_mm, std::string_view axes, machine::MachineData& data, ImportNotes& notes)
         : unit_mm_(unit_mm), axes_(axes), data_(data), notes_(notes) {}
 
-    std::optional<std::string> take(std::string_view line) {
+    std::optional<std::string> read_line(std::string_view line) {
         const std::size_t blank = std::min(line.find_first_of(" \t"), line.size());
-        const auto number = plain_number(line.substr(0, blank));
-        const auto value = plain_number(line.substr(blank));
+        const auto number = parse_number_text(line.substr(0, blank));
+        const auto value = parse_number_text(line.substr(blank));
         if (!number || !value || *number != std::floor(*number) || *number < 1 || *number > kLastParameter)
             return fmt::format("'{}' is no number of a parameter and its value", line);
         values_[static_cast<int>(*number)] = *value;
@@ -67,17 +68,18 @@ class Parameters {
     }
 
     void use() {
-        for (std::size_t system = 0; system < kSystems.size(); ++system) take_system(system);
-        take_point(kFirstHome, "G28");
-        take_point(kSecondHome, "G30");
-        take_point(kFirstG92, "the G92 offset");
-        if (value(kG92InForce) != 0) data_.variables[kG92InForce] = value(kG92InForce);
+        for (std::size_t system = 0; system < kSystems.size(); ++system) import_system(system);
+        import_point(kFirstHome, "G28");
+        import_point(kSecondHome, "G30");
+        import_point(kFirstG92, "the G92 offset");
+        if (value(kG92Active) != 0) data_.variables[kG92Active] = value(kG92Active);
         for (const auto& [number, of] : values_) {
-            if (number >= kFirstOwn && number <= kLastOwn && of != 0) data_.variables[number] = of;
+            if (number >= kFirstUserVariable && number <= kLastUserVariable && of != 0)
+                data_.variables[number] = of;
         }
-        if (value(kSystemInForce) > 1)
+        if (value(kActiveSystem) > 1)
             notes_.left_out.push_back(
-                fmt::format("#5220 = {:.0f}: runs begin in G54, not in that system", value(kSystemInForce)));
+                fmt::format("#5220 = {:.0f}: runs begin in G54, not in that system", value(kActiveSystem)));
     }
 
   private:
@@ -96,7 +98,7 @@ class Parameters {
         return false;
     }
 
-    void take_system(std::size_t system) {
+    void import_system(std::size_t system) {
         const int first = kFirstSystem + static_cast<int>(system) * kPerSystem;
         machine::AxisValues values;
         bool any = false;
@@ -104,35 +106,35 @@ class Parameters {
             const char letter = kLettersInOrder[i];
             const double of = value(first + static_cast<int>(i));
             if (!has_axis(letter, of, "G" + std::string(kSystems[system]))) continue;
-            values[letter] = turns(letter) ? of : without_noise(of * unit_mm_);
+            values[letter] = is_rotary(letter) ? of : remove_rounding_noise(of * unit_mm_);
             any = any || of != 0;
         }
         if (any) data_.offsets[std::string(kSystems[system])] = std::move(values);
         if (value(first + kRotation) != 0) data_.variables[first + kRotation] = value(first + kRotation);
     }
 
-    void take_point(int first, std::string_view what) {
+    void import_point(int first, std::string_view what) {
         for (std::size_t i = 0; i < kLettersInOrder.size(); ++i) {
             const char letter = kLettersInOrder[i];
             const double of = value(first + static_cast<int>(i));
             if (of == 0 || !has_axis(letter, of, what)) continue;
-            data_.variables[first + static_cast<int>(i)] = turns(letter) ? of : of * unit_mm_ / kStoredMm;
+            data_.variables[first + static_cast<int>(i)] = is_rotary(letter) ? of : of * unit_mm_ / kStoredMm;
         }
     }
 
     double unit_mm_;
     std::string_view axes_;
     machine::MachineData& data_;
-    TableNotes& notes_;
+    ImportNotes& notes_;
     std::map<int, double> values_;
 };
 
-class Tools {
+class ToolTableReader {
   public:
-    Tools(double unit_mm, std::string_view axes, machine::MachineData& data, TableNotes& notes)
+    ToolTableReader(double unit_mm, std::string_view axes, machine::MachineData& data, ImportNotes& notes)
         : unit_mm_(unit_mm), axes_(axes), data_(data), notes_(notes) {}
 
-    std::optional<std::string> take(std::string_view line) {
+    std::optional<std::string> read_line(std::string_view line) {
         std::map<char, double> words;
         for (std::size_t at = 0; at < line.size();) {
             const std::size_t begin = line.find_first_not_of(" \t", at);
@@ -142,7 +144,7 @@ class Tools {
                    (text::is_digit(line[end]) || line[end] == '.' || line[end] == '-' || line[end] == '+'))
                 ++end;
             const char letter = text::upper(line.substr(begin, 1)).front();
-            const auto value = plain_number(line.substr(begin + 1, end - begin - 1));
+            const auto value = parse_number_text(line.substr(begin + 1, end - begin - 1));
             if (kToolLetters.find(letter) == std::string_view::npos || !value)
                 return fmt::format(
                     "'{}' is no word of a tool: T P D X Y Z A B C U V W I J Q, each with a number",
@@ -155,7 +157,7 @@ class Tools {
 
   private:
     static constexpr std::string_view kToolLetters = "TPDXYZABCUVWIJQ";
-    static constexpr double kGreatestNumber = 99999;
+    static constexpr double kMaxNumber = 99999;
     static constexpr int kOrientations = 10;
 
     std::optional<std::string> make_tool(const std::map<char, double>& words) {
@@ -165,15 +167,15 @@ class Tools {
         };
         if (words.find('T') == words.end()) return std::string("a tool needs its number T");
         const double number = of('T');
-        if (number != std::floor(number) || number < 0 || number > kGreatestNumber)
+        if (number != std::floor(number) || number < 0 || number > kMaxNumber)
             return fmt::format("T{} is no number of a tool", number);
         if (number == 0) {
             notes_.left_out.emplace_back("T0: tools are counted from 1");
             return std::nullopt;
         }
         machine::Tool tool;
-        tool.length_mm = without_noise(of('Z') * unit_mm_);
-        tool.diameter_mm = without_noise(of('D') * unit_mm_);
+        tool.length_mm = remove_rounding_noise(of('Z') * unit_mm_);
+        tool.diameter_mm = remove_rounding_noise(of('D') * unit_mm_);
         tool.front_angle_deg = of('I');
         tool.back_angle_deg = of('J');
         const double orientation = of('Q');
@@ -187,7 +189,8 @@ class Tools {
                     fmt::format("{} of tool {}: the machine has no such axis", letter, number));
                 continue;
             }
-            tool.offsets[letter] = turns(letter) ? of(letter) : without_noise(of(letter) * unit_mm_);
+            tool.offsets[letter] =
+                is_rotary(letter) ? of(letter) : remove_rounding_noise(of(letter) * unit_mm_);
         }
         if (words.find('P') != words.end() && of('P') != number)
             notes_.left_out.push_back(fmt::format("P{} of tool {}: places in a magazine", of('P'), number));
@@ -198,25 +201,24 @@ class Tools {
     double unit_mm_;
     std::string_view axes_;
     machine::MachineData& data_;
-    TableNotes& notes_;
+    ImportNotes& notes_;
 };
 
 }  // namespace
 
-tl::expected<void, std::string> take_parameters(std::string_view text, std::string_view file_name,
-                                                double unit_mm, std::string_view axes,
-                                                machine::MachineData& data, TableNotes& notes) {
+tl::expected<void, std::string> import_parameters(std::string_view text, std::string_view file_name,
+                                                  double unit_mm, std::string_view axes,
+                                                  machine::MachineData& data, ImportNotes& notes) {
     Parameters parameters(unit_mm, axes, data, notes);
-    return each_line(text, file_name, [&](std::string_view line) { return parameters.take(line); }).map([&] {
-        parameters.use();
-    });
+    return for_each_line(text, file_name, [&](std::string_view line) { return parameters.read_line(line); })
+        .map([&] { parameters.use(); });
 }
 
-tl::expected<void, std::string> take_tools(std::string_view text, std::string_view file_name, double unit_mm,
-                                           std::string_view axes, machine::MachineData& data,
-                                           TableNotes& notes) {
-    Tools tools(unit_mm, axes, data, notes);
-    return each_line(text, file_name, [&](std::string_view line) { return tools.take(line); });
+tl::expected<void, std::string> import_tools(std::string_view text, std::string_view file_name,
+                                             double unit_mm, std::string_view axes,
+                                             machine::MachineData& data, ImportNotes& notes) {
+    ToolTableReader tools(unit_mm, axes, data, notes);
+    return for_each_line(text, file_name, [&](std::string_view line) { return tools.read_line(line); });
 }
 
 }  // namespace gsim::import

@@ -11,20 +11,20 @@
 namespace gsim::import {
 
 /// Notes from reading a table, in addition to its data.
-struct TableNotes {
+struct ImportNotes {
     std::vector<std::string> left_out;  ///< By name.
 };
 
 /// Takes over a file of parameters (.var): the work coordinate systems with their rotation, the G92 offset,
 /// G28 and G30, and the variables of programs. `unit_mm` is that of its lengths; `axes` are the letters of
 /// the machine. The error is "file:line: message".
-tl::expected<void, std::string> take_parameters(std::string_view text, std::string_view file_name,
-                                                double unit_mm, std::string_view axes,
-                                                machine::MachineData& data, TableNotes& notes);
+tl::expected<void, std::string> import_parameters(std::string_view text, std::string_view file_name,
+                                                  double unit_mm, std::string_view axes,
+                                                  machine::MachineData& data, ImportNotes& notes);
 
 /// Takes over a tool table (.tbl) in the same manner: lengths, diameters, offsets, angles and orientations.
-tl::expected<void, std::string> take_tools(std::string_view text, std::string_view file_name, double unit_mm,
-                                           std::string_view axes, machine::MachineData& data,
-                                           TableNotes& notes);
+tl::expected<void, std::string> import_tools(std::string_view text, std::string_view file_name,
+                                             double unit_mm, std::string_view axes,
+                                             machine::MachineData& data, ImportNotes& notes);
 
 }  // namespace gsim::import

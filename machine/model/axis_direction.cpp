@@ -9,7 +9,7 @@ namespace {
 constexpr int kDirections = 3;
 
 // Returns the index of x, y and z.
-Eigen::Index index_of(AxisDirection direction) {
+Eigen::Index axis_index(AxisDirection direction) {
     return static_cast<Eigen::Index>(direction) % kDirections;
 }
 
@@ -28,13 +28,13 @@ AxisDirection opposite(AxisDirection direction) {
 }
 
 // Integers throughout, so that values of axes give clean coordinates.
-rrs::CartPos turned_to(AxisDirection direction) {
+rrs::CartPos rotation_to(AxisDirection direction) {
     rrs::CartPos frame = rrs::CartPos::Identity();
-    const Eigen::Index z = index_of(direction);
+    const Eigen::Index z = axis_index(direction);
     const Eigen::Vector3d along = (is_negative(direction) ? -1 : 1) * Eigen::Vector3d::Unit(z);
-    const Eigen::Vector3d beside = Eigen::Vector3d::Unit((z + 1) % kDirections);
-    frame.linear().col(0) = beside;
-    frame.linear().col(1) = along.cross(beside);
+    const Eigen::Vector3d perpendicular = Eigen::Vector3d::Unit((z + 1) % kDirections);
+    frame.linear().col(0) = perpendicular;
+    frame.linear().col(1) = along.cross(perpendicular);
     frame.linear().col(2) = along;
     return frame;
 }

@@ -17,6 +17,6 @@ std::string_view name(AxisDirection direction);
 AxisDirection opposite(AxisDirection direction);
 
 /// Returns a frame at the same position with Z along `direction`.
-rrs::CartPos turned_to(AxisDirection direction);
+rrs::CartPos rotation_to(AxisDirection direction);
 
 }  // namespace gsim::machine

@@ -46,7 +46,7 @@ struct HoseTable {
     bool operator==(const HoseTable&) const = default;
 };
 
-inline constexpr double kDownwards_m_s2 = -9.80665;  // standard gravity, CGPM 1901
+inline constexpr double kGravity_m_s2 = -9.80665;  // standard gravity, CGPM 1901
 
 /// Source of the limits of accelerations.
 enum class AccelerationLimit {
@@ -56,7 +56,7 @@ enum class AccelerationLimit {
 
 /// Causes of forces and torques, other than the drives of the axes and the densities of shapes.
 struct DynamicsTable {
-    std::array<double, 3> gravity_m_s2{0, 0, kDownwards_m_s2};  ///< In the world.
+    std::array<double, 3> gravity_m_s2{0, 0, kGravity_m_s2};  ///< In the world.
     std::vector<LinkMass> masses = {};
     std::vector<HoseTable> hoses = {};
     AccelerationLimit limit = AccelerationLimit::axes;

@@ -11,7 +11,7 @@ namespace gsim::machine {
 
 namespace {
 
-constexpr double kLeastReach_mm = 1000;
+constexpr double kMinReach_mm = 1000;
 constexpr std::array<int, rrs::kMaxJoints> kPrimes{2,  3,  5,  7,  11, 13, 17, 19,
                                                    23, 29, 31, 37, 41, 43, 47, 53};
 
@@ -26,8 +26,7 @@ double radical_inverse(int number, int base) {
 }  // namespace
 
 JointBox joint_box(const Machine& machine) {
-    const double reach_mm =
-        std::max(kLeastReach_mm, kinematics::mm_per_rad(make_kinematics(machine)->chain()));
+    const double reach_mm = std::max(kMinReach_mm, kinematics::mm_per_rad(make_kinematics(machine)->chain()));
     const rrs::JointPos home = home_position(machine);
     JointBox box{home, home};
     Eigen::Index joint = 0;

@@ -18,7 +18,7 @@ using base::TomlSection;
 using std::string_view_literals::operator""sv;
 
 constexpr std::array kLinkShapeKeys{"name"sv, "on"sv, "shape"sv, "frame"sv, "density_kg_m3"sv};
-constexpr std::array kPlaces{"base"sv, "tool"sv, "work"sv, "jet"sv};
+constexpr std::array kMountNames{"base"sv, "tool"sv, "work"sv, "jet"sv};
 
 bool is_axis(const Machine& machine, std::string_view name) {
     return name.size() == 1 && machine.find(name[0]);
@@ -53,7 +53,7 @@ class ShapeReader {
         TomlSection section(error_, table, "[[shape]]", kLinkShapeKeys);
         LinkShape shape;
         shape.name = read_name(section);
-        shape.on = read_place(section);
+        shape.on = read_attachment(section);
         const auto form = read_shape(error_, section, table, folder_, files_);
         shape.frame = read_frame(error_, section.table("frame"), "'frame'");
         shape.density_kg_m3 = section.number("density_kg_m3", 0, base::NumberRule::not_negative);
@@ -76,11 +76,12 @@ class ShapeReader {
         return name;
     }
 
-    std::string read_place(TomlSection& section) {
+    std::string read_attachment(TomlSection& section) {
         std::string on = section.text("on");
-        if (is_axis(machine_, on) || std::find(kPlaces.begin(), kPlaces.end(), on) != kPlaces.end())
+        if (is_axis(machine_, on) ||
+            std::find(kMountNames.begin(), kMountNames.end(), on) != kMountNames.end())
             return on;
-        const auto nearest = text::nearest_name(on, kPlaces);
+        const auto nearest = text::nearest_name(on, kMountNames);
         section.fail(
             "on",
             fmt::format("'on' must be \"base\", the letter of an axis ({}), \"tool\", \"work\" "

@@ -20,37 +20,37 @@ constexpr double kTurnTolerance = 1e-9;  // of a turn
 
 // The joint follows a turn that is reversed after it, so frames on both sides are aligned.
 kinematics::Link directed_link(const Axis& axis, int joint, rrs::JointKind kind) {
-    const bool work = axis.carries == Carries::work;
-    const rrs::CartPos turn = turned_to(work ? opposite(*axis.direction) : *axis.direction);
-    const rrs::CartPos place = axis.frame ? frame_pose(*axis.frame) : rrs::CartPos::Identity();
-    return {.joint = joint, .kind = kind, .before = place * turn, .after = turn.inverse()};
+    const bool work = axis.carries == CarriedPart::work;
+    const rrs::CartPos turn = rotation_to(work ? opposite(*axis.direction) : *axis.direction);
+    const rrs::CartPos pose = axis.frame ? frame_pose(*axis.frame) : rrs::CartPos::Identity();
+    return {.joint = joint, .kind = kind, .before = pose * turn, .after = turn.inverse()};
 }
 
 kinematics::Link link(const Axis& axis, int joint) {
     const auto kind = axis.kind == AxisKind::linear ? rrs::JointKind::prismatic : rrs::JointKind::revolute;
     if (axis.direction) return directed_link(axis, joint, kind);
-    kinematics::Link by_row = kinematics::link_of(joint, {.kind = kind,
-                                                          .theta_rad = axis.dh.theta_deg * kRadPerDeg,
-                                                          .d_mm = axis.dh.d_mm,
-                                                          .a_mm = axis.dh.a_mm,
-                                                          .alpha_rad = axis.dh.alpha_deg * kRadPerDeg});
-    if (!axis.frame) return by_row;
-    return {.joint = joint, .kind = kind, .before = frame_pose(*axis.frame), .after = by_row.after};
+    kinematics::Link dh_link = kinematics::make_link(joint, {.kind = kind,
+                                                             .theta_rad = axis.dh.theta_deg * kRadPerDeg,
+                                                             .d_mm = axis.dh.d_mm,
+                                                             .a_mm = axis.dh.a_mm,
+                                                             .alpha_rad = axis.dh.alpha_deg * kRadPerDeg});
+    if (!axis.frame) return dh_link;
+    return {.joint = joint, .kind = kind, .before = frame_pose(*axis.frame), .after = dh_link.after};
 }
 
 kinematics::Chain chain(const Machine& machine) {
     kinematics::Branch tool{.base = frame_pose(machine.base), .end = frame_pose(machine.tool)};
     kinematics::Branch work{.end = frame_pose(machine.work)};
-    std::vector<int> idle;
+    std::vector<int> unlinked_joints;
     int joint = 0;
     for (const Axis& axis : machine.axes) {
-        if (axis.carries == Carries::nothing) {
-            idle.push_back(joint++);
+        if (axis.carries == CarriedPart::none) {
+            unlinked_joints.push_back(joint++);
         } else {
-            (axis.carries == Carries::work ? work : tool).links.push_back(link(axis, joint++));
+            (axis.carries == CarriedPart::work ? work : tool).links.push_back(link(axis, joint++));
         }
     }
-    return kinematics::Chain(std::move(tool), std::move(work), std::move(idle));
+    return kinematics::Chain(std::move(tool), std::move(work), std::move(unlinked_joints));
 }
 
 std::vector<kinematics::JointRange> ranges(const Machine& machine) {
@@ -64,7 +64,7 @@ std::vector<kinematics::JointRange> ranges(const Machine& machine) {
 }
 
 // Returns the joints that the inverse does not change.
-std::vector<int> held_joints(const Machine& machine) {
+std::vector<int> fixed_joints(const Machine& machine) {
     std::vector<int> joints;
     for (const AxisGroup& group : machine.groups) {
         for (const std::size_t axis : group.axes) joints.push_back(static_cast<int>(axis));
@@ -72,35 +72,37 @@ std::vector<int> held_joints(const Machine& machine) {
     return joints;
 }
 
-using Made = tl::expected<std::shared_ptr<const kinematics::Kinematics>, std::string>;
+using KinematicsResult = tl::expected<std::shared_ptr<const kinematics::Kinematics>, std::string>;
 
-Made make(const Machine& machine) {
+KinematicsResult make(const Machine& machine) {
     switch (machine.inverse) {
         case InverseKind::gantry: return kinematics::GantryKinematics::make(chain(machine), ranges(machine));
         case InverseKind::numeric:
-            return kinematics::NumericKinematics::make(chain(machine), ranges(machine), held_joints(machine));
+            return kinematics::NumericKinematics::make(chain(machine), ranges(machine),
+                                                       fixed_joints(machine));
         case InverseKind::none: break;
     }
     return std::make_shared<kinematics::ChainKinematics>(chain(machine));
 }
 
 // Returns the smallest angle that is not below `least` and differs from `angle` by full turns.
-double raised_to(double angle, double least) {
-    return angle + kTurn_deg * std::ceil((least - angle) / kTurn_deg);
+double raise_by_full_turns(double angle, double min) {
+    return angle + kTurn_deg * std::ceil((min - angle) / kTurn_deg);
 }
 
 double shortest_target(const Axis& axis, double value, double now, double origin) {
-    const double way = std::remainder(value - now, kTurn_deg);
-    const double closest = now + (way == -kTurn_deg / 2 ? -way : way);
+    const double difference = std::remainder(value - now, kTurn_deg);
+    const double closest = now + (difference == -kTurn_deg / 2 ? -difference : difference);
     const double min = axis.min - origin;
     const double max = axis.max - origin;
-    if (closest < min && raised_to(closest, min) <= max) return raised_to(closest, min);
-    if (closest > max && -raised_to(-closest, -max) >= min) return -raised_to(-closest, -max);
+    if (closest < min && raise_by_full_turns(closest, min) <= max) return raise_by_full_turns(closest, min);
+    if (closest > max && -raise_by_full_turns(-closest, -max) >= min)
+        return -raise_by_full_turns(-closest, -max);
     return closest;
 }
 
 // A reading that rounding has left just below a full turn counts as that turn.
-double whole_turns(double angle_deg) {
+double full_turns(double angle_deg) {
     return std::floor(angle_deg / kTurn_deg + kTurnTolerance);
 }
 
@@ -128,32 +130,32 @@ rrs::JointPos home_position(const Machine& machine) {
     return joints;
 }
 
-std::optional<std::string> find_kinematic_fault(const Machine& machine) {
+std::optional<std::string> find_kinematic_error(const Machine& machine) {
     if (machine.axes.size() > static_cast<std::size_t>(rrs::kMaxJoints)) {
         return "A machine has at most " + std::to_string(rrs::kMaxJoints) + " axes.";
     }
-    if (auto made = make(machine); !made) return std::move(made.error());
+    if (auto result = make(machine); !result) return std::move(result.error());
     return std::nullopt;
 }
 
-std::optional<std::string> find_controller_fault(const Machine& machine) {
-    const bool rests = machine.controller.planner == rrs::PlannerKind::rest_to_rest;
-    if (machine.controller.own_ramps && !rests)
+std::optional<std::string> find_controller_error(const Machine& machine) {
+    const bool is_rest_to_rest = machine.controller.planner == rrs::PlannerKind::rest_to_rest;
+    if (machine.controller.independent_ramps && !is_rest_to_rest)
         return "'own_ramps' is of the planner \"rest-to-rest\" alone: in the others all axes go in "
                "proportion";
-    if (!machine.controller.interpolated_rapids && !rests)
+    if (!machine.controller.interpolated_rapids && !is_rest_to_rest)
         return "'interpolated_rapids = false' is of the planner \"rest-to-rest\" alone: in the others all "
                "axes go in proportion";
     if (!machine.controller.interpolated_rapids && std::isfinite(machine.path.max_rapid_mm_s))
         return "'interpolated_rapids = false' does not go with 'max_rapid_mm_s': each axis has its own "
                "speed, "
                "and nothing keeps that of the tool";
-    const bool chords = machine.controller.planner == rrs::PlannerKind::look_ahead &&
-                        machine.controller.arc_chord_tolerance_mm > 0;
-    if (machine.controller.path_measure == rrs::PathMeasure::all_axes && !chords)
+    const bool is_chords = machine.controller.planner == rrs::PlannerKind::look_ahead &&
+                           machine.controller.arc_chord_tolerance_mm > 0;
+    if (machine.controller.path_measure == rrs::PathMeasure::all_axes && !is_chords)
         return "'path_measure = \"all-axes\"' is of the planner \"look-ahead\" with arcs as chords alone "
                "(arc_chord_tolerance_mm): it plans lines";
-    if (machine.controller.limit_jerk && machine.controller.ramp_step_s > 0 && !chords)
+    if (machine.controller.limit_jerk && machine.controller.ramp_step_s > 0 && !is_chords)
         return "'ramp_step_s' is of the planner \"look-ahead\" with arcs as chords alone "
                "(arc_chord_tolerance_mm): it drives lines";
     if (machine.controller.orientation == rrs::OrientationRule::joints) return std::nullopt;
@@ -169,25 +171,25 @@ std::optional<std::string> find_controller_fault(const Machine& machine) {
 }
 
 std::shared_ptr<const kinematics::Kinematics> make_kinematics(const Machine& machine) {
-    auto made = make(machine);
-    if (!made) throw std::invalid_argument(made.error());
-    return *std::move(made);
+    auto result = make(machine);
+    if (!result) throw std::invalid_argument(result.error());
+    return *std::move(result);
 }
 
-double turned_target(const Axis& axis, double value, double now, double origin) {
+double rotary_target(const Axis& axis, double value, double now, double origin) {
     if (axis.kind == AxisKind::linear || !std::isfinite(now)) return value;
     switch (axis.turning) {
-        case Turning::shortest: return shortest_target(axis, value, now, origin);
-        case Turning::unwind: return value + kTurn_deg * whole_turns(now + origin);
-        case Turning::limited: break;
+        case RotaryMode::shortest: return shortest_target(axis, value, now, origin);
+        case RotaryMode::unwind: return value + kTurn_deg * full_turns(now + origin);
+        case RotaryMode::limited: break;
     }
     return value;
 }
 
 double reading(const Axis& axis, double value) {
-    if (axis.kind == AxisKind::linear || axis.turning != Turning::unwind || !std::isfinite(value))
+    if (axis.kind == AxisKind::linear || axis.turning != RotaryMode::unwind || !std::isfinite(value))
         return value;
-    return value - kTurn_deg * whole_turns(value);
+    return value - kTurn_deg * full_turns(value);
 }
 
 }  // namespace gsim::machine

@@ -27,15 +27,15 @@ namespace gsim::machine {
 enum class AxisKind { linear, rotary };
 
 /// The part that an axis moves: the tool, the work under it, or neither, such as a filament feed.
-enum class Carries { tool, work, nothing };
+enum class CarriedPart { tool, work, none };
 
-constexpr std::string_view name(Carries carries) {
+constexpr std::string_view name(CarriedPart carries) {
     constexpr std::array<std::string_view, 3> kNames{"tool", "work", "nothing"};
     return kNames[static_cast<std::size_t>(carries)];
 }
 
 /// Treatment of programmed angles by a rotary axis; see docs/machine-file.md.
-enum class Turning {
+enum class RotaryMode {
     limited,   ///< Full turns count: 370 is not 10.
     shortest,  ///< An angle is reached in the shorter direction.
     unwind,    ///< Full turns are made, but subtracted from the reading after they are made.
@@ -78,8 +78,8 @@ struct Axis {
     /// Alternative to `dh`: the direction in which the tool moves, or turns, relative to the work as the
     /// value grows. It is in the axes of the frame of the joint before (after `frame`, if given).
     std::optional<AxisDirection> direction = std::nullopt;
-    Carries carries = Carries::tool;
-    Turning turning = Turning::limited;
+    CarriedPart carries = CarriedPart::tool;
+    RotaryMode turning = RotaryMode::limited;
     /// Home positions 2 to 4, if the axis has a value there.
     std::array<std::optional<double>, kHomes - 1> other_homes = {};
     Drive drive = {};
@@ -138,23 +138,23 @@ double joint_value(const Axis& axis, double axis_value);
 rrs::JointPos home_position(const Machine& machine);
 
 /// Returns why the machine's chain does not fit its inverse, as a message; nothing if it does.
-std::optional<std::string> find_kinematic_fault(const Machine& machine);
+std::optional<std::string> find_kinematic_error(const Machine& machine);
 
 /// Returns why the machine or its planner cannot turn the tool as its controller's rules require, as a
 /// message; nothing if they can. For a machine without a kinematic error.
-std::optional<std::string> find_controller_fault(const Machine& machine);
+std::optional<std::string> find_controller_error(const Machine& machine);
 
 /// Returns the target (mm or deg) of an axis at `now` that is commanded to `value`. For a rotary axis it may
 /// differ by full turns, according to its `turning`. `origin` is the zero of both values, in machine
 /// coordinates, in which the axis has its range.
-double turned_target(const Axis& axis, double value, double now, double origin);
+double rotary_target(const Axis& axis, double value, double now, double origin);
 
 /// Returns the reading of an axis that a program gets at `value` in machine coordinates; without the full
 /// turns for an axis that unwinds.
 double reading(const Axis& axis, double value);
 
 /// Returns the kinematics that the machine's joints and inverse describe. Throws std::invalid_argument if
-/// find_kinematic_fault() finds an error; read_machine() accepts no such machine.
+/// find_kinematic_error() finds an error; read_machine() accepts no such machine.
 std::shared_ptr<const kinematics::Kinematics> make_kinematics(const Machine& machine);
 
 }  // namespace gsim::machine

@@ -16,7 +16,7 @@ namespace {
 
 using base::NumberRule;
 using base::TomlSection;
-using base::TomlText;
+using base::TomlWriter;
 
 using rrs::OverrideRules;
 
@@ -26,8 +26,8 @@ struct OverrideNumber {
     NumberRule rule;
 };
 
-constexpr std::string_view kRapidPercents = "rapid_percents";
-constexpr std::string_view kFeedOfProbes = "feed_of_probes";
+constexpr std::string_view kRapidPercentsKey = "rapid_percents";
+constexpr std::string_view kProbeFeedKey = "feed_of_probes";
 
 constexpr std::array kOverrideNumbers{
     OverrideNumber{"feed_min_percent", &OverrideRules::feed_min_percent, NumberRule::not_negative},
@@ -40,7 +40,7 @@ constexpr std::array kOverrideNumbers{
 };
 
 constexpr auto kOverrideKeys = [] {
-    std::array<std::string_view, kOverrideNumbers.size() + 2> keys{kRapidPercents, kFeedOfProbes};
+    std::array<std::string_view, kOverrideNumbers.size() + 2> keys{kRapidPercentsKey, kProbeFeedKey};
     std::size_t end = 2;
     for (const OverrideNumber& percent : kOverrideNumbers) keys[end++] = percent.key;
     return keys;
@@ -48,28 +48,29 @@ constexpr auto kOverrideKeys = [] {
 
 /// Reads rising values above 0 and up to 100.
 std::vector<double> read_rapid_percents(TomlSection& section, const std::vector<double>& fallback) {
-    if (!section.has(kRapidPercents)) return fallback;
-    const toml::array* array = section.require(kRapidPercents)->as_array();
+    if (!section.has(kRapidPercentsKey)) return fallback;
+    const toml::array* array = section.require(kRapidPercentsKey)->as_array();
     std::vector<double> percents;
     for (std::size_t i = 0; array != nullptr && i < array->size(); ++i) {
-        const double least = percents.empty() ? 0 : percents.back();
+        const double min = percents.empty() ? 0 : percents.back();
         const auto value = (*array)[i].is_number() ? (*array)[i].value<double>() : std::nullopt;
-        if (!value || !(*value > least && *value <= 100)) {
+        if (!value || !(*value > min && *value <= 100)) {
             array = nullptr;
         } else {
             percents.push_back(*value);
         }
     }
     if (array != nullptr) return percents;
-    section.fail(kRapidPercents, fmt::format("'{}' must be an array of numbers that rise, above 0 and up to "
-                                             "100",
-                                             kRapidPercents));
+    section.fail(kRapidPercentsKey,
+                 fmt::format("'{}' must be an array of numbers that rise, above 0 and up to "
+                             "100",
+                             kRapidPercentsKey));
     return fallback;
 }
 
-void check_range(TomlSection& section, std::string_view key, double least, double most) {
-    if (least <= most) return;
-    section.fail(key, fmt::format("'{}' is {}, above the greatest value of {}", key, least, most));
+void check_range(TomlSection& section, std::string_view key, double min, double max) {
+    if (min <= max) return;
+    section.fail(key, fmt::format("'{}' is {}, above the greatest value of {}", key, min, max));
 }
 
 }  // namespace
@@ -81,13 +82,13 @@ void read_overrides(TomlSection& controller, rrs::ControllerRules& rules) {
     for (const auto& [key, value, rule] : kOverrideNumbers)
         overrides.*value = section->number(key, overrides.*value, rule);
     overrides.rapid_percents = read_rapid_percents(*section, overrides.rapid_percents);
-    overrides.feed_of_probes = section->flag(kFeedOfProbes, overrides.feed_of_probes);
+    overrides.override_probe_feed = section->flag(kProbeFeedKey, overrides.override_probe_feed);
     check_range(*section, "feed_min_percent", overrides.feed_min_percent, overrides.feed_max_percent);
     check_range(*section, "spindle_min_percent", overrides.spindle_min_percent,
                 overrides.spindle_max_percent);
 }
 
-void print_overrides(TomlText& out, const rrs::ControllerRules& rules, const rrs::ControllerRules& base) {
+void print_overrides(TomlWriter& out, const rrs::ControllerRules& rules, const rrs::ControllerRules& base) {
     const OverrideRules& now = rules.overrides;
     std::vector<std::string> entries;
     for (const auto& [key, value, rule] : kOverrideNumbers) {
@@ -97,10 +98,10 @@ void print_overrides(TomlText& out, const rrs::ControllerRules& rules, const rrs
     if (now.rapid_percents != base.overrides.rapid_percents) {
         std::vector<std::string> percents;
         for (const double percent : now.rapid_percents) percents.push_back(base::toml_number(percent));
-        entries.push_back(fmt::format("{} = [{}]", kRapidPercents, text::joined(percents, ", ")));
+        entries.push_back(fmt::format("{} = [{}]", kRapidPercentsKey, text::joined(percents, ", ")));
     }
-    if (now.feed_of_probes != base.overrides.feed_of_probes)
-        entries.push_back(fmt::format("{} = {}", kFeedOfProbes, now.feed_of_probes));
+    if (now.override_probe_feed != base.overrides.override_probe_feed)
+        entries.push_back(fmt::format("{} = {}", kProbeFeedKey, now.override_probe_feed));
     if (!entries.empty()) out.line(kOverridesKey, fmt::format("{{ {} }}", text::joined(entries, ", ")));
 }
 

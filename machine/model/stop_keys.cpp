@@ -10,7 +10,7 @@ namespace gsim::machine {
 namespace {
 
 using base::TomlSection;
-using base::TomlText;
+using base::TomlWriter;
 
 using rrs::StopRule;
 
@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 47> kWords{
     "M51",    "M52",    "M53",          "M60",   "M61",   "M64",   "M65",   "M66",   "M68", "S",
     "T",      "DEBUG",  "LOG",          "MSG",   "PRINT", "POPEN", "PCLOS"};
 
-std::string_view name_of(StopRule rule) {
+std::string_view rule_name(StopRule rule) {
     return kRules[static_cast<std::size_t>(rule)];
 }
 
@@ -44,12 +44,13 @@ void read_stops(TomlSection& controller, rrs::ControllerRules& rules) {
     }
 }
 
-void print_stops(TomlText& out, const rrs::ControllerRules& rules, const rrs::ControllerRules& base) {
+void print_stops(TomlWriter& out, const rrs::ControllerRules& rules, const rrs::ControllerRules& base) {
     std::vector<std::string> entries;
     for (const auto& [word, rule] : rules.stops) {
         const auto before = base.stops.find(word);
         if (before != base.stops.end() && before->second == rule) continue;
-        entries.push_back(fmt::format("{} = {}", base::toml_string(word), base::toml_string(name_of(rule))));
+        entries.push_back(
+            fmt::format("{} = {}", base::toml_string(word), base::toml_string(rule_name(rule))));
     }
     if (!entries.empty()) out.line(kStopsKey, fmt::format("{{ {} }}", text::joined(entries, ", ")));
 }

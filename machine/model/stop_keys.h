@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 #include "controller/services/controller_rules.h"
 
 namespace gsim::base {
@@ -21,6 +21,6 @@ std::span<const std::string_view> stop_words();
 /// Reads it; its values replace those of `rules`.
 void read_stops(base::TomlSection& controller, rrs::ControllerRules& rules);
 /// Prints, as one line, the differences of `rules` from `base`.
-void print_stops(base::TomlText& out, const rrs::ControllerRules& rules, const rrs::ControllerRules& base);
+void print_stops(base::TomlWriter& out, const rrs::ControllerRules& rules, const rrs::ControllerRules& base);
 
 }  // namespace gsim::machine

@@ -15,6 +15,6 @@ bool has_motor(const Axis& axis);
 
 /// Returns why that is impossible, as a message that names the key; nothing if it is possible, or not
 /// requested.
-std::optional<std::string> find_torque_limit_fault(const Machine& machine);
+std::optional<std::string> find_torque_limit_error(const Machine& machine);
 
 }  // namespace gsim::machine

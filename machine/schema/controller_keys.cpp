@@ -3,7 +3,7 @@
 #include <array>
 
 #include "base/toml/toml_section.h"
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 #include "machine/model/override_keys.h"
 #include "machine/model/stop_keys.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 using base::NumberRule;
 using base::TomlSection;
-using base::TomlText;
+using base::TomlWriter;
 
 using Rules = rrs::ControllerRules;
 
@@ -86,12 +86,12 @@ constexpr std::array kNumberKeys{
     NumberKey{"retract_speed_mm_s", &Rules::retract_speed_mm_s, NumberRule::positive},
     NumberKey{"unretract_extra_length_mm", &Rules::unretract_extra_length_mm, NumberRule::not_negative},
     NumberKey{"unretract_speed_mm_s", &Rules::unretract_speed_mm_s, NumberRule::positive},
-    NumberKey{"least_feed_mm_min", &Rules::least_feed_mm_min, NumberRule::not_negative},
+    NumberKey{"least_feed_mm_min", &Rules::min_feed_mm_min, NumberRule::not_negative},
     NumberKey{"settle_s", &Rules::settle_s, NumberRule::not_negative},
     NumberKey{"position_gain_1_s", &Rules::position_gain_1_s, NumberRule::step},
     NumberKey{"in_position_mm", &Rules::in_position_mm, NumberRule::positive},
     NumberKey{"in_position_deg", &Rules::in_position_deg, NumberRule::positive},
-    NumberKey{"rest_s", &Rules::rest_s, NumberRule::not_negative},
+    NumberKey{"rest_s", &Rules::dwell_s, NumberRule::not_negative},
     NumberKey{"dwell_step_s", &Rules::dwell_step_s, NumberRule::step},
     NumberKey{"servo_period_s", &Rules::servo_period_s, NumberRule::step},
     NumberKey{"corner_override_percent", &Rules::corner_override_percent, NumberRule::percent},
@@ -103,15 +103,15 @@ constexpr std::array kNumberKeys{
 constexpr std::array kFlagKeys{
     FlagKey{"stop_between_rapid_and_feed", &Rules::stop_between_rapid_and_feed},
     FlagKey{"exact_path_stops", &Rules::exact_path_stops},
-    FlagKey{"own_ramps", &Rules::own_ramps},
+    FlagKey{"own_ramps", &Rules::independent_ramps},
     FlagKey{"interpolated_rapids", &Rules::interpolated_rapids},
     FlagKey{"limit_jerk", &Rules::limit_jerk},
-    FlagKey{"inverse_time_of_chords", &Rules::inverse_time_of_chords},
+    FlagKey{"inverse_time_of_chords", &Rules::inverse_time_per_chord},
     FlagKey{"pecks_feed_down", &Rules::pecks_feed_down},
     FlagKey{"boring_cycles", &Rules::boring_cycles},
 };
 
-constexpr auto kKeys = [] {
+constexpr auto kControllerKeys = [] {
     std::array<std::string_view, kSingleKeys.size() + kCornerKeys.size() + kMeasureKeys.size() +
                                      kNumberKeys.size() + kFlagKeys.size()>
         keys{};
@@ -131,14 +131,14 @@ Kind read_kind(TomlSection& section, std::string_view key, Kind fallback,
 }
 
 template <typename Kind>
-void print_kind(TomlText& out, std::string_view key, Kind kind, std::span<const std::string_view> names) {
+void print_kind(TomlWriter& out, std::string_view key, Kind kind, std::span<const std::string_view> names) {
     out.line(key, base::toml_string(names[static_cast<std::size_t>(kind)]));
 }
 
 }  // namespace
 
 std::span<const std::string_view> controller_keys() {
-    return kKeys;
+    return kControllerKeys;
 }
 
 void read_controller_keys(TomlSection& section, Rules& rules) {
@@ -158,7 +158,7 @@ void read_controller_keys(TomlSection& section, Rules& rules) {
     read_overrides(section, rules);
 }
 
-void print_controller_keys(TomlText& out, const Rules& rules, const Rules& base) {
+void print_controller_keys(TomlWriter& out, const Rules& rules, const Rules& base) {
     if (rules.model != base.model) out.line(kName, base::toml_string(rules.model));
     if (rules.planner != base.planner) print_kind(out, kPlanner, rules.planner, kPlanners);
     if (rules.linuxcnc_release != base.linuxcnc_release)

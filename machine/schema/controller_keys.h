@@ -7,7 +7,7 @@
 
 namespace gsim::base {
 class TomlSection;
-class TomlText;
+class TomlWriter;
 }  // namespace gsim::base
 
 namespace gsim::machine {
@@ -25,7 +25,7 @@ std::span<const std::string_view> controller_keys();
 void read_controller_keys(base::TomlSection& section, rrs::ControllerRules& rules);
 
 /// Writes the values of `rules` that differ from `base`, except the model.
-void print_controller_keys(base::TomlText& out, const rrs::ControllerRules& rules,
+void print_controller_keys(base::TomlWriter& out, const rrs::ControllerRules& rules,
                            const rrs::ControllerRules& base);
 
 }  // namespace gsim::machine

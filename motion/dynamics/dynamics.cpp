@@ -15,9 +15,9 @@ constexpr double kMetresPerMm = 1e-3;
 // Speed below which a joint is at standstill. Joints that do not take part in a move have speeds by rounding:
 // some 1e-12 of those of others. Joints that follow a numeric inverse are at standstill to 1e-9 mm, for a
 // chord of a millisecond.
-constexpr double kStands = 1e-5;  // mm/s, rad/s
+constexpr double kStandstillSpeed = 1e-5;  // mm/s, rad/s
 
-Eigen::Isometry3d in_metres(const rrs::CartPos& pose) {
+Eigen::Isometry3d to_metres(const rrs::CartPos& pose) {
     Eigen::Isometry3d metres = pose;
     metres.translation() *= kMetresPerMm;
     return metres;
@@ -30,10 +30,10 @@ Eigen::Isometry3d in_metres(const rrs::CartPos& pose) {
 struct Dynamics::State {
     Eigen::Isometry3d frame;
     Vector3d axis;
-    Vector3d turning;       // rad/s
-    Vector3d turning_rate;  // rad/s2
-    Vector3d velocity;      // of the point, m/s
-    Vector3d acceleration;  // the same, less gravity
+    Vector3d angular_velocity;      // rad/s
+    Vector3d angular_acceleration;  // rad/s2
+    Vector3d velocity;              // of the point, m/s
+    Vector3d acceleration;          // the same, less gravity
 };
 
 /// Loads of the links from one on that act on the one before, about the point of that link.
@@ -49,30 +49,30 @@ Dynamics::Dynamics(const kinematics::Chain& chain, const DynamicsModel& model)
         throw std::invalid_argument("a model of dynamics has not one link and one drive for each joint");
     for (int joint = 0; joint < chain.joint_count(); ++joint)
         slides_.push_back(chain.kind(joint) == rrs::JointKind::prismatic);
-    tool_side_ = links_of(chain.tool_side(), model, model.tool, true);
-    work_side_ = links_of(chain.work_side(), model, model.work, false);
+    tool_side_ = make_links(chain.tool_side(), model, model.tool, true);
+    work_side_ = make_links(chain.work_side(), model, model.work, false);
 }
 
 // Bodies that are fixed after the last joint move with its link.
-std::vector<Dynamics::Link> Dynamics::links_of(const kinematics::Branch& branch, const DynamicsModel& model,
-                                               const RigidBody& carried, bool tool) const {
+std::vector<Dynamics::Link> Dynamics::make_links(const kinematics::Branch& branch, const DynamicsModel& model,
+                                                 const RigidBody& carried_body, bool tool) const {
     std::vector<Link> links;
-    Eigen::Isometry3d fixed = in_metres(branch.base);
-    for (const kinematics::Link& of_chain : branch.links) {
-        const Eigen::Isometry3d after = in_metres(of_chain.after);
-        const bool last = &of_chain == &branch.links.back();
-        const Eigen::Isometry3d end = after * in_metres(branch.end);
-        Link link{.joint = of_chain.joint,
-                  .slides = of_chain.kind == rrs::JointKind::prismatic,
-                  .before = fixed * in_metres(of_chain.before),
-                  .body = moved(model.links[static_cast<std::size_t>(of_chain.joint)], after),
+    Eigen::Isometry3d fixed = to_metres(branch.base);
+    for (const kinematics::Link& chain_link : branch.links) {
+        const Eigen::Isometry3d after = to_metres(chain_link.after);
+        const bool last = &chain_link == &branch.links.back();
+        const Eigen::Isometry3d end = after * to_metres(branch.end);
+        Link link{.joint = chain_link.joint,
+                  .is_prismatic = chain_link.kind == rrs::JointKind::prismatic,
+                  .before = fixed * to_metres(chain_link.before),
+                  .body = moved(model.links[static_cast<std::size_t>(chain_link.joint)], after),
                   .hoses = {}};
-        if (last) link.body = joined(link.body, moved(carried, end));
+        if (last) link.body = joined(link.body, moved(carried_body, end));
         for (Hose hose : model.hoses) {
-            const bool on_joint = hose.end == HoseEnd::joint;
-            const bool on_end = last && hose.end == (tool ? HoseEnd::tool : HoseEnd::work);
-            if (!(on_joint ? hose.joint == of_chain.joint : on_end)) continue;
-            hose.point_m = (on_joint ? after : end) * hose.point_m;
+            const bool is_on_joint = hose.end == HoseEnd::joint;
+            const bool is_on_end = last && hose.end == (tool ? HoseEnd::tool : HoseEnd::work);
+            if (!(is_on_joint ? hose.joint == chain_link.joint : is_on_end)) continue;
+            hose.point_m = (is_on_joint ? after : end) * hose.point_m;
             link.hoses.push_back(hose);
         }
         links.push_back(std::move(link));
@@ -88,12 +88,13 @@ double Dynamics::in_si(int joint, double value) const {
 void Dynamics::add_hoses(const Link& link, const State& state, Loads& loads) {
     for (const Hose& hose : link.hoses) {
         const Vector3d arm = state.frame.linear() * hose.point_m;
-        const Vector3d way = hose.anchor_m - (state.frame.translation() + arm);
-        const double beyond_m = way.norm() - hose.free_length_m;
-        Vector3d pull = -hose.drag_n_s_per_m * (state.velocity + state.turning.cross(arm));
-        if (beyond_m > 0 && way.norm() > 0) pull += hose.stiffness_n_per_m * beyond_m * way.normalized();
-        loads.force -= pull;
-        loads.torque -= arm.cross(pull);
+        const Vector3d displacement = hose.anchor_m - (state.frame.translation() + arm);
+        const double elongation_m = displacement.norm() - hose.free_length_m;
+        Vector3d drag_force = -hose.drag_n_s_per_m * (state.velocity + state.angular_velocity.cross(arm));
+        if (elongation_m > 0 && displacement.norm() > 0)
+            drag_force += hose.stiffness_n_per_m * elongation_m * displacement.normalized();
+        loads.force -= drag_force;
+        loads.torque -= arm.cross(drag_force);
     }
 }
 
@@ -104,28 +105,29 @@ Dynamics::State Dynamics::world() {
 
 // Returns the state of the link after `before`, with its joint at `value` and these first and second
 // derivatives.
-Dynamics::State Dynamics::behind(const State& before, const Link& link, double value, double rate,
-                                 double second) {
+Dynamics::State Dynamics::state_after(const State& before, const Link& link, double value, double rate,
+                                      double second) {
     State state;
     state.frame = before.frame * link.before;
     state.axis = state.frame.linear().col(2);
-    state.turning = before.turning;
-    state.turning_rate = before.turning_rate;
-    if (link.slides) {
+    state.angular_velocity = before.angular_velocity;
+    state.angular_acceleration = before.angular_acceleration;
+    if (link.is_prismatic) {
         state.frame.translation() += value * state.axis;
     } else {
         state.frame.linear() =
             state.frame.linear() * Eigen::AngleAxisd(value, Vector3d::UnitZ()).toRotationMatrix();
-        state.turning += rate * state.axis;
-        state.turning_rate += second * state.axis + rate * before.turning.cross(state.axis);
+        state.angular_velocity += rate * state.axis;
+        state.angular_acceleration += second * state.axis + rate * before.angular_velocity.cross(state.axis);
     }
     const Vector3d arm = state.frame.translation() - before.frame.translation();
-    const Vector3d swing = before.turning.cross(arm);
-    state.velocity = before.velocity + swing;
-    state.acceleration = before.acceleration + before.turning_rate.cross(arm) + before.turning.cross(swing);
-    if (link.slides) {
+    const Vector3d rotational_velocity = before.angular_velocity.cross(arm);
+    state.velocity = before.velocity + rotational_velocity;
+    state.acceleration = before.acceleration + before.angular_acceleration.cross(arm) +
+                         before.angular_velocity.cross(rotational_velocity);
+    if (link.is_prismatic) {
         state.velocity += rate * state.axis;
-        state.acceleration += second * state.axis + 2 * rate * before.turning.cross(state.axis);
+        state.acceleration += second * state.axis + 2 * rate * before.angular_velocity.cross(state.axis);
     }
     return state;
 }
@@ -133,34 +135,36 @@ Dynamics::State Dynamics::behind(const State& before, const Link& link, double v
 void Dynamics::add_body(const RigidBody& body, const State& state, Loads& loads) {
     const Matrix3d turn = state.frame.linear();
     const Vector3d centre = turn * body.centre_m;
-    const Vector3d force = body.mass_kg * (state.acceleration + state.turning_rate.cross(centre) +
-                                           state.turning.cross(state.turning.cross(centre)));
-    const Vector3d turning = turn.transpose() * state.turning;
-    const Vector3d turning_rate = turn.transpose() * state.turning_rate;
-    const Vector3d spin = body.inertia_kg_m2 * turning_rate + turning.cross(body.inertia_kg_m2 * turning);
+    const Vector3d force =
+        body.mass_kg * (state.acceleration + state.angular_acceleration.cross(centre) +
+                        state.angular_velocity.cross(state.angular_velocity.cross(centre)));
+    const Vector3d angular_velocity = turn.transpose() * state.angular_velocity;
+    const Vector3d angular_acceleration = turn.transpose() * state.angular_acceleration;
+    const Vector3d inertial_torque = body.inertia_kg_m2 * angular_acceleration +
+                                     angular_velocity.cross(body.inertia_kg_m2 * angular_velocity);
     loads.force += force;
-    loads.torque += turn * spin + centre.cross(force);
+    loads.torque += turn * inertial_torque + centre.cross(force);
 }
 
 // Speeds and accelerations are computed outwards, with gravity as an acceleration of the world upwards;
 // forces inwards. `free`: without gravity, speeds and hoses, so that the acceleration alone counts.
-void Dynamics::add_efforts(const std::vector<Link>& links, const Motion& motion, bool free,
+void Dynamics::add_efforts(const std::vector<Link>& links, const Motion& motion, bool acceleration_only,
                            Efforts& efforts) const {
     if (links.empty()) return;
     std::array<State, rrs::kMaxJoints> states;
     State before = world();
-    if (!free) before.acceleration = -gravity_m_s2_;
+    if (!acceleration_only) before.acceleration = -gravity_m_s2_;
     for (std::size_t i = 0; i < links.size(); ++i) {
         const int joint = links[i].joint;
-        before = states[i] =
-            behind(before, links[i], in_si(joint, motion.position[joint]),
-                   free ? 0 : in_si(joint, motion.velocity[joint]), in_si(joint, motion.acceleration[joint]));
+        before = states[i] = state_after(before, links[i], in_si(joint, motion.position[joint]),
+                                         acceleration_only ? 0 : in_si(joint, motion.velocity[joint]),
+                                         in_si(joint, motion.acceleration[joint]));
     }
     Loads loads;  // of a link and all links after it, about its point
     for (std::size_t i = links.size(); i-- > 0;) {
         add_body(links[i].body, states[i], loads);
-        if (!free) add_hoses(links[i], states[i], loads);
-        efforts[links[i].joint] += (links[i].slides ? loads.force : loads.torque).dot(states[i].axis);
+        if (!acceleration_only) add_hoses(links[i], states[i], loads);
+        efforts[links[i].joint] += (links[i].is_prismatic ? loads.force : loads.torque).dot(states[i].axis);
         if (i == 0) break;
         const Vector3d arm = states[i].frame.translation() - states[i - 1].frame.translation();
         loads.torque += arm.cross(loads.force);
@@ -178,7 +182,7 @@ Efforts Dynamics::efforts(const Motion& motion) const {
     return efforts;
 }
 
-Efforts Dynamics::inertial(const rrs::JointPos& position, const rrs::JointPos& acceleration) const {
+Efforts Dynamics::inertial_efforts(const rrs::JointPos& position, const rrs::JointPos& acceleration) const {
     Efforts efforts(joint_count());
     for (int joint = 0; joint < joint_count(); ++joint)
         efforts[joint] = drives_[static_cast<std::size_t>(joint)].rotor * in_si(joint, acceleration[joint]);
@@ -204,8 +208,9 @@ rrs::JointPos Dynamics::powers_w(const Efforts& efforts, const rrs::JointPos& ve
     return powers;
 }
 
-rrs::JointPos senses(const rrs::JointPos& velocity) {
-    return velocity.unaryExpr([](double v) { return std::abs(v) <= kStands ? 0.0 : (v > 0 ? 1.0 : -1.0); });
+rrs::JointPos motion_directions(const rrs::JointPos& velocity) {
+    return velocity.unaryExpr(
+        [](double v) { return std::abs(v) <= kStandstillSpeed ? 0.0 : (v > 0 ? 1.0 : -1.0); });
 }
 
 }  // namespace gsim::dynamics

@@ -75,7 +75,7 @@ class Dynamics {
     Efforts efforts(const Motion& motion) const;
     /// Returns the part of efforts() due to the acceleration: the mass matrix times it, including rotors.
     /// With a change of speed instead of the acceleration it is the impulse for that, N s or Nm s.
-    Efforts inertial(const rrs::JointPos& position, const rrs::JointPos& acceleration) const;
+    Efforts inertial_efforts(const rrs::JointPos& position, const rrs::JointPos& acceleration) const;
     /// Returns the part of efforts() due to friction at the joints.
     Efforts friction(const rrs::JointPos& velocity, const rrs::JointPos& sense) const;
     /// Returns the power of each motor into the machine, W: effort times speed.
@@ -84,7 +84,7 @@ class Dynamics {
   private:
     struct Link {
         int joint;
-        bool slides;
+        bool is_prismatic;
         Eigen::Isometry3d before;  ///< From the frame after the motion of the link before, in m.
         RigidBody body;            ///< In the frame after the motion.
         std::vector<Hose> hoses;   ///< With points in that frame.
@@ -92,11 +92,12 @@ class Dynamics {
     struct State;
     struct Loads;
 
-    std::vector<Link> links_of(const kinematics::Branch& branch, const DynamicsModel& model,
-                               const RigidBody& carried, bool tool) const;
-    void add_efforts(const std::vector<Link>& links, const Motion& motion, bool free, Efforts& efforts) const;
+    std::vector<Link> make_links(const kinematics::Branch& branch, const DynamicsModel& model,
+                                 const RigidBody& carried_body, bool tool) const;
+    void add_efforts(const std::vector<Link>& links, const Motion& motion, bool acceleration_only,
+                     Efforts& efforts) const;
     static State world();
-    static State behind(const State& before, const Link& link, double value, double rate, double second);
+    static State state_after(const State& before, const Link& link, double value, double rate, double second);
     static void add_body(const RigidBody& body, const State& state, Loads& loads);
     static void add_hoses(const Link& link, const State& state, Loads& loads);
     double in_si(int joint, double value) const;
@@ -109,6 +110,6 @@ class Dynamics {
 };
 
 /// Returns the sense of each joint's speed: 0 at standstill, within rounding.
-rrs::JointPos senses(const rrs::JointPos& velocity);
+rrs::JointPos motion_directions(const rrs::JointPos& velocity);
 
 }  // namespace gsim::dynamics

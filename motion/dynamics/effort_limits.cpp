@@ -9,20 +9,20 @@
 namespace gsim::dynamics {
 
 using motion::JointSetup;
-using motion::kNoShare;
+using motion::kMinShare;
 using motion::kUnlimited;
-using motion::WayPoint;
-using motion::WayToLimit;
+using motion::LimitedPath;
+using motion::PathPoint;
 using rrs::JointPos;
 
 namespace {
 
-constexpr double kWithinTop =
+constexpr double kTopSpeedShare =
     1 - 1e-9;  // at its top speed, but for rounding, a motor still brings up what it has
-constexpr double kAsGood = 1 - 1e-3;           // of an acceleration for which no lower speed is tried
-constexpr double kLeastPart = 1.0 / 4096;      // of the top speed, for the remainder at standstill
+constexpr double kSufficientShare = 1 - 1e-3;  // of an acceleration for which no lower speed is tried
+constexpr double kMinPart = 1.0 / 4096;        // of the top speed, for the remainder at standstill
 constexpr double kStep = 0.70710678118654752;  // half an octave
-constexpr double kMostLoss =
+constexpr double kMaxLossShare =
     0.5;  // of an acceleration because of speed, on a path that is passed at any speed
 
 /// Returns the time from standstill to standstill with these ramps, and up to this speed.
@@ -34,59 +34,61 @@ double time_s(double length, double speed, double up, double down) {
 
 }  // namespace
 
-/// Components of efforts at a position: for speeds as parts u of the top one at_rest + u linear + u^2 square,
-/// and for each unit of an acceleration `moved`.
-struct EffortLimits::Terms {
-    JointPos at_rest;
+/// Components of efforts at a position: for speeds as parts u of the top one at_standstill + u linear + u^2
+/// square, and for each unit of an acceleration `moved`.
+struct EffortLimits::EffortTerms {
+    JointPos at_standstill;
     JointPos linear;
-    JointPos square;
+    JointPos quadratic;
     std::vector<JointPos> moved;  ///< Along the path, or by the joints that move.
 
     Motor::Effort effort(Eigen::Index joint, double sense) const {
-        return {sense * at_rest[joint], sense * linear[joint], sense * square[joint]};
+        return {sense * at_standstill[joint], sense * linear[joint], sense * quadratic[joint]};
     }
-    double most(Eigen::Index joint, double part) const {
-        return at_rest[joint] + part * (linear[joint] + part * square[joint]);
+    double max(Eigen::Index joint, double part) const {
+        return at_standstill[joint] + part * (linear[joint] + part * quadratic[joint]);
     }
 
     /// Raises `off` at least to the distance of the middle term from the line through its neighbours.
     static void raise(JointPos& off, const JointPos& a, const JointPos& b, const JointPos& c) {
         off = off.cwiseMax((a - 2 * b + c).cwiseAbs());
     }
-    void raise_by(const Terms& a, const Terms& b, const Terms& c) {
-        raise(at_rest, a.at_rest, b.at_rest, c.at_rest);
+    void raise_to_deviation(const EffortTerms& a, const EffortTerms& b, const EffortTerms& c) {
+        raise(at_standstill, a.at_standstill, b.at_standstill, c.at_standstill);
         raise(linear, a.linear, b.linear, c.linear);
-        raise(square, a.square, b.square, c.square);
+        raise(quadratic, a.quadratic, b.quadratic, c.quadratic);
         for (std::size_t i = 0; i < moved.size(); ++i) raise(moved[i], a.moved[i], b.moved[i], c.moved[i]);
     }
 };
 
 /// The terms all along a path.
-struct EffortLimits::Field {
+struct EffortLimits::EffortField {
     bool straight = false;
     double max_speed = 0;
     JointPos shares;          ///< Max change of each joint by path length, without its sense.
     std::vector<int> moving;  ///< Joints that change.
     JointPos friction;        ///< Coulomb's, of those, if its sense is not known; else 0.
-    std::vector<Terms> terms;
-    Terms off;  ///< Max distance of terms between two points from the line through them.
+    std::vector<EffortTerms> terms;
+    EffortTerms off;  ///< Max distance of terms between two points from the line through them.
 
-    double by_speed(Eigen::Index joint) const { return max_speed * shares[joint]; }
+    double speed_scale(Eigen::Index joint) const { return max_speed * shares[joint]; }
 };
 
 /// Permitted accelerations of the joints up to a part of the top speed.
-struct EffortLimits::Allowed {
-    JointPos up, down;    ///< By joint; only those of joints that move count.
-    double along_up = 0;  ///< The same along the path, for comparison; 0: the motors have too little.
-    double along_down = 0;
+struct EffortLimits::AccelerationBounds {
+    JointPos up, down;  ///< By joint; only those of joints that move count.
+    double path_acceleration =
+        0;  ///< The same along the path, for comparison; 0: the motors have too little.
+    double path_deceleration = 0;
 
-    double least() const { return std::min(along_up, along_down); }
+    double min() const { return std::min(path_acceleration, path_deceleration); }
 };
 
 EffortLimits::EffortLimits(std::shared_ptr<const Dynamics> dynamics, std::vector<Motor> motors)
     : dynamics_(std::move(dynamics)), motors_(std::move(motors)) {}
 
-EffortLimits::Terms EffortLimits::terms_at(const WayPoint& point, const Field& field) const {
+EffortLimits::EffortTerms EffortLimits::effort_terms_at(const PathPoint& point,
+                                                        const EffortField& field) const {
     const JointPos none = JointPos::Zero(point.position.size());
     JointPos sense = none;
     if (field.straight) {
@@ -98,85 +100,88 @@ EffortLimits::Terms EffortLimits::terms_at(const WayPoint& point, const Field& f
                                    .acceleration = none,
                                    .sense = sense});
     };
-    const Efforts at_rest = at(0);
+    const Efforts at_standstill = at(0);
     const Efforts half = at(0.5);
     const Efforts full = at(1);
-    Terms terms{.at_rest = at_rest,
-                .linear = 4 * half - full - 3 * at_rest,
-                .square = 2 * full + 2 * at_rest - 4 * half,
-                .moved = {}};
+    EffortTerms terms{.at_standstill = at_standstill,
+                      .linear = 4 * half - full - 3 * at_standstill,
+                      .quadratic = 2 * full + 2 * at_standstill - 4 * half,
+                      .moved = {}};
     if (field.straight) {
-        terms.moved.push_back(dynamics_->inertial(point.position, point.slope));
+        terms.moved.push_back(dynamics_->inertial_efforts(point.position, point.slope));
         return terms;
     }
     for (const int joint : field.moving) {
         JointPos unit = none;
         unit[joint] = 1;
-        terms.moved.push_back(dynamics_->inertial(point.position, unit));
+        terms.moved.push_back(dynamics_->inertial_efforts(point.position, unit));
     }
     return terms;
 }
 
-EffortLimits::Field EffortLimits::field_of(const WayToLimit& way) const {
-    const Eigen::Index joints = way.points.front().position.size();
-    Field field{.straight = way.straight,
-                .max_speed = way.max_speed,
-                .shares = {},
-                .moving = {},
-                .friction = JointPos::Zero(joints),
-                .terms = {},
-                .off = {}};
+EffortLimits::EffortField EffortLimits::make_effort_field(const LimitedPath& path) const {
+    const Eigen::Index joints = path.points.front().position.size();
+    EffortField field{.straight = path.straight,
+                      .max_speed = path.max_speed,
+                      .shares = {},
+                      .moving = {},
+                      .friction = JointPos::Zero(joints),
+                      .terms = {},
+                      .off = {}};
     field.shares = JointPos::Zero(joints);
-    for (const WayPoint& point : way.points) field.shares = field.shares.cwiseMax(point.slope.cwiseAbs());
+    for (const PathPoint& point : path.points) field.shares = field.shares.cwiseMax(point.slope.cwiseAbs());
     for (int joint = 0; joint < joints; ++joint) {
-        if (field.shares[joint] > kNoShare) field.moving.push_back(joint);
+        if (field.shares[joint] > kMinShare) field.moving.push_back(joint);
     }
     const JointPos zero = JointPos::Zero(joints);
-    if (!way.straight) {
+    if (!path.straight) {
         JointPos moves = zero;
         for (const int joint : field.moving) moves[joint] = 1;
         field.friction = dynamics_->friction(zero, moves);
     }
-    for (const WayPoint& point : way.points) field.terms.push_back(terms_at(point, field));
+    for (const PathPoint& point : path.points) field.terms.push_back(effort_terms_at(point, field));
     field.off = {zero, zero, zero, std::vector<JointPos>(field.terms.front().moved.size(), zero)};
     for (std::size_t i = 2; i < field.terms.size(); ++i)
-        field.off.raise_by(field.terms[i - 2], field.terms[i - 1], field.terms[i]);
+        field.off.raise_to_deviation(field.terms[i - 2], field.terms[i - 1], field.terms[i]);
     return field;
 }
 
-void EffortLimits::keep_top_speeds(WayToLimit& way, const JointPos& shares) const {
+void EffortLimits::limit_to_top_speeds(LimitedPath& path, const JointPos& shares) const {
     for (std::size_t i = 0; i < motors_.size(); ++i) {
         const double share = shares[static_cast<Eigen::Index>(i)];
-        if (share > kNoShare)
-            way.max_speed = std::min(way.max_speed, kWithinTop * motors_[i].top_speed() / share);
+        if (share > kMinShare)
+            path.max_speed = std::min(path.max_speed, kTopSpeedShare * motors_[i].top_speed() / share);
     }
 }
 
-EffortLimits::Allowed EffortLimits::along_line(const Field& field, const std::vector<JointSetup>& joints,
-                                               double part) const {
+EffortLimits::AccelerationBounds EffortLimits::line_acceleration_bounds(const EffortField& field,
+                                                                        const std::vector<JointSetup>& joints,
+                                                                        double part) const {
     double up = kUnlimited;
     double down = kUnlimited;
     for (const int joint : field.moving) {
-        const JointSetup& own = joints[static_cast<std::size_t>(joint)];
+        const JointSetup& joint_setup = joints[static_cast<std::size_t>(joint)];
         const bool known = motors_[static_cast<std::size_t>(joint)].is_known();
         const double share = field.shares[joint];
-        up = std::min(up, (known ? own.programmed_acceleration : own.max_acceleration) / share);
-        down = std::min(down, (known ? own.programmed_deceleration : own.deceleration()) / share);
+        up = std::min(up,
+                      (known ? joint_setup.programmed_acceleration : joint_setup.max_acceleration) / share);
+        down = std::min(down,
+                        (known ? joint_setup.programmed_deceleration : joint_setup.deceleration()) / share);
     }
     for (Eigen::Index joint = 0; joint < field.shares.size(); ++joint) {
         const Motor& motor = motors_[static_cast<std::size_t>(joint)];
         if (!motor.is_known()) continue;
         const double off = field.off.moved[0][joint];
-        for (const Terms& terms : field.terms) {
+        for (const EffortTerms& terms : field.terms) {
             const double moved = terms.moved[0][joint];
             for (const double sense : {1.0, -1.0}) {
-                const double left =
-                    motor.least_left(terms.effort(joint, sense), field.by_speed(joint), part) -
-                    field.off.most(joint, part);
-                if (left < 0) return {};
-                const double most = left / (std::abs(moved) + off);
-                if (sense * moved > -off) up = std::min(up, most);
-                if (sense * moved < off) down = std::min(down, most);
+                const double available =
+                    motor.min_reserve(terms.effort(joint, sense), field.speed_scale(joint), part) -
+                    field.off.max(joint, part);
+                if (available < 0) return {};
+                const double max = available / (std::abs(moved) + off);
+                if (sense * moved > -off) up = std::min(up, max);
+                if (sense * moved < off) down = std::min(down, max);
             }
         }
     }
@@ -184,103 +189,110 @@ EffortLimits::Allowed EffortLimits::along_line(const Field& field, const std::ve
 }
 
 /// Returns the remainder of each motor after all efforts without acceleration; below 0: nothing.
-JointPos EffortLimits::left_in_any_sense(const Field& field, double part) const {
-    JointPos left = JointPos::Constant(field.shares.size(), kUnlimited);
-    for (Eigen::Index joint = 0; joint < left.size(); ++joint) {
+JointPos EffortLimits::available_efforts(const EffortField& field, double part) const {
+    JointPos available = JointPos::Constant(field.shares.size(), kUnlimited);
+    for (Eigen::Index joint = 0; joint < available.size(); ++joint) {
         const Motor& motor = motors_[static_cast<std::size_t>(joint)];
         if (!motor.is_known()) continue;
-        for (const Terms& terms : field.terms) {
+        for (const EffortTerms& terms : field.terms) {
             for (const double sense : {1.0, -1.0})
-                left[joint] = std::min(
-                    left[joint], motor.least_left(terms.effort(joint, sense), field.by_speed(joint), part));
+                available[joint] =
+                    std::min(available[joint],
+                             motor.min_reserve(terms.effort(joint, sense), field.speed_scale(joint), part));
         }
-        left[joint] -= field.off.most(joint, part) + field.friction[joint];
+        available[joint] -= field.off.max(joint, part) + field.friction[joint];
     }
-    return left;
+    return available;
 }
 
 /// Returns shares of the joints that move, in proportion to the acceleration that each could have alone.
-EffortLimits::Allowed EffortLimits::in_any_sense(const Field& field, const std::vector<JointSetup>& joints,
-                                                 double part) const {
-    const JointPos left = left_in_any_sense(field, part);
-    if ((left.array() < 0).any()) return {};
-    const Eigen::Index count = left.size();
-    JointPos alone = JointPos::Zero(count);
-    JointPos taken = JointPos::Zero(count);
+EffortLimits::AccelerationBounds EffortLimits::any_direction_bounds(const EffortField& field,
+                                                                    const std::vector<JointSetup>& joints,
+                                                                    double part) const {
+    const JointPos available = available_efforts(field, part);
+    if ((available.array() < 0).any()) return {};
+    const Eigen::Index count = available.size();
+    JointPos standalone = JointPos::Zero(count);
+    JointPos used = JointPos::Zero(count);
     for (std::size_t i = 0; i < field.moving.size(); ++i) {
         const int joint = field.moving[i];
-        JointPos needs = JointPos::Zero(count);
-        for (const Terms& terms : field.terms) needs = needs.cwiseMax(terms.moved[i].cwiseAbs());
-        needs += field.off.moved[i];
-        const JointSetup& own = joints[static_cast<std::size_t>(joint)];
+        JointPos unit_efforts = JointPos::Zero(count);
+        for (const EffortTerms& terms : field.terms)
+            unit_efforts = unit_efforts.cwiseMax(terms.moved[i].cwiseAbs());
+        unit_efforts += field.off.moved[i];
+        const JointSetup& joint_setup = joints[static_cast<std::size_t>(joint)];
         const bool known = motors_[static_cast<std::size_t>(joint)].is_known();
-        alone[joint] = known ? std::min({left[joint] / needs[joint], own.programmed_acceleration,
-                                         own.programmed_deceleration})
-                             : own.least_acceleration();
-        taken += alone[joint] * needs;
+        standalone[joint] =
+            known ? std::min({available[joint] / unit_efforts[joint], joint_setup.programmed_acceleration,
+                              joint_setup.programmed_deceleration})
+                  : joint_setup.min_acceleration();
+        used += standalone[joint] * unit_efforts;
     }
     double share = 1;
     for (Eigen::Index joint = 0; joint < count; ++joint) {
-        if (taken[joint] > left[joint]) share = std::min(share, left[joint] / taken[joint]);
+        if (used[joint] > available[joint]) share = std::min(share, available[joint] / used[joint]);
     }
-    alone *= share;
+    standalone *= share;
     double along = kUnlimited;
-    for (const int joint : field.moving) along = std::min(along, alone[joint] / field.shares[joint]);
-    return {alone, alone, along, along};
+    for (const int joint : field.moving) along = std::min(along, standalone[joint] / field.shares[joint]);
+    return {standalone, standalone, along, along};
 }
 
-EffortLimits::Allowed EffortLimits::allowed(const Field& field, const std::vector<JointSetup>& joints,
-                                            double part) const {
-    return field.straight ? along_line(field, joints, part) : in_any_sense(field, joints, part);
+EffortLimits::AccelerationBounds EffortLimits::acceleration_bounds(const EffortField& field,
+                                                                   const std::vector<JointSetup>& joints,
+                                                                   double part) const {
+    return field.straight ? line_acceleration_bounds(field, joints, part)
+                          : any_direction_bounds(field, joints, part);
 }
 
-EffortLimits::Allowed EffortLimits::best(const Field& field, const std::vector<JointSetup>& joints,
-                                         WayToLimit& way) const {
-    Allowed full = allowed(field, joints, 1);
-    const double at_rest = allowed(field, joints, kLeastPart).least();
-    if (way.length <= 0 || full.least() >= kAsGood * at_rest) return full;
-    const double needed = way.rests ? 0 : kMostLoss * at_rest;
-    Allowed best;
-    double least_s = kUnlimited;
-    double best_part = 1;
-    for (double part = 1; part > kLeastPart; part *= kStep) {
-        const Allowed one = allowed(field, joints, part);
-        if (!(one.least() > 0) || one.least() < needed) continue;
-        const double speed = std::min(part * way.max_speed, std::sqrt(one.least() / way.curvature));
-        const double one_s = time_s(way.length, speed, one.along_up, one.along_down);
-        if (one_s >= least_s) continue;
-        least_s = one_s;
+EffortLimits::AccelerationBounds EffortLimits::best(const EffortField& field,
+                                                    const std::vector<JointSetup>& joints,
+                                                    LimitedPath& path) const {
+    AccelerationBounds full = acceleration_bounds(field, joints, 1);
+    const double at_standstill = acceleration_bounds(field, joints, kMinPart).min();
+    if (path.length <= 0 || full.min() >= kSufficientShare * at_standstill) return full;
+    const double needed = path.is_rest_to_rest ? 0 : kMaxLossShare * at_standstill;
+    AccelerationBounds best;
+    double min_s = kUnlimited;
+    double best_speed_share = 1;
+    for (double part = 1; part > kMinPart; part *= kStep) {
+        const AccelerationBounds one = acceleration_bounds(field, joints, part);
+        if (!(one.min() > 0) || one.min() < needed) continue;
+        const double speed = std::min(part * path.max_speed, std::sqrt(one.min() / path.curvature));
+        const double trial_time_s = time_s(path.length, speed, one.path_acceleration, one.path_deceleration);
+        if (trial_time_s >= min_s) continue;
+        min_s = trial_time_s;
         best = one;
-        best_part = part;
+        best_speed_share = part;
     }
-    way.max_speed *= best_part;
+    path.max_speed *= best_speed_share;
     return best;
 }
 
-int EffortLimits::weakest(const Field& field) const {
-    const JointPos left = left_in_any_sense(field, kLeastPart);
+int EffortLimits::weakest_joint(const EffortField& field) const {
+    const JointPos available = available_efforts(field, kMinPart);
     Eigen::Index joint = 0;
-    left.minCoeff(&joint);
+    available.minCoeff(&joint);
     return static_cast<int>(joint);
 }
 
-motion::Planned EffortLimits::limit(WayToLimit& way, std::vector<JointSetup>& joints) const {
-    JointPos shares = JointPos::Zero(way.points.front().slope.size());
-    for (const WayPoint& point : way.points) shares = shares.cwiseMax(point.slope.cwiseAbs());
-    keep_top_speeds(way, shares);
-    const Field field = field_of(way);
-    const Allowed allowed = best(field, joints, way);
-    if (!(allowed.least() > 0)) {
+motion::PlanResult EffortLimits::limit(LimitedPath& path, std::vector<JointSetup>& joints) const {
+    JointPos shares = JointPos::Zero(path.points.front().slope.size());
+    for (const PathPoint& point : path.points) shares = shares.cwiseMax(point.slope.cwiseAbs());
+    limit_to_top_speeds(path, shares);
+    const EffortField field = make_effort_field(path);
+    const AccelerationBounds acceleration_bounds = best(field, joints, path);
+    if (!(acceleration_bounds.min() > 0)) {
         return tl::unexpected(motion::PlanError{
             .status = rrs::Status::RRS_INVALID_PARAMETER,
             .message = "The motor has not enough for this move: weight, friction and hoses alone take all of "
                        "its peak on the way.",
-            .joint = weakest(field)});
+            .joint = weakest_joint(field)});
     }
     for (const int joint : field.moving) {
-        JointSetup& own = joints[static_cast<std::size_t>(joint)];
-        own.max_acceleration = allowed.up[joint];
-        own.max_deceleration = allowed.down[joint];
+        JointSetup& joint_setup = joints[static_cast<std::size_t>(joint)];
+        joint_setup.max_acceleration = acceleration_bounds.up[joint];
+        joint_setup.max_deceleration = acceleration_bounds.down[joint];
     }
     return {};
 }

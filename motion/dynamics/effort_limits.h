@@ -31,24 +31,28 @@ class EffortLimits final : public motion::MoveLimits {
     /// Takes one motor for each joint.
     EffortLimits(std::shared_ptr<const Dynamics> dynamics, std::vector<Motor> motors);
 
-    motion::Planned limit(motion::WayToLimit& way, std::vector<motion::JointSetup>& joints) const override;
+    motion::PlanResult limit(motion::LimitedPath& path,
+                             std::vector<motion::JointSetup>& joints) const override;
 
   private:
-    struct Terms;
-    struct Field;
-    struct Allowed;
+    struct EffortTerms;
+    struct EffortField;
+    struct AccelerationBounds;
 
-    Terms terms_at(const motion::WayPoint& point, const Field& field) const;
-    Field field_of(const motion::WayToLimit& way) const;
-    void keep_top_speeds(motion::WayToLimit& way, const rrs::JointPos& shares) const;
-    Allowed allowed(const Field& field, const std::vector<motion::JointSetup>& joints, double part) const;
-    Allowed along_line(const Field& field, const std::vector<motion::JointSetup>& joints, double part) const;
-    Allowed in_any_sense(const Field& field, const std::vector<motion::JointSetup>& joints,
-                         double part) const;
-    rrs::JointPos left_in_any_sense(const Field& field, double part) const;
-    int weakest(const Field& field) const;
-    Allowed best(const Field& field, const std::vector<motion::JointSetup>& joints,
-                 motion::WayToLimit& way) const;
+    EffortTerms effort_terms_at(const motion::PathPoint& point, const EffortField& field) const;
+    EffortField make_effort_field(const motion::LimitedPath& path) const;
+    void limit_to_top_speeds(motion::LimitedPath& path, const rrs::JointPos& shares) const;
+    AccelerationBounds acceleration_bounds(const EffortField& field,
+                                           const std::vector<motion::JointSetup>& joints, double part) const;
+    AccelerationBounds line_acceleration_bounds(const EffortField& field,
+                                                const std::vector<motion::JointSetup>& joints,
+                                                double part) const;
+    AccelerationBounds any_direction_bounds(const EffortField& field,
+                                            const std::vector<motion::JointSetup>& joints, double part) const;
+    rrs::JointPos available_efforts(const EffortField& field, double part) const;
+    int weakest_joint(const EffortField& field) const;
+    AccelerationBounds best(const EffortField& field, const std::vector<motion::JointSetup>& joints,
+                            motion::LimitedPath& path) const;
 
     std::shared_ptr<const Dynamics> dynamics_;
     std::vector<Motor> motors_;

@@ -4,17 +4,17 @@ namespace gsim::dynamics {
 
 namespace {
 
-void add_piece_ends(const motion::TimeLaw& law, std::vector<double>& ends_s) {
+void add_section_ends(const motion::TimeLaw& law, std::vector<double>& ends_s) {
     double end_s = 0;
-    for (const motion::LawPiece& piece : law.pieces()) ends_s.push_back(end_s += piece.duration_s);
+    for (const motion::LawSection& section : law.sections()) ends_s.push_back(end_s += section.duration_s);
 }
 
 }  // namespace
 
 void add_law_ends(const motion::Segment& segment, std::vector<double>& ends_s) {
-    add_piece_ends(segment.lead, ends_s);
-    for (const motion::Follower& follower : segment.followers()) add_piece_ends(follower.law, ends_s);
-    if (segment.beside) add_law_ends(*segment.beside, ends_s);
+    add_section_ends(segment.master, ends_s);
+    for (const motion::Follower& follower : segment.followers()) add_section_ends(follower.law, ends_s);
+    if (segment.superimposed) add_law_ends(*segment.superimposed, ends_s);
 }
 
 }  // namespace gsim::dynamics

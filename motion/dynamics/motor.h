@@ -15,27 +15,27 @@ class Motor {
     /// before, as peaks.
     Motor(double peak, const std::vector<double>& speeds, const std::vector<double>& peaks);
 
-    bool is_known() const { return !knots_.empty(); }
+    bool is_known() const { return !effort_curve_.empty(); }
     /// Returns the speed beyond which it has no effort.
     double top_speed() const { return top_speed_; }
     /// Returns the min peak up to a speed.
-    double least_peak(double speed) const;
-    /// An effort of at_rest + linear u + square u^2. least_left() returns the min remainder of the peak over
-    /// u from 0 to `most`, at the speed u `by_speed`.
+    double min_peak(double speed) const;
+    /// An effort of at_standstill + linear u + square u^2. min_reserve() returns the min remainder of the
+    /// peak over u from 0 to `most`, at the speed u `speed_scale`.
     struct Effort {
-        double at_rest = 0;
+        double at_standstill = 0;
         double linear = 0;
-        double square = 0;
+        double quadratic = 0;
     };
-    double least_left(const Effort& effort, double by_speed, double most) const;
+    double min_reserve(const Effort& effort, double speed_scale, double max) const;
 
   private:
-    struct Knot {
+    struct EffortPoint {
         double speed;
         double peak;
     };
 
-    std::vector<Knot> knots_;  // the first at 0
+    std::vector<EffortPoint> effort_curve_;  // the first at 0
     double top_speed_ = std::numeric_limits<double>::infinity();
 };
 

@@ -11,8 +11,8 @@ namespace {
 constexpr double kRounding = 1e-9;  // of the greatest moment: figures of files are rounded
 
 // Returns the contribution of a mass away from the axes (Steiner).
-Eigen::Matrix3d of_point(double mass_kg, const Eigen::Vector3d& at_m) {
-    return mass_kg * (at_m.squaredNorm() * Eigen::Matrix3d::Identity() - at_m * at_m.transpose());
+Eigen::Matrix3d point_mass_inertia(double mass_kg, const Eigen::Vector3d& point_m) {
+    return mass_kg * (point_m.squaredNorm() * Eigen::Matrix3d::Identity() - point_m * point_m.transpose());
 }
 
 }  // namespace
@@ -30,11 +30,11 @@ RigidBody joined(const RigidBody& a, const RigidBody& b) {
     const Eigen::Vector3d centre_m = (a.mass_kg * a.centre_m + b.mass_kg * b.centre_m) / mass_kg;
     return {.mass_kg = mass_kg,
             .centre_m = centre_m,
-            .inertia_kg_m2 = a.inertia_kg_m2 + of_point(a.mass_kg, a.centre_m - centre_m) + b.inertia_kg_m2 +
-                             of_point(b.mass_kg, b.centre_m - centre_m)};
+            .inertia_kg_m2 = a.inertia_kg_m2 + point_mass_inertia(a.mass_kg, a.centre_m - centre_m) +
+                             b.inertia_kg_m2 + point_mass_inertia(b.mass_kg, b.centre_m - centre_m)};
 }
 
-std::optional<std::string> find_inertia_fault(const Eigen::Matrix3d& inertia_kg_m2) {
+std::optional<std::string> find_inertia_error(const Eigen::Matrix3d& inertia_kg_m2) {
     const Eigen::Vector3d moments = base::symmetric_eigenvalues(inertia_kg_m2);
     const double rounding = kRounding * moments.cwiseAbs().maxCoeff();
     if (moments[0] < -rounding)

@@ -23,6 +23,6 @@ RigidBody joined(const RigidBody& a, const RigidBody& b);
 
 /// Returns why no distribution of mass has this tensor, as the end of a message; nothing if one has:
 /// principal moments are not negative, and none is more than the sum of the two others.
-std::optional<std::string> find_inertia_fault(const Eigen::Matrix3d& inertia_kg_m2);
+std::optional<std::string> find_inertia_error(const Eigen::Matrix3d& inertia_kg_m2);
 
 }  // namespace gsim::dynamics

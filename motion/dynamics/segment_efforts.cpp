@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "motion/dynamics/law_ends.h"
-#include "motion/path/joint_way.h"
+#include "motion/path/joint_motion.h"
 
 namespace gsim::dynamics {
 
@@ -13,32 +13,33 @@ using motion::Segment;
 
 namespace {
 
-constexpr int kMostHalvings = 24;
-constexpr int kMostParts = 4096;  // of a smooth part: enough for each corner, and a bound if all is noise
+constexpr int kMaxHalvings = 24;
+constexpr int kMaxParts = 4096;  // of a smooth part: enough for each corner, and a bound if all is noise
 // The two rules differ by far more than the error of the better one.
-constexpr double kOfOwn = 1e-7;    // of a joint's own sum,
-constexpr double kOfAll = 1e-10;   // and of that of all joints;
-constexpr double kOfShare = 1e-2;  // of a joint's work, for its parts in and back
-constexpr double kNoise = 1e-6;    // and negligible values, N2 or W: joints at standstill move by rounding
-constexpr double kInside = 1e-9;   // of a part: distance of samples inside its ends
+constexpr double kJointTolerance = 1e-7;      // of a joint's own sum,
+constexpr double kTotalTolerance = 1e-10;     // and of that of all joints;
+constexpr double kWorkShareTolerance = 1e-2;  // of a joint's work, for its parts in and back
+constexpr double kAbsoluteTolerance =
+    1e-6;                        // and negligible values, N2 or W: joints at standstill move by rounding
+constexpr double kInset = 1e-9;  // of a part: distance of samples inside its ends
 constexpr double kShortest_s = 1e-12;
 
-bool turns_back(const Segment& segment) {
-    return segment.beside != nullptr || segment.kind == motion::SegmentKind::circular;
+bool may_reverse(const Segment& segment) {
+    return segment.superimposed != nullptr || segment.kind == motion::SegmentKind::circular;
 }
 
 }  // namespace
 
 EffortSums::EffortSums(int joints)
     : squares(rrs::JointPos::Zero(joints)),
-      in_j(rrs::JointPos::Zero(joints)),
-      back_j(rrs::JointPos::Zero(joints)),
+      drive_j(rrs::JointPos::Zero(joints)),
+      regenerated_j(rrs::JointPos::Zero(joints)),
       friction_j(rrs::JointPos::Zero(joints)) {}
 
 EffortSums& EffortSums::operator+=(const EffortSums& other) {
     squares += other.squares;
-    in_j += other.in_j;
-    back_j += other.back_j;
+    drive_j += other.drive_j;
+    regenerated_j += other.regenerated_j;
     friction_j += other.friction_j;
     return *this;
 }
@@ -55,7 +56,7 @@ EffortSample SegmentEfforts::at(const Segment& segment, double t_s, const rrs::J
     sample.motion = {.position = state.position,
                      .velocity = state.velocity,
                      .acceleration = state.acceleration,
-                     .sense = senses(state.velocity)};
+                     .sense = motion_directions(state.velocity)};
     for (int joint = 0; joint < sense.size(); ++joint) {
         if (sample.motion.sense[joint] == 0) sample.motion.sense[joint] = sense[joint];
     }
@@ -67,93 +68,98 @@ EffortSample SegmentEfforts::at(const Segment& segment, double t_s, const rrs::J
 void SegmentEfforts::split(const Segment& segment) {
     ends_s_.clear();
     add_law_ends(segment, ends_s_);
-    if (turns_back(segment)) {
+    if (may_reverse(segment)) {
         for (int joint = 0; joint < dynamics_.joint_count(); ++joint)
-            motion::add_turns(segment, joint, ends_s_);
+            motion::add_reversal_times(segment, joint, ends_s_);
     }
     ends_s_.push_back(segment.duration_s);
     std::sort(ends_s_.begin(), ends_s_.end());
 }
 
-SegmentEfforts::Rates SegmentEfforts::rates(const Segment& segment, double t_s, const Part& part,
-                                            const Look& look) const {
-    const double inside_s = kInside * (part.to_s - part.from_s);
+SegmentEfforts::Integrand SegmentEfforts::integrand(const Segment& segment, double t_s, const Part& part,
+                                                    const SampleHandler& visit) const {
+    const double inset_s = kInset * (part.to_s - part.from_s);
     const EffortSample sample =
-        at(segment, std::clamp(t_s, part.from_s + inside_s, part.to_s - inside_s), part.sense);
-    look(sample);
+        at(segment, std::clamp(t_s, part.from_s + inset_s, part.to_s - inset_s), part.sense);
+    visit(sample);
     const Eigen::Index joints = dynamics_.joint_count();
-    Rates rates(4 * joints);
-    rates.segment(0, joints) = sample.efforts.array().square();
-    rates.segment(joints, joints) = sample.powers_w.array().max(0.0);
-    rates.segment(2 * joints, joints) = (-sample.powers_w).array().max(0.0);
+    Integrand integrand(4 * joints);
+    integrand.segment(0, joints) = sample.efforts.array().square();
+    integrand.segment(joints, joints) = sample.powers_w.array().max(0.0);
+    integrand.segment(2 * joints, joints) = (-sample.powers_w).array().max(0.0);
     const rrs::JointPos friction = dynamics_.friction(sample.motion.velocity, sample.motion.sense);
-    rates.segment(3 * joints, joints) = dynamics_.powers_w(friction, sample.motion.velocity).array();
-    return rates;
+    integrand.segment(3 * joints, joints) = dynamics_.powers_w(friction, sample.motion.velocity).array();
+    return integrand;
 }
 
-void SegmentEfforts::add(const Segment& segment, const Part& part, int halvings, const Look& look,
-                         int& parts_left, Rates& sum) const {
+void SegmentEfforts::add(const Segment& segment, const Part& part, int halvings, const SampleHandler& visit,
+                         int& remaining_parts, Integrand& sum) const {
     const double half_s = (part.to_s - part.from_s) / 2;
     const double middle_s = part.from_s + half_s;
-    const auto pair = [&](double at) -> Rates {
-        return rates(segment, middle_s - at * half_s, part, look) +
-               rates(segment, middle_s + at * half_s, part, look);
+    const auto pair = [&](double at) -> Integrand {
+        return integrand(segment, middle_s - at * half_s, part, visit) +
+               integrand(segment, middle_s + at * half_s, part, visit);
     };
-    const Rates ends = pair(1);
-    const Rates outer = pair(std::sqrt(2.0 / 3));
-    const Rates inner = pair(1 / std::sqrt(5.0));
-    const Rates middle = rates(segment, middle_s, part, look);
-    const Rates coarse = half_s / 6 * (ends + 5 * inner);
-    const Rates fine = half_s / 1470 * (77 * ends + 432 * outer + 625 * inner + 672 * middle);
-    if (halvings >= kMostHalvings || --parts_left <= 0 || agree(coarse, fine, 2 * half_s)) {
+    const Integrand ends = pair(1);
+    const Integrand outer = pair(std::sqrt(2.0 / 3));
+    const Integrand inner = pair(1 / std::sqrt(5.0));
+    const Integrand middle = integrand(segment, middle_s, part, visit);
+    const Integrand coarse = half_s / 6 * (ends + 5 * inner);
+    const Integrand fine = half_s / 1470 * (77 * ends + 432 * outer + 625 * inner + 672 * middle);
+    if (halvings >= kMaxHalvings || --remaining_parts <= 0 || is_converged(coarse, fine, 2 * half_s)) {
         sum += fine;
         return;
     }
-    add(segment, {part.from_s, middle_s, part.sense}, halvings + 1, look, parts_left, sum);
-    add(segment, {middle_s, part.to_s, part.sense}, halvings + 1, look, parts_left, sum);
+    add(segment, {part.from_s, middle_s, part.sense}, halvings + 1, visit, remaining_parts, sum);
+    add(segment, {middle_s, part.to_s, part.sense}, halvings + 1, visit, remaining_parts, sum);
 }
 
 // If a power changes its sign, work in and work back have a corner, but their difference has none. The
 // difference is held as closely as the other sums, the share of each only as closely as users need.
-bool SegmentEfforts::agree(const Rates& coarse, const Rates& fine, double time_s) const {
+bool SegmentEfforts::is_converged(const Integrand& coarse, const Integrand& fine, double time_s) const {
     const Eigen::Index joints = dynamics_.joint_count();
-    const auto close = [&](const auto& difference, const auto& own, double of_own) {
-        return (difference.abs() <= of_own * own + (kOfAll * own.sum() + kNoise * time_s)).all();
+    const auto close = [&](const auto& difference, const auto& reference, double joint_tolerance) {
+        return (difference.abs() <= joint_tolerance * reference +
+                                        (kTotalTolerance * reference.sum() + kAbsoluteTolerance * time_s))
+            .all();
     };
-    const Rates differ = fine - coarse;
-    const auto part = [&](const Rates& of, int kind) { return of.segment(kind * joints, joints); };
+    const Integrand differ = fine - coarse;
+    const auto part = [&](const Integrand& of, int kind) { return of.segment(kind * joints, joints); };
     const auto work = (part(fine, 1) + part(fine, 2)).eval();
-    return close(part(differ, 0), part(fine, 0), kOfOwn) && close(part(differ, 3), part(fine, 3), kOfOwn) &&
-           close(part(differ, 1) - part(differ, 2), work, kOfOwn) && close(part(differ, 1), work, kOfShare);
+    return close(part(differ, 0), part(fine, 0), kJointTolerance) &&
+           close(part(differ, 3), part(fine, 3), kJointTolerance) &&
+           close(part(differ, 1) - part(differ, 2), work, kJointTolerance) &&
+           close(part(differ, 1), work, kWorkShareTolerance);
 }
 
-void SegmentEfforts::add_rest(const Segment& segment, const Look& look, EffortSums& sums) const {
+void SegmentEfforts::add_standstill(const Segment& segment, const SampleHandler& visit,
+                                    EffortSums& sums) const {
     const EffortSample sample = at(segment, segment.duration_s / 2);
-    look(sample);
+    visit(sample);
     sums.squares = segment.duration_s * sample.efforts.cwiseAbs2();
 }
 
-EffortSums SegmentEfforts::sums(const Segment& segment, const Look& look) {
+EffortSums SegmentEfforts::sums(const Segment& segment, const SampleHandler& visit) {
     const Eigen::Index joints = dynamics_.joint_count();
     EffortSums sums(dynamics_.joint_count());
-    if (segment.kind == motion::SegmentKind::rest && !segment.beside) {
-        add_rest(segment, look, sums);
+    if (segment.kind == motion::SegmentKind::rest && !segment.superimposed) {
+        add_standstill(segment, visit, sums);
         return sums;
     }
     split(segment);
-    Rates sum = Rates::Zero(4 * joints);
+    Integrand sum = Integrand::Zero(4 * joints);
     double from_s = 0;
     for (const double end_s : ends_s_) {
         const double to_s = std::min(end_s, segment.duration_s);
         if (to_s - from_s <= kShortest_s) continue;
-        const rrs::JointPos sense = senses(segment.at((from_s + to_s) / 2).velocity);
-        int parts_left = kMostParts;
-        add(segment, {from_s, to_s, sense}, 0, look, parts_left, sum);
+        const rrs::JointPos sense = motion_directions(segment.at((from_s + to_s) / 2).velocity);
+        int remaining_parts = kMaxParts;
+        add(segment, {from_s, to_s, sense}, 0, visit, remaining_parts, sum);
         from_s = to_s;
     }
     sums.squares = sum.segment(0, joints).matrix();
-    sums.in_j = sum.segment(joints, joints).matrix();
-    sums.back_j = sum.segment(2 * joints, joints).matrix();
+    sums.drive_j = sum.segment(joints, joints).matrix();
+    sums.regenerated_j = sum.segment(2 * joints, joints).matrix();
     sums.friction_j = sum.segment(3 * joints, joints).matrix();
     return sums;
 }

@@ -12,10 +12,10 @@ namespace gsim::dynamics {
 struct EffortSums {
     explicit EffortSums(int joints);
 
-    rrs::JointPos squares;     ///< Squared effort over time: N2 s or (Nm)2 s.
-    rrs::JointPos in_j;        ///< Work of the motor at the machine,
-    rrs::JointPos back_j;      ///< and of the machine at the motor; 0 or greater, both.
-    rrs::JointPos friction_j;  ///< Work of friction at the joint.
+    rrs::JointPos squares;        ///< Squared effort over time: N2 s or (Nm)2 s.
+    rrs::JointPos drive_j;        ///< Work of the motor at the machine,
+    rrs::JointPos regenerated_j;  ///< and of the machine at the motor; 0 or greater, both.
+    rrs::JointPos friction_j;     ///< Work of friction at the joint.
 
     EffortSums& operator+=(const EffortSums& other);
 };
@@ -37,11 +37,11 @@ class SegmentEfforts {
     /// Takes `dynamics`, which must outlive this object.
     explicit SegmentEfforts(const Dynamics& dynamics) : dynamics_(dynamics) {}
 
-    using Look = std::function<void(const EffortSample&)>;
+    using SampleHandler = std::function<void(const EffortSample&)>;
 
     /// Returns the sums of a segment. `look` receives each instant that is evaluated, including the ends of
     /// each smooth part (from inside, if accelerations jump); in no order.
-    EffortSums sums(const motion::Segment& segment, const Look& look);
+    EffortSums sums(const motion::Segment& segment, const SampleHandler& visit);
 
     /// Returns those instants in the order of time.
     std::vector<EffortSample> samples(const motion::Segment& segment);
@@ -51,7 +51,7 @@ class SegmentEfforts {
 
   private:
     /// All integrated values in sequence.
-    using Rates = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4 * rrs::kMaxJoints, 1>;
+    using Integrand = Eigen::Array<double, Eigen::Dynamic, 1, Eigen::ColMajor, 4 * rrs::kMaxJoints, 1>;
     struct Part {
         double from_s;
         double to_s;
@@ -60,11 +60,12 @@ class SegmentEfforts {
 
     void split(const motion::Segment& segment);
     EffortSample at(const motion::Segment& segment, double t_s, const rrs::JointPos& sense) const;
-    Rates rates(const motion::Segment& segment, double t_s, const Part& part, const Look& look) const;
-    void add(const motion::Segment& segment, const Part& part, int halvings, const Look& look,
-             int& parts_left, Rates& sum) const;
-    bool agree(const Rates& coarse, const Rates& fine, double time_s) const;
-    void add_rest(const motion::Segment& segment, const Look& look, EffortSums& sums) const;
+    Integrand integrand(const motion::Segment& segment, double t_s, const Part& part,
+                        const SampleHandler& visit) const;
+    void add(const motion::Segment& segment, const Part& part, int halvings, const SampleHandler& visit,
+             int& remaining_parts, Integrand& sum) const;
+    bool is_converged(const Integrand& coarse, const Integrand& fine, double time_s) const;
+    void add_standstill(const motion::Segment& segment, const SampleHandler& visit, EffortSums& sums) const;
 
     const Dynamics& dynamics_;
     std::vector<double> ends_s_;  // of the parts of the segment that is gone through

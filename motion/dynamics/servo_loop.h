@@ -22,7 +22,7 @@ struct ServoLoop {
     double delay_s = 0;
 
     /// Returns the lag of the joint from its set point, as a time, at a constant speed.
-    double behind_s() const { return (1 - velocity_share) / gain_1_s + delay_s; }
+    double constant_speed_lag_s() const { return (1 - velocity_share) / gain_1_s + delay_s; }
     /// Returns the decay rate of the slowest part of an error, which decays as exp(-slowest_1_s() t);
     /// infinite if no such part exists.
     double slowest_1_s() const;
@@ -49,14 +49,14 @@ class ServoStep {
     /// Returns the error at a time since the start of the step.
     ServoError at(double t_s) const;
     /// Returns the remainder of the start, as an error: a bound of it from here on.
-    double transient() const;
+    double transient_bound() const;
 
   private:
-    ServoError decayed(double t_s) const;
+    ServoError transient_at(double t_s) const;
 
-    std::array<double, 4> forced_{};  // the polynomial
-    ServoError left_;                 // at the start, of what dies away
-    double gain_1_s_ = 0;             // 0: no error
+    std::array<double, 4> forced_response_{};  // the polynomial
+    ServoError transient_;                     // at the start, of what dies away
+    double gain_1_s_ = 0;                      // 0: no error
     double lag_s_ = 0;
 };
 

@@ -14,139 +14,141 @@ using motion::Segment;
 
 namespace {
 
-constexpr double kLeastStep_s = 1e-12;
-constexpr double kEndInside = 1e-9;      // of a step: how far its ends are looked at from inside
-constexpr double kLinearBelow_s = 2e-5;  // slopes of so short steps are rounding
-constexpr double kSettled = 1e-10;       // mm or rad: less is left of a change
-constexpr double kLeastOfHeads = 64;     // steps of a great circle
-constexpr std::size_t kFewest = 3;       // steps that are kept,
-constexpr std::size_t kMost = 100'000;   // and the max, whatever the delay
+constexpr double kMinStep_s = 1e-12;
+constexpr double kEndInset = 1e-9;              // of a step: how far its ends are looked at from inside
+constexpr double kLinearBelow_s = 2e-5;         // slopes of so short steps are rounding
+constexpr double kSettledTolerance = 1e-10;     // mm or rad: less is left of a change
+constexpr double kMinOrientationSteps = 64;     // steps of a great circle
+constexpr std::size_t kMinKeptSteps = 3;        // steps that are kept,
+constexpr std::size_t kMaxKeptSteps = 100'000;  // and the max, whatever the delay
 
 double turn_rad(const Segment& segment) {
     double turn = segment.kind == motion::SegmentKind::circular ? segment.arc.sweep_rad : 0;
-    if (segment.beside) turn += turn_rad(*segment.beside);
+    if (segment.superimposed) turn += turn_rad(*segment.superimposed);
     return turn;
 }
 
-bool has_head_way(const Segment& segment) {
-    return segment.orientation || (segment.beside && has_head_way(*segment.beside));
+bool has_orientation_path(const Segment& segment) {
+    return segment.orientation || (segment.superimposed && has_orientation_path(*segment.superimposed));
 }
 
-bool in_proportion(const Segment& segment) {
-    return segment.kind != motion::SegmentKind::circular && !segment.beside && !segment.orientation &&
-           segment.followers().empty() && !segment.joints_go_apart();
+bool is_proportional(const Segment& segment) {
+    return segment.kind != motion::SegmentKind::circular && !segment.superimposed && !segment.orientation &&
+           segment.followers().empty() && !segment.is_uncoordinated();
 }
 
 }  // namespace
 
-ServoMotion::ServoMotion(std::vector<ServoLoop> loops, std::vector<bool> turns, double step_s)
-    : loops_(std::move(loops)), turns_(std::move(turns)), step_s_(step_s), ends_(loops_.size()) {
+ServoMotion::ServoMotion(std::vector<ServoLoop> loops, std::vector<bool> is_rotary, double step_s)
+    : loops_(std::move(loops)), is_rotary_(std::move(is_rotary)), step_s_(step_s), ends_(loops_.size()) {
     for (const ServoLoop& loop : loops_) longest_delay_s_ = std::max(longest_delay_s_, loop.delay_s);
 }
 
 void ServoMotion::begin(const rrs::JointPos& start) {
-    start_ = rest_.start = rest_.end = start;
+    start_ = standstill_.start = standstill_.end = start;
     for (std::size_t joint = 0; joint < ends_.size(); ++joint)
         ends_[joint] = {start[static_cast<Eigen::Index>(joint)], 0, {}};
 }
 
-void ServoMotion::enter(const Segment& segment, const Look& look) {
-    go_to(segment.start_s, look);
+void ServoMotion::enter(const Segment& segment, const StepHandler& on_step) {
+    go_to(segment.start_s, on_step);
     segment_ = &segment;
     at_s_ = 0;
     now_s_ = std::max(now_s_, segment.start_s);
     part_ = 0;
-    part_entered_ = false;
+    part_begun_ = false;
     part_ends_s_.clear();
     add_law_ends(segment, part_ends_s_);
     part_ends_s_.push_back(segment.duration_s);
     std::sort(part_ends_s_.begin(), part_ends_s_.end());
     const double turn = turn_rad(segment);
-    double steps = turn > 0 ? std::ceil(turn / kMostTurn_rad * kStep_s / step_s_) : 0;
-    if (has_head_way(segment)) steps += kLeastOfHeads;
+    double steps = turn > 0 ? std::ceil(turn / kMaxRotation_rad * kStep_s / step_s_) : 0;
+    if (has_orientation_path(segment)) steps += kMinOrientationSteps;
     curve_step_s_ = steps > 0 ? segment.duration_s / steps : std::numeric_limits<double>::infinity();
-    set_.straight = in_proportion(segment);
-    set_.begins_segment = true;
+    set_points_.straight = is_proportional(segment);
+    set_points_.begins_segment = true;
 }
 
-void ServoMotion::leave(const Look& look) {
-    go_to(segment_->end_s(), look);
-    rest_.start = rest_.end = segment_->end_position();
+void ServoMotion::leave(const StepHandler& on_step) {
+    go_to(segment_->end_s(), on_step);
+    standstill_.start = standstill_.end = segment_->end_position();
     now_s_ = std::max(now_s_, segment_->end_s());
     segment_ = nullptr;
 }
 
-void ServoMotion::go_to(double t_s, const Look& look) {
+void ServoMotion::go_to(double t_s, const StepHandler& on_step) {
     if (segment_ == nullptr) {  // between two segments the axes are at standstill
-        if (t_s - now_s_ <= kLeastStep_s * std::max(1.0, t_s)) return;
-        rest_.start_s = now_s_;
-        rest_.duration_s = t_s - now_s_;
-        enter(rest_, look);
-        leave(look);
+        if (t_s - now_s_ <= kMinStep_s * std::max(1.0, t_s)) return;
+        standstill_.start_s = now_s_;
+        standstill_.duration_s = t_s - now_s_;
+        enter(standstill_, on_step);
+        leave(on_step);
         return;
     }
     const double to_s = std::min(t_s - segment_->start_s, segment_->duration_s);
-    while (to_s - at_s_ > kLeastStep_s) {
-        while (part_ < part_ends_s_.size() && part_ends_s_[part_] - at_s_ <= kLeastStep_s) {
+    while (to_s - at_s_ > kMinStep_s) {
+        while (part_ < part_ends_s_.size() && part_ends_s_[part_] - at_s_ <= kMinStep_s) {
             ++part_;
-            part_entered_ = false;
+            part_begun_ = false;
         }
-        if (!part_entered_) enter_part();
-        const double part_end_s =
+        if (!part_begun_) begin_part();
+        const double path_part_end_s =
             part_ < part_ends_s_.size() ? part_ends_s_[part_] : std::numeric_limits<double>::infinity();
-        make_step(step_s_from(std::min(part_end_s, to_s) - at_s_), look);
+        make_step(next_step_s(std::min(path_part_end_s, to_s) - at_s_), on_step);
     }
 }
 
 /// Returns the state at an end of a part of the segment, as it is inside, because accelerations jump at the
 /// ends.
 JointState ServoMotion::state_inside(double from_s, double to_s, bool at_end) const {
-    const double inside_s = kEndInside * (to_s - from_s);
-    JointState state = segment_->at(at_end ? to_s - inside_s : from_s + inside_s);
-    state.position += (at_end ? inside_s : -inside_s) * state.velocity;
+    const double inset_s = kEndInset * (to_s - from_s);
+    JointState state = segment_->at(at_end ? to_s - inset_s : from_s + inset_s);
+    state.position += (at_end ? inset_s : -inset_s) * state.velocity;
     return state;
 }
 
-void ServoMotion::enter_part() {
+void ServoMotion::begin_part() {
     const double end_s = part_ < part_ends_s_.size() ? std::min(part_ends_s_[part_], segment_->duration_s)
                                                      : segment_->duration_s;
-    set_.from = state_inside(at_s_, end_s, false);
+    set_points_.from = state_inside(at_s_, end_s, false);
     const JointState last = state_inside(at_s_, end_s, true);
-    part_constant_ = std::isinf(curve_step_s_) && set_.from.acceleration.isZero(0) &&
-                     last.acceleration.isZero(0) && set_.from.velocity == last.velocity;
-    part_entered_ = true;
+    part_constant_ = std::isinf(curve_step_s_) && set_points_.from.acceleration.isZero(0) &&
+                     last.acceleration.isZero(0) && set_points_.from.velocity == last.velocity;
+    part_begun_ = true;
 }
 
 bool ServoMotion::is_steady() const {
     if (!part_constant_) return false;
     for (std::size_t joint = 0; joint < loops_.size(); ++joint) {
-        if (joint_step(joint, 0).error.transient() > kSettled) return false;
+        if (joint_step(joint, 0).error.transient_bound() > kSettledTolerance) return false;
     }
     return true;
 }
 
 /// Returns the length of the next step within the remaining time.
-double ServoMotion::step_s_from(double left_s) const {
-    double turning_rad_s = 0;
-    for (std::size_t joint = 0; joint < turns_.size(); ++joint) {
-        if (turns_[joint]) turning_rad_s += std::abs(set_.from.velocity[static_cast<Eigen::Index>(joint)]);
+double ServoMotion::next_step_s(double remaining_s) const {
+    double angular_speed_rad_s = 0;
+    for (std::size_t joint = 0; joint < is_rotary_.size(); ++joint) {
+        if (is_rotary_[joint])
+            angular_speed_rad_s += std::abs(set_points_.from.velocity[static_cast<Eigen::Index>(joint)]);
     }
-    double step_s = left_s > step_s_ && !is_steady() ? step_s_ : left_s;
-    if (turning_rad_s * step_s > kMostTurn_rad) step_s = kMostTurn_rad / turning_rad_s;
-    step_s = std::max(std::min(step_s, curve_step_s_), segment_->duration_s / kMostSteps);
-    return step_s < left_s ? left_s / std::ceil(left_s / step_s) : left_s;
+    double step_s = remaining_s > step_s_ && !is_steady() ? step_s_ : remaining_s;
+    if (angular_speed_rad_s * step_s > kMaxRotation_rad) step_s = kMaxRotation_rad / angular_speed_rad_s;
+    step_s = std::max(std::min(step_s, curve_step_s_), segment_->duration_s / kMaxSteps);
+    return step_s < remaining_s ? remaining_s / std::ceil(remaining_s / step_s) : remaining_s;
 }
 
-/// Returns the further motion of a joint, from `set_.from`; without a duration at that speed. If a set point
-/// or its speed jumps, the position does not. Its speed does not either, except for the effect of
+/// Returns the further motion of a joint, from `set_points_.from`; without a duration at that speed. If a set
+/// point or its speed jumps, the position does not. Its speed does not either, except for the effect of
 /// acceleration feed-forward.
 ServoMotion::JointStep ServoMotion::joint_step(std::size_t joint, double duration_s) const {
     const auto i = static_cast<Eigen::Index>(joint);
-    JointStep step{.at = set_.from.position[i], .speed = {set_.from.velocity[i], 0, 0, 0}, .error = {}};
+    JointStep step{
+        .at = set_points_.from.position[i], .speed = {set_points_.from.velocity[i], 0, 0, 0}, .error = {}};
     if (duration_s > 0) {
-        const double from = set_.from.acceleration[i];
-        const double to = set_.to.acceleration[i];
-        const double mean = (set_.to.velocity[i] - set_.from.velocity[i]) / duration_s;
+        const double from = set_points_.from.acceleration[i];
+        const double to = set_points_.to.acceleration[i];
+        const double mean = (set_points_.to.velocity[i] - set_points_.from.velocity[i]) / duration_s;
         if (duration_s < kLinearBelow_s) {
             step.speed[1] = mean;
         } else {
@@ -163,35 +165,36 @@ ServoMotion::JointStep ServoMotion::joint_step(std::size_t joint, double duratio
     return step;
 }
 
-void ServoMotion::make_step(double duration_s, const Look& look) {
+void ServoMotion::make_step(double duration_s, const StepHandler& on_step) {
     const double to_s = at_s_ + duration_s;
-    set_.start_s = segment_->start_s + at_s_;
-    set_.duration_s = duration_s;
-    set_.to = part_constant_ ? set_.from : state_inside(at_s_, to_s, true);
-    if (part_constant_) set_.to.position += duration_s * set_.from.velocity;
-    Step step = std::move(spare_);
-    step.start_s = set_.start_s;
+    set_points_.start_s = segment_->start_s + at_s_;
+    set_points_.duration_s = duration_s;
+    set_points_.to = part_constant_ ? set_points_.from : state_inside(at_s_, to_s, true);
+    if (part_constant_) set_points_.to.position += duration_s * set_points_.from.velocity;
+    Step step = std::move(spare_step_);
+    step.start_s = set_points_.start_s;
     step.duration_s = duration_s;
     step.joints.resize(loops_.size());
     for (std::size_t joint = 0; joint < loops_.size(); ++joint) {
-        const JointStep made = step.joints[joint] = joint_step(joint, duration_s);
-        ends_[joint] = {made.set_point(duration_s), made.speed_at(duration_s), made.error.at(duration_s)};
+        const JointStep joint_state = step.joints[joint] = joint_step(joint, duration_s);
+        ends_[joint] = {joint_state.set_point(duration_s), joint_state.speed_at(duration_s),
+                        joint_state.error.at(duration_s)};
     }
     keep(std::move(step));
     at_s_ = to_s;
     now_s_ = segment_->start_s + at_s_;
-    if (look) look(set_);
-    set_.from = set_.to;
-    set_.begins_segment = false;
+    if (on_step) on_step(set_points_);
+    set_points_.from = set_points_.to;
+    set_points_.begins_segment = false;
 }
 
 void ServoMotion::keep(Step step) {
     steps_.push_back(std::move(step));
-    const auto reaches_back = [this] {
-        return steps_[1].start_s <= steps_[steps_.size() - kFewest].start_s - longest_delay_s_;
+    const auto covers_delay = [this] {
+        return steps_[1].start_s <= steps_[steps_.size() - kMinKeptSteps].start_s - longest_delay_s_;
     };
-    while (steps_.size() > kFewest && (reaches_back() || steps_.size() > kMost)) {
-        spare_ = std::move(steps_.front());
+    while (steps_.size() > kMinKeptSteps && (covers_delay() || steps_.size() > kMaxKeptSteps)) {
+        spare_step_ = std::move(steps_.front());
         steps_.pop_front();
     }
 }
@@ -208,23 +211,24 @@ rrs::JointPos ServoMotion::set_points(double t_s) const {
     const Step* step = step_at(t_s);
     if (step == nullptr) return start_;
     rrs::JointPos points(start_.size());
-    const double in_s = std::clamp(t_s - step->start_s, 0.0, step->duration_s);
+    const double step_offset_s = std::clamp(t_s - step->start_s, 0.0, step->duration_s);
     for (std::size_t joint = 0; joint < loops_.size(); ++joint)
-        points[static_cast<Eigen::Index>(joint)] = step->joints[joint].set_point(in_s);
+        points[static_cast<Eigen::Index>(joint)] = step->joints[joint].set_point(step_offset_s);
     return points;
 }
 
-rrs::JointPos ServoMotion::places(double t_s) const {
+rrs::JointPos ServoMotion::positions(double t_s) const {
     if (steps_.empty()) return start_;
-    rrs::JointPos places(start_.size());
+    rrs::JointPos positions(start_.size());
     for (std::size_t joint = 0; joint < loops_.size(); ++joint) {
-        const double late_s = t_s - loops_[joint].delay_s;
-        const Step* step = step_at(late_s);
-        const double in_s = std::clamp(late_s - step->start_s, 0.0, step->duration_s);
+        const double delayed_s = t_s - loops_[joint].delay_s;
+        const Step* step = step_at(delayed_s);
+        const double step_offset_s = std::clamp(delayed_s - step->start_s, 0.0, step->duration_s);
         const JointStep& of = step->joints[joint];
-        places[static_cast<Eigen::Index>(joint)] = of.set_point(in_s) - of.error.at(in_s).value;
+        positions[static_cast<Eigen::Index>(joint)] =
+            of.set_point(step_offset_s) - of.error.at(step_offset_s).value;
     }
-    return places;
+    return positions;
 }
 
 }  // namespace gsim::dynamics

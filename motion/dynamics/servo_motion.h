@@ -22,38 +22,38 @@ struct SetPointStep {
 /// Simulation of the servo loops of all joints along a motion, step by step. A step is exact except for
 /// rounding if a set point is a polynomial of time, which it is everywhere but on arcs and great circles. On
 /// those its speed is approximated by the polynomial of third order with the speed and acceleration of both
-/// ends, and no step turns by more than `kMostTurn_rad`. Steps are long if no change remains: joints at
+/// ends, and no step turns by more than `kMaxRotation_rad`. Steps are long if no change remains: joints at
 /// constant speeds with errors that no longer change.
 class ServoMotion {
   public:
     static constexpr double kStep_s = 1e-3;
-    static constexpr double kMostTurn_rad = 0.05;
+    static constexpr double kMaxRotation_rad = 0.05;
     /// Max number of steps of a segment; if it takes longer, steps are longer.
-    static constexpr double kMostSteps = 65'536;
+    static constexpr double kMaxSteps = 65'536;
 
-    using Look = std::function<void(const SetPointStep&)>;
+    using StepHandler = std::function<void(const SetPointStep&)>;
 
     /// Takes one loop for each joint. `turns`: true if the joint turns the tool or the work.
-    ServoMotion(std::vector<ServoLoop> loops, std::vector<bool> turns, double step_s = kStep_s);
+    ServoMotion(std::vector<ServoLoop> loops, std::vector<bool> is_rotary, double step_s = kStep_s);
 
     /// Sets all joints to this position at time 0, without an error.
     void begin(const rrs::JointPos& start);
     /// Enters the next segment, after a standstill if it begins later than the last one ended. It must
     /// outlive leave().
-    void enter(const motion::Segment& segment, const Look& look);
+    void enter(const motion::Segment& segment, const StepHandler& on_step);
     /// Advances to an instant of the segment that was entered; between segments the set points do not move.
-    void go_to(double t_s, const Look& look);
+    void go_to(double t_s, const StepHandler& on_step);
     /// Advances to its end.
-    void leave(const Look& look);
+    void leave(const StepHandler& on_step);
 
     double now_s() const { return now_s_; }
-    /// Returns how far back set_points() and places() reach, if as many steps exist.
-    double memory_s() const { return longest_delay_s_; }
-    /// Returns the set points at an instant up to now, as far back as memory_s() or in one of the last three
+    /// Returns how far back set_points() and positions() reach, if as many steps exist.
+    double history_s() const { return longest_delay_s_; }
+    /// Returns the set points at an instant up to now, as far back as history_s() or in one of the last three
     /// steps.
     rrs::JointPos set_points(double t_s) const;
     /// Returns the actual positions of the joints.
-    rrs::JointPos places(double t_s) const;
+    rrs::JointPos positions(double t_s) const;
 
   private:
     struct JointStep {
@@ -80,34 +80,34 @@ class ServoMotion {
         ServoError error;
     };
 
-    void enter_part();
-    double step_s_from(double left_s) const;
+    void begin_part();
+    double next_step_s(double remaining_s) const;
     bool is_steady() const;
-    void make_step(double duration_s, const Look& look);
+    void make_step(double duration_s, const StepHandler& on_step);
     motion::JointState state_inside(double from_s, double to_s, bool at_end) const;
     JointStep joint_step(std::size_t joint, double duration_s) const;
     void keep(Step step);
     const Step* step_at(double t_s) const;
 
     std::vector<ServoLoop> loops_;
-    std::vector<bool> turns_;
+    std::vector<bool> is_rotary_;
     double step_s_;
     double longest_delay_s_ = 0;
     rrs::JointPos start_;
     std::vector<JointEnd> ends_;
     std::deque<Step> steps_;
-    Step spare_;  // its memory
+    Step spare_step_;  // its memory
     double now_s_ = 0;
 
-    motion::Segment rest_;                      // between segments
+    motion::Segment standstill_;                // between segments
     const motion::Segment* segment_ = nullptr;  // that is gone through
     double at_s_ = 0;                           // in it
     std::vector<double> part_ends_s_;           // of the parts in which its laws are polynomials
     std::size_t part_ = 0;
-    bool part_entered_ = false;
+    bool part_begun_ = false;
     bool part_constant_ = false;  // no speed changes in it
     double curve_step_s_ = 0;     // that its arcs allow
-    SetPointStep set_;
+    SetPointStep set_points_;
 };
 
 }  // namespace gsim::dynamics

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "motion/path/joint_changes.h"
-#include "motion/path/lead_path.h"
+#include "motion/path/master_path.h"
 #include "motion/path/orientation_path.h"
 #include "motion/segment/followers.h"
 
@@ -12,68 +12,71 @@ namespace gsim::motion {
 
 namespace {
 
-JointRole leading_role(const JointChanges& changes) {
+JointRole master_role(const JointChanges& changes) {
     if (changes.norm(JointRole::position) > 0) return JointRole::position;
     if (changes.norm(JointRole::secondary) > 0) return JointRole::secondary;
     return JointRole::rotary;
 }
 
-LeadPath straight_path(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
-                       JointRole role) {
-    LeadPath lead{.length = changes.norm(role)};
+MasterPath line_master_path(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
+                            JointRole role) {
+    MasterPath master{.length = changes.norm(role)};
     if (role == JointRole::rotary) {
-        lead.limit_speed(rules.orientation_speed_rad_s, {LimitKind::feed, -1});
-        lead.limit_acceleration(rules.orientation_acceleration_rad_s2, {LimitKind::path_acceleration, -1});
-        lead.limit_deceleration(rules.orientation_acceleration_rad_s2);
+        master.limit_speed(rules.orientation_speed_rad_s, {LimitKind::feed, -1});
+        master.limit_acceleration(rules.orientation_acceleration_rad_s2, {LimitKind::path_acceleration, -1});
+        master.limit_deceleration(rules.orientation_acceleration_rad_s2);
     } else {
-        limit_by_path(rules, lead);
+        limit_by_path(rules, master);
     }
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         if (changes.of(joint) == 0 || changes.role(joint) != role) continue;
-        lead.limit_by_joint(joint, law_limits(setup, joint), std::abs(changes.of(joint)) / lead.length);
+        master.limit_by_joint(joint, law_limits(setup, joint), std::abs(changes.of(joint)) / master.length);
     }
-    return lead;
+    return master;
 }
 
 /// Along a great circle the angle of the tool's direction is the master if nothing else moves.
-LeadPath leading_path(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
-                      JointRole role, const OrientationArc* orientation) {
-    if (orientation == nullptr) return straight_path(setup, rules, changes, role);
-    LeadPath lead{.length = orientation->length_rad()};
-    if (role != JointRole::rotary) lead = straight_path(setup, rules, changes, role);
-    limit_by_orientation(setup, rules, *orientation, lead);
-    return lead;
+MasterPath make_master_path(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
+                            JointRole role, const OrientationArc* orientation) {
+    if (orientation == nullptr) return line_master_path(setup, rules, changes, role);
+    MasterPath master{.length = orientation->length_rad()};
+    if (role != JointRole::rotary) master = line_master_path(setup, rules, changes, role);
+    limit_by_orientation(setup, rules, *orientation, master);
+    return master;
 }
 
 }  // namespace
 
-Planned plan_line(const PlannerSetup& setup, const MoveRules& rules, Segment& segment) {
+PlanResult plan_line(const PlannerSetup& setup, const MoveRules& rules, Segment& segment) {
     const JointChanges changes(setup, segment.start, segment.end);
-    const JointRole role = leading_role(changes);
+    const JointRole role = master_role(changes);
     segment.kind = SegmentKind::linear;
     if (changes.norm(role) == 0) {
-        plan_stay(segment, 0);
+        plan_standstill(segment, 0);
         return {};
     }
     const bool turns = changes.norm(JointRole::rotary) > 0;
-    const MoveRules resolved = rules.resolved(turns && role != JointRole::rotary);
-    if (role != JointRole::rotary && resolved.programmed_speed_mm_s <= 0) return no_programmed_speed();
+    const MoveRules with_dominance = rules.with_dominance(turns && role != JointRole::rotary);
+    if (role != JointRole::rotary && with_dominance.programmed_speed_mm_s <= 0)
+        return no_programmed_speed_error();
     const OrientationArc* orientation = segment.orientation.get();
     segment.length_mm = role == JointRole::rotary ? 0 : changes.norm(role);
-    return set_timing_with_beside(setup, resolved, changes, role,
-                                  leading_path(setup, resolved, changes, role, orientation), segment);
+    return set_timing_with_other_joints(setup, with_dominance, changes, role,
+                                        make_master_path(setup, with_dominance, changes, role, orientation),
+                                        segment);
 }
 
-void plan_stay(Segment& segment, double duration_s) {
+void plan_standstill(Segment& segment, double duration_s) {
     segment.length_mm = 0;
     segment.duration_s = duration_s;
-    segment.lead = TimeLaw();
-    segment.lead_limits = {};
+    segment.master = TimeLaw();
+    segment.master_limits = {};
 }
 
-tl::unexpected<PlanError> no_programmed_speed() {
-    return refused(rrs::Status::RRS_ZERO_SPEED,
-                   "No speed is programmed for this motion; set one with SetCartesianPositionSpeed first.");
+tl::unexpected<PlanError> no_programmed_speed_error() {
+    return make_plan_error(
+        rrs::Status::RRS_ZERO_SPEED,
+        "No speed is programmed for this motion; set one with SetCartesianPositionSpeed first.");
 }
 
 }  // namespace gsim::motion

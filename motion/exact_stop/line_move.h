@@ -12,12 +12,12 @@ namespace gsim::motion {
 /// angles. All other moving joints follow, except those of segment.orientation, which move with the master;
 /// if rotary joints alone move, its angle is the master. A move without a change becomes a segment of no
 /// duration. RRS_ZERO_SPEED, RRS_INVALID_PARAMETER.
-Planned plan_line(const PlannerSetup& setup, const MoveRules& rules, Segment& segment);
+PlanResult plan_line(const PlannerSetup& setup, const MoveRules& rules, Segment& segment);
 
 /// Makes the segment a standstill of `duration_s`.
-void plan_stay(Segment& segment, double duration_s);
+void plan_standstill(Segment& segment, double duration_s);
 
 /// Returns the error of a path that needs a programmed speed and has none.
-tl::unexpected<PlanError> no_programmed_speed();
+tl::unexpected<PlanError> no_programmed_speed_error();
 
 }  // namespace gsim::motion

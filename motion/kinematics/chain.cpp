@@ -9,16 +9,16 @@ namespace gsim::kinematics {
 namespace {
 
 // Rotations of table rows are mostly multiples of 90 degrees; without rounding they give clean coordinates.
-double without_rounding(double value) {
+double round_if_near(double value) {
     const double nearest = std::round(value);
     return std::abs(value - nearest) < 1e-15 ? nearest : value;
 }
 
 Eigen::Matrix3d rotation(double angle_rad, const Eigen::Vector3d& axis) {
-    return Eigen::AngleAxisd(angle_rad, axis).toRotationMatrix().unaryExpr(&without_rounding);
+    return Eigen::AngleAxisd(angle_rad, axis).toRotationMatrix().unaryExpr(&round_if_near);
 }
 
-rrs::CartPos row_at_zero(const DhLink& row) {
+rrs::CartPos dh_transform(const DhLink& row) {
     const Eigen::Matrix3d turn = rotation(row.theta_rad, Eigen::Vector3d::UnitZ());
     rrs::CartPos link = rrs::CartPos::Identity();
     link.translation() = Eigen::Vector3d(0, 0, row.d_mm) + turn * Eigen::Vector3d(row.a_mm, 0, 0);
@@ -35,7 +35,7 @@ void apply_joint(rrs::CartPos& frame, rrs::JointKind kind, double value) {
     }
 }
 
-rrs::CartPos end_of(const Branch& branch, const rrs::JointPos& joints) {
+rrs::CartPos branch_tip_pose(const Branch& branch, const rrs::JointPos& joints) {
     rrs::CartPos frame = branch.base;
     for (const Link& link : branch.links) {
         if (!link.row) frame = frame * link.before;
@@ -45,7 +45,7 @@ rrs::CartPos end_of(const Branch& branch, const rrs::JointPos& joints) {
     return frame * branch.end;
 }
 
-std::vector<rrs::CartPos> frames_of(const Branch& branch, const rrs::JointPos& joints) {
+std::vector<rrs::CartPos> branch_frames(const Branch& branch, const rrs::JointPos& joints) {
     std::vector<rrs::CartPos> frames;
     frames.reserve(branch.links.size() + 2);
     frames.push_back(branch.base);
@@ -71,11 +71,11 @@ void add_joint_frames(const Branch& branch, const rrs::JointPos& joints, std::ve
 }  // namespace
 
 // Rz(theta + q) Tz(d) = Rz(q) Rz(theta) Tz(d), and Tz(d + q) likewise: the motion comes before the row.
-Link link_of(int joint, const DhLink& row) {
+Link make_link(int joint, const DhLink& row) {
     return {.joint = joint,
             .kind = row.kind,
             .before = rrs::CartPos::Identity(),
-            .after = row_at_zero(row),
+            .after = dh_transform(row),
             .row = row};
 }
 
@@ -103,16 +103,16 @@ Chain::Chain(Branch tool_side, Branch work_side, std::vector<int> idle_joints)
 }
 
 rrs::CartPos Chain::forward(const rrs::JointPos& joints) const {
-    if (work_is_world_) return end_of(tool_side_, joints);
-    return end_of(work_side_, joints).inverse() * end_of(tool_side_, joints);
+    if (work_is_world_) return branch_tip_pose(tool_side_, joints);
+    return branch_tip_pose(work_side_, joints).inverse() * branch_tip_pose(tool_side_, joints);
 }
 
 std::vector<rrs::CartPos> Chain::tool_frames(const rrs::JointPos& joints) const {
-    return frames_of(tool_side_, joints);
+    return branch_frames(tool_side_, joints);
 }
 
 std::vector<rrs::CartPos> Chain::work_frames(const rrs::JointPos& joints) const {
-    return frames_of(work_side_, joints);
+    return branch_frames(work_side_, joints);
 }
 
 std::vector<rrs::CartPos> Chain::joint_frames(const rrs::JointPos& joints) const {

@@ -29,7 +29,7 @@ struct Link {
 };
 
 /// Returns a link for a row of a Denavit-Hartenberg table: all fixed transformations come after the motion.
-Link link_of(int joint, const DhLink& row);
+Link make_link(int joint, const DhLink& row);
 
 /// Joints in sequence: from the world over `base` to the first one, from the last one to `end`.
 struct Branch {

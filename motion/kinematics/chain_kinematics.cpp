@@ -4,7 +4,7 @@ namespace gsim::kinematics {
 
 namespace {
 
-tl::unexpected<std::string> no_inverse() {
+tl::unexpected<std::string> no_inverse_error() {
     return tl::unexpected<std::string>(
         "This machine has no inverse kinematics; give the target as joint values.");
 }
@@ -13,12 +13,12 @@ tl::unexpected<std::string> no_inverse() {
 
 tl::expected<rrs::JointPos, std::string> ChainKinematics::inverse(const rrs::CartPos&,
                                                                   const rrs::JointPos&) const {
-    return no_inverse();
+    return no_inverse_error();
 }
 
 tl::expected<std::vector<rrs::JointPos>, std::string> ChainKinematics::solutions(const rrs::CartPos&,
                                                                                  const rrs::JointPos&) const {
-    return no_inverse();
+    return no_inverse_error();
 }
 
 }  // namespace gsim::kinematics

@@ -4,7 +4,7 @@
 
 namespace gsim::kinematics {
 
-rrs::JointPos solve_symmetric(const JointSquare& matrix, const rrs::JointPos& right) {
+rrs::JointPos solve_symmetric(const JointMatrix& matrix, const rrs::JointPos& right) {
     return matrix.ldlt().solve(right);
 }
 

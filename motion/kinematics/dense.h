@@ -5,11 +5,11 @@
 namespace gsim::kinematics {
 
 /// Square matrix with a row and a column for each joint.
-using JointSquare =
+using JointMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, rrs::kMaxJoints, rrs::kMaxJoints>;
 
 /// Returns the solution of matrix * x = right; the matrix is symmetric and positive definite. Eigen's
 /// decompositions take seconds to compile wherever they are used, so they are used in dense.cpp.
-rrs::JointPos solve_symmetric(const JointSquare& matrix, const rrs::JointPos& right);
+rrs::JointPos solve_symmetric(const JointMatrix& matrix, const rrs::JointPos& right);
 
 }  // namespace gsim::kinematics

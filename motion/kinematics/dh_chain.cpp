@@ -13,11 +13,11 @@ using Eigen::Vector3d;
 
 constexpr double kSameLine_mm = 1e-9;  // distance below which parallel axes count as one line
 
-Branch branch_of(const rrs::CartPos& base, const std::vector<DhLink>& rows, const rrs::CartPos& tool) {
+Branch make_branch(const rrs::CartPos& base, const std::vector<DhLink>& rows, const rrs::CartPos& tool) {
     Branch branch{.base = base, .end = tool};
     branch.links.reserve(rows.size());
     for (const DhLink& row : rows)
-        branch.links.push_back(link_of(static_cast<int>(branch.links.size()), row));
+        branch.links.push_back(make_link(static_cast<int>(branch.links.size()), row));
     return branch;
 }
 
@@ -28,7 +28,7 @@ bool is_table(const Chain& chain) {
            std::all_of(links.begin(), links.end(), [](const Link& link) { return link.row.has_value(); });
 }
 
-DhTable own_table(const Chain& chain) {
+DhTable original_dh_table(const Chain& chain) {
     DhTable table{.base = chain.tool_side().base, .tool = chain.tool_side().end};
     for (const Link& link : chain.tool_side().links) {
         table.rows.push_back(link.row.value_or(DhLink{}));
@@ -37,7 +37,7 @@ DhTable own_table(const Chain& chain) {
     return table;
 }
 
-rrs::CartPos frame_at(const Vector3d& origin, const Vector3d& x, const Vector3d& z) {
+rrs::CartPos make_frame(const Vector3d& origin, const Vector3d& x, const Vector3d& z) {
     rrs::CartPos frame = rrs::CartPos::Identity();
     frame.translation() = origin;
     frame.linear().col(0) = x;
@@ -53,41 +53,41 @@ struct Step {
     Vector3d x = Vector3d::UnitX();
 };
 
-Step step_to(const rrs::CartPos& frame, const Screw& next) {
+Step common_normal_step(const rrs::CartPos& frame, const Screw& next) {
     const Vector3d z = frame.linear().col(2);
     const Vector3d normal = z.cross(next.direction);
     // A slide has only a direction; its axis passes through the current point of the chain.
-    const Vector3d apart =
+    const Vector3d offset =
         next.kind == rrs::JointKind::revolute ? Vector3d(next.point - frame.translation()) : Vector3d::Zero();
     if (normal.norm() >= kParallel) {
-        return {.d_mm = apart.cross(next.direction).dot(normal) / normal.squaredNorm(),
-                .a_mm = apart.dot(normal.normalized()),
+        return {.d_mm = offset.cross(next.direction).dot(normal) / normal.squaredNorm(),
+                .a_mm = offset.dot(normal.normalized()),
                 .x = normal.normalized()};
     }
-    const Vector3d across = apart - z * z.dot(apart);
-    if (across.norm() < kSameLine_mm) return {.x = frame.linear().col(0)};
-    return {.d_mm = 0, .a_mm = across.norm(), .x = across.normalized()};
+    const Vector3d perpendicular = offset - z * z.dot(offset);
+    if (perpendicular.norm() < kSameLine_mm) return {.x = frame.linear().col(0)};
+    return {.d_mm = 0, .a_mm = perpendicular.norm(), .x = perpendicular.normalized()};
 }
 
 }  // namespace
 
 DhChain::DhChain(const rrs::CartPos& base, const std::vector<DhLink>& rows, const rrs::CartPos& tool)
-    : Chain(branch_of(base, rows, tool)) {}
+    : Chain(make_branch(base, rows, tool)) {}
 
 DhTable dh_table(const Chain& chain) {
-    if (is_table(chain)) return own_table(chain);
+    if (is_table(chain)) return original_dh_table(chain);
     const ScrewChain screws = screw_chain(chain);
     const rrs::CartPos to_work = screws.work_at_zero.inverse();
     if (screws.screws.empty()) return {.base = to_work * screws.tool_at_zero};
     const Screw& first = screws.screws.front();
-    rrs::CartPos frame = frame_at(first.point, first.direction.unitOrthogonal(), first.direction);
+    rrs::CartPos frame = make_frame(first.point, first.direction.unitOrthogonal(), first.direction);
     DhTable table{.base = to_work * frame};
     for (std::size_t i = 0; i < screws.screws.size(); ++i) {
         const Screw& screw = screws.screws[i];
         DhLink row{.kind = screw.kind};
         if (i + 1 < screws.screws.size()) {
             const Screw& next = screws.screws[i + 1];
-            const Step step = step_to(frame, next);
+            const Step step = common_normal_step(frame, next);
             const Vector3d z = frame.linear().col(2);
             const Vector3d x = frame.linear().col(0);
             row.theta_rad = std::atan2(x.cross(step.x).dot(z), x.dot(step.x));
@@ -95,7 +95,7 @@ DhTable dh_table(const Chain& chain) {
             row.a_mm = step.a_mm;
             row.alpha_rad = std::atan2(z.cross(next.direction).dot(step.x), z.dot(next.direction));
             frame =
-                frame_at(frame.translation() + step.d_mm * z + step.a_mm * step.x, step.x, next.direction);
+                make_frame(frame.translation() + step.d_mm * z + step.a_mm * step.x, step.x, next.direction);
         }
         table.rows.push_back(row);
         table.joints.push_back(screw.joint);

@@ -18,8 +18,9 @@ using Eigen::Vector3d;
 using rrs::JointKind;
 
 constexpr double kOrthogonal = 1e-9;
-constexpr double kThroughTip_mm = 1e-6;
-constexpr double kFlat = 1e-6;  // volume spanned by three unit vectors below which they lie in a plane
+constexpr double kTipTolerance_mm = 1e-6;
+constexpr double kFlatTolerance =
+    1e-6;  // volume spanned by three unit vectors below which they lie in a plane
 
 RotaryAxes rotary_axes(const ScrewChain& chain) {
     std::vector<Vector3d> axes;
@@ -52,13 +53,13 @@ GantryKinematics::GantryKinematics(Chain chain, std::vector<JointRange> ranges)
 
 tl::expected<std::shared_ptr<const GantryKinematics>, std::string> GantryKinematics::make(
     Chain chain, std::vector<JointRange> ranges) {
-    if (auto fault = find_fault(chain, ranges)) return tl::unexpected(*std::move(fault));
+    if (auto error = find_error(chain, ranges)) return tl::unexpected(*std::move(error));
     std::shared_ptr<GantryKinematics> gantry(new GantryKinematics(std::move(chain), std::move(ranges)));
-    if (std::optional<std::string> obstacle = gantry->study()) return tl::unexpected(*std::move(obstacle));
+    if (std::optional<std::string> obstacle = gantry->analyze()) return tl::unexpected(*std::move(obstacle));
     return gantry;
 }
 
-std::optional<std::string> GantryKinematics::study() {
+std::optional<std::string> GantryKinematics::analyze() {
     const int rotary = static_cast<int>(rotary_joints_.size());
     const int linear = chain_.joint_count() - rotary;
     if (linear != 3 || rotary > 2) {
@@ -78,7 +79,7 @@ std::optional<std::string> GantryKinematics::study() {
     }
     if (!screws_.tool_at_zero.matrix().allFinite() || !screws_.work_at_zero.matrix().allFinite())
         return "The kinematic chain holds a value that is not finite.";
-    if (std::abs(slides.determinant()) < kFlat)
+    if (std::abs(slides.determinant()) < kFlatTolerance)
         return "The gantry's closed-form inverse needs three linear axes that do not lie in one plane.";
     if (axes.size() == 2 && axes[0].cross(axes[1]).norm() < kParallel)
         return "The gantry's closed-form inverse needs two rotary axes that are not parallel.";
@@ -92,20 +93,21 @@ tl::expected<rrs::JointPos, std::string> GantryKinematics::inverse(const rrs::Ca
 
 tl::expected<std::vector<rrs::JointPos>, std::string> GantryKinematics::solutions(
     const rrs::CartPos& pose, const rrs::JointPos& near) const {
-    if (auto fault = find_fault(chain_, pose, near)) return tl::unexpected(*std::move(fault));
-    RotaryAxes::Angles near_angles = RotaryAxes::Angles::Zero();
+    if (auto error = find_error(chain_, pose, near)) return tl::unexpected(*std::move(error));
+    RotaryAxes::Angles reference_angles = RotaryAxes::Angles::Zero();
     for (std::size_t i = 0; i < rotary_joints_.size(); ++i)
-        near_angles[static_cast<Eigen::Index>(i)] = near[rotary_joints_[i]];
+        reference_angles[static_cast<Eigen::Index>(i)] = near[rotary_joints_[i]];
 
     const rrs::CartPos target = screws_.work_at_zero * pose;
-    const std::vector<RotaryAxes::Choice> choices = rotary_.choices(target.linear(), near_angles);
-    if (choices.empty()) return tl::unexpected(rotary_.out_of_reach(target.linear().col(2)));
+    const std::vector<RotaryAxes::RotarySolution> choices =
+        rotary_.choices(target.linear(), reference_angles);
+    if (choices.empty()) return tl::unexpected(rotary_.out_of_reach_message(target.linear().col(2)));
     std::vector<Solution> found;
     found.reserve(choices.size());
-    for (const RotaryAxes::Choice& choice : choices) {
+    for (const RotaryAxes::RotarySolution& choice : choices) {
         auto joints = joints_at(target, choice.angles);
         if (!joints) continue;
-        turn_near(chain_, ranges_, near, *joints);
+        unwrap_near(chain_, ranges_, near, *joints);
         found.push_back({*std::move(joints), choice.exact});
     }
     if (found.empty()) {
@@ -113,7 +115,7 @@ tl::expected<std::vector<rrs::JointPos>, std::string> GantryKinematics::solution
             "The pose is singular: with the rotary axes as it needs them, the linear axes move in one "
             "plane.");
     }
-    return in_order(chain_, ranges_, near, std::move(found));
+    return sorted_solutions(chain_, ranges_, near, std::move(found));
 }
 
 // With the angles given, the TCP is at E(angles) tip_at_zero + sum of q_i R_i v_i: each slide's direction is
@@ -123,23 +125,23 @@ std::optional<rrs::JointPos> GantryKinematics::joints_at(const rrs::CartPos& tar
     rrs::JointPos joints(joint_count());
     std::array<int, 3> slides{};
     Matrix3d directions;
-    rrs::CartPos turned = rrs::CartPos::Identity();
+    rrs::CartPos rotated = rrs::CartPos::Identity();
     int slide = 0;
     int axis = 0;
     for (const Screw& screw : screws_.screws) {
         if (screw.kind == JointKind::prismatic) {
-            directions.col(slide) = turned.linear() * screw.direction;
+            directions.col(slide) = rotated.linear() * screw.direction;
             slides[static_cast<std::size_t>(slide++)] = screw.joint;
             continue;
         }
         const Matrix3d turn = rotary_.turn(axis, angles[axis]);
-        turned.translate(screw.point - turn * screw.point);
-        turned.linear() = turned.linear() * turn;
+        rotated.translate(screw.point - turn * screw.point);
+        rotated.linear() = rotated.linear() * turn;
         joints[screw.joint] = angles[axis++];
     }
-    if (std::abs(directions.determinant()) < kFlat) return std::nullopt;
+    if (std::abs(directions.determinant()) < kFlatTolerance) return std::nullopt;
     const Vector3d values =
-        directions.inverse() * (target.translation() - turned * screws_.tool_at_zero.translation());
+        directions.inverse() * (target.translation() - rotated * screws_.tool_at_zero.translation());
     for (int i = 0; i < 3; ++i) joints[slides[static_cast<std::size_t>(i)]] = values[i];
     return joints;
 }
@@ -149,13 +151,13 @@ std::optional<TiltingHead> GantryKinematics::tilting_head() const {
     const Screw& turn = screws_.screws[3];
     const Screw& tilt = screws_.screws[4];
     if (turn.kind != JointKind::revolute || tilt.kind != JointKind::revolute) return std::nullopt;
-    const Vector3d tip = screws_.tool_at_zero.translation();
-    const double off_tip_mm = std::max(distance_mm(turn, tip), distance_mm(tilt, tip));
+    const Vector3d tcp = screws_.tool_at_zero.translation();
+    const double tip_offset_mm = std::max(distance_mm(turn, tcp), distance_mm(tilt, tcp));
     const Vector3d tool = screws_.tool_at_zero.linear().col(2);
     const Vector3d& pole = turn.direction;
-    const double off_square =
+    const double non_orthogonality =
         std::max(std::abs(pole.dot(tilt.direction)), std::abs(tool.dot(tilt.direction)));
-    if (off_tip_mm > kThroughTip_mm || off_square > kOrthogonal) return std::nullopt;
+    if (tip_offset_mm > kTipTolerance_mm || non_orthogonality > kOrthogonal) return std::nullopt;
     return TiltingHead{turn.joint, tilt.joint,
                        std::atan2(tool.dot(tilt.direction.cross(pole)), tool.dot(pole))};
 }

@@ -51,7 +51,7 @@ class GantryKinematics : public Kinematics {
 
   private:
     GantryKinematics(Chain chain, std::vector<JointRange> ranges);
-    std::optional<std::string> study();
+    std::optional<std::string> analyze();
     std::optional<rrs::JointPos> joints_at(const rrs::CartPos& target,
                                            const RotaryAxes::Angles& angles) const;
 

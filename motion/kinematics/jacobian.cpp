@@ -11,9 +11,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTakesPart = 0.05;  // share of the greatest part from which a joint counts as taking part
+constexpr double kMinParticipation =
+    0.05;  // share of the greatest part from which a joint counts as taking part
 
-void add_columns(const Branch& branch, const std::vector<rrs::CartPos>& frames, const Vector3d& tip,
+void add_columns(const Branch& branch, const std::vector<rrs::CartPos>& frames, const Vector3d& tcp,
                  double sense, Jacobian& jacobian) {
     for (const Link& link : branch.links) {
         const rrs::CartPos& frame = frames[static_cast<std::size_t>(link.joint)];
@@ -21,7 +22,7 @@ void add_columns(const Branch& branch, const std::vector<rrs::CartPos>& frames, 
         if (link.kind == rrs::JointKind::prismatic) {
             jacobian.col(link.joint) << axis, Vector3d::Zero();
         } else {
-            jacobian.col(link.joint) << axis.cross(tip - frame.translation()), axis;
+            jacobian.col(link.joint) << axis.cross(tcp - frame.translation()), axis;
         }
     }
 }
@@ -37,22 +38,22 @@ Vector3d rotation_vector(const Eigen::Matrix3d& rotation) {
 
 }  // namespace
 
-Stance stance(const Chain& chain, const rrs::JointPos& joints) {
-    Stance result{.tool = chain.tool_frames(joints).back(),
-                  .work = chain.work_frames(joints).back(),
-                  .jacobian = Jacobian::Zero(6, chain.joint_count())};
+Configuration configuration(const Chain& chain, const rrs::JointPos& joints) {
+    Configuration result{.tool = chain.tool_frames(joints).back(),
+                         .work = chain.work_frames(joints).back(),
+                         .jacobian = Jacobian::Zero(6, chain.joint_count())};
     const std::vector<rrs::CartPos> frames = chain.joint_frames(joints);
-    const Vector3d tip = result.tool.translation();
-    add_columns(chain.tool_side(), frames, tip, 1, result.jacobian);
-    add_columns(chain.work_side(), frames, tip, -1, result.jacobian);
+    const Vector3d tcp = result.tool.translation();
+    add_columns(chain.tool_side(), frames, tcp, 1, result.jacobian);
+    add_columns(chain.work_side(), frames, tcp, -1, result.jacobian);
     return result;
 }
 
-Twist twist_to(const Stance& stance, const rrs::CartPos& pose) {
-    const rrs::CartPos target = stance.work * pose;
+Twist twist_to_pose(const Configuration& configuration, const rrs::CartPos& pose) {
+    const rrs::CartPos target = configuration.work * pose;
     Twist twist;
-    twist << target.translation() - stance.tool.translation(),
-        rotation_vector(target.linear() * stance.tool.linear().transpose());
+    twist << target.translation() - configuration.tool.translation(),
+        rotation_vector(target.linear() * configuration.tool.linear().transpose());
     return twist;
 }
 
@@ -66,8 +67,8 @@ double mm_per_rad(const Chain& chain) {
     return std::isfinite(reach_mm) ? std::max(1.0, reach_mm) : 1.0;
 }
 
-std::vector<int> lined_up(const Stance& stance, double mm_per_rad, double threshold) {
-    Eigen::MatrixXd scaled = stance.jacobian;
+std::vector<int> aligned_joints(const Configuration& configuration, double mm_per_rad, double threshold) {
+    Eigen::MatrixXd scaled = configuration.jacobian;
     scaled.topRows<3>() /= mm_per_rad;
     for (Eigen::Index joint = 0; joint < scaled.cols(); ++joint) {
         if (scaled.col(joint).tail<3>().isZero(0)) scaled.col(joint) *= mm_per_rad;
@@ -78,7 +79,7 @@ std::vector<int> lined_up(const Stance& stance, double mm_per_rad, double thresh
     if (last < 0 || singular.values[last] >= threshold) return joints;
     const Eigen::VectorXd parts = singular.right.col(last).cwiseAbs();
     for (Eigen::Index joint = 0; joint < parts.size(); ++joint) {
-        if (parts[joint] > kTakesPart * parts.maxCoeff()) joints.push_back(static_cast<int>(joint));
+        if (parts[joint] > kMinParticipation * parts.maxCoeff()) joints.push_back(static_cast<int>(joint));
     }
     return joints;
 }

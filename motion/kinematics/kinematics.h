@@ -62,10 +62,10 @@ class Kinematics {
 
     /// Returns the indices of the joints that line up if the tool has lost a direction to move in. Returns an
     /// empty list elsewhere, and if that does not affect the inverse.
-    virtual std::vector<int> lined_up(const rrs::JointPos&) const { return {}; }
+    virtual std::vector<int> aligned_joints(const rrs::JointPos&) const { return {}; }
 
     /// Returns the joints that inverse() and solutions() keep at their values in `near` (groups of axes).
-    virtual std::vector<int> held_joints() const { return {}; }
+    virtual std::vector<int> fixed_joints() const { return {}; }
 
     /// Returns the head that turns the tool, if the machine has one.
     virtual std::optional<TiltingHead> tilting_head() const { return std::nullopt; }

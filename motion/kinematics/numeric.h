@@ -24,7 +24,7 @@ class NumericKinematics : public Kinematics {
     /// Returns the kinematics of a chain. `ranges` has an entry for each joint, or is empty if no limits
     /// apply. `held` lists the indices of the joints that no search moves. The error is a message.
     static tl::expected<std::shared_ptr<const NumericKinematics>, std::string> make(
-        Chain chain, std::vector<JointRange> ranges = {}, std::vector<int> held = {});
+        Chain chain, std::vector<JointRange> ranges = {}, std::vector<int> fixed = {});
 
     const Chain& chain() const override { return chain_; }
     int joint_count() const override { return chain_.joint_count(); }
@@ -42,35 +42,35 @@ class NumericKinematics : public Kinematics {
     tl::expected<std::vector<rrs::JointPos>, std::string> solutions(const rrs::CartPos& pose,
                                                                     const rrs::JointPos& near) const override;
 
-    std::vector<int> lined_up(const rrs::JointPos& joints) const override;
-    std::vector<int> held_joints() const override { return held_; }
+    std::vector<int> aligned_joints(const rrs::JointPos& joints) const override;
+    std::vector<int> fixed_joints() const override { return fixed_joints_; }
 
   private:
     struct Attempt {
         rrs::JointPos joints;
-        Twist left = Twist::Zero();                              ///< Remaining error, mm and rad.
+        Twist remaining = Twist::Zero();                         ///< Remaining error, mm and rad.
         double error = std::numeric_limits<double>::infinity();  ///< Its size, lengths in mm_per_rad_.
         bool reached = false;
     };
 
-    NumericKinematics(Chain chain, std::vector<JointRange> ranges, std::vector<int> held);
-    bool is_held(int joint) const;
-    std::optional<std::string> find_held_fault(const rrs::JointPos& near) const;
-    std::vector<int> lined_up(const rrs::JointPos& joints, double threshold) const;
+    NumericKinematics(Chain chain, std::vector<JointRange> ranges, std::vector<int> fixed);
+    bool is_fixed(int joint) const;
+    std::optional<std::string> find_fixed_joint_error(const rrs::JointPos& near) const;
+    std::vector<int> aligned_joints(const rrs::JointPos& joints, double threshold) const;
     rrs::JointPos start(int number, const rrs::JointPos& near) const;
-    double size(const Twist& left) const;
-    rrs::JointPos step(const Stance& stance, const Twist& left, const rrs::JointPos& joints,
-                       const std::vector<JointRange>& ranges) const;
+    double size(const Twist& remaining) const;
+    rrs::JointPos step(const Configuration& configuration, const Twist& remaining,
+                       const rrs::JointPos& joints, const std::vector<JointRange>& ranges) const;
     Attempt search(const rrs::CartPos& pose, const rrs::JointPos& from, const std::vector<JointRange>& ranges,
-                   double least_gain) const;
+                   double min_gain) const;
     Attempt attempt(const rrs::CartPos& pose, const rrs::JointPos& from, const rrs::JointPos& near) const;
     std::string names(const std::vector<int>& joints) const;
-    std::string out_of_reach(const rrs::CartPos& pose, const Attempt& best) const;
+    std::string out_of_reach_message(const rrs::CartPos& pose, const Attempt& best) const;
 
     Chain chain_;
     std::vector<JointRange> ranges_;
-    std::vector<JointRange> no_ranges_;  ///< As many without ends.
-    std::vector<int> held_;
+    std::vector<JointRange> unlimited_ranges_;  ///< As many without ends.
+    std::vector<int> fixed_joints_;
     double mm_per_rad_ = 1;
 };
 

@@ -14,7 +14,7 @@ class RotaryAxes {
   public:
     using Angles = Eigen::Vector2d;  ///< Angles of the first and the second axis, rad; 0 if absent.
 
-    struct Choice {
+    struct RotarySolution {
         Angles angles;
         bool exact = true;  ///< True if the full rotation is reached, not only the tool axis.
     };
@@ -23,7 +23,7 @@ class RotaryAxes {
     RotaryAxes(std::vector<Eigen::Vector3d> axes, const Eigen::Matrix3d& at_zero);
 
     int count() const { return static_cast<int>(axes_.size()); }
-    Eigen::Matrix3d turned(const Angles& angles) const;
+    Eigen::Matrix3d rotated(const Angles& angles) const;
     /// Returns the rotation about the first axis (0) or the second (1).
     Eigen::Matrix3d turn(int axis, double angle_rad) const;
 
@@ -31,16 +31,16 @@ class RotaryAxes {
     /// orientation. A rotation that they reach (to 1e-6) is reached exactly. Further solutions, or otherwise
     /// all of them, match the tool axis (Z), to 1e-6. An angle without influence on that has its value in
     /// `near`. An empty result means that the tool axis is out of reach.
-    std::vector<Choice> choices(const Eigen::Matrix3d& rotation, const Angles& near) const;
+    std::vector<RotarySolution> choices(const Eigen::Matrix3d& rotation, const Angles& near) const;
 
     /// Returns a message that explains why no solution exists.
-    std::string out_of_reach(const Eigen::Vector3d& tool_axis) const;
+    std::string out_of_reach_message(const Eigen::Vector3d& tool_axis) const;
 
   private:
-    Angles exact_angles(const Eigen::Matrix3d& turn) const;
-    std::vector<Angles> tool_axis_angles(const Eigen::Vector3d& tool_axis, const Angles& near) const;
-    std::vector<Angles> two_axis_angles(const Eigen::Vector3d& tool_axis, const Angles& near) const;
-    double miss_rad(const Eigen::Vector3d& tool_axis) const;
+    Angles solve_rotation(const Eigen::Matrix3d& turn) const;
+    std::vector<Angles> solve_tool_axis(const Eigen::Vector3d& tool_axis, const Angles& near) const;
+    std::vector<Angles> solve_two_axes(const Eigen::Vector3d& tool_axis, const Angles& near) const;
+    double orientation_error_rad(const Eigen::Vector3d& tool_axis) const;
 
     std::vector<Eigen::Vector3d> axes_;
     Eigen::Matrix3d at_zero_;

@@ -4,7 +4,7 @@ namespace gsim::kinematics {
 
 namespace {
 
-Screw screw_of(const Link& link, const std::vector<rrs::CartPos>& joint_frames, double sense) {
+Screw make_screw(const Link& link, const std::vector<rrs::CartPos>& joint_frames, double sense) {
     const rrs::CartPos& frame = joint_frames[static_cast<std::size_t>(link.joint)];
     return {.joint = link.joint,
             .kind = link.kind,
@@ -23,8 +23,9 @@ ScrewChain screw_chain(const Chain& chain) {
     result.screws.reserve(joint_frames.size());
     const std::vector<Link>& work = chain.work_side().links;
     for (auto link = work.rbegin(); link != work.rend(); ++link)
-        result.screws.push_back(screw_of(*link, joint_frames, -1));
-    for (const Link& link : chain.tool_side().links) result.screws.push_back(screw_of(link, joint_frames, 1));
+        result.screws.push_back(make_screw(*link, joint_frames, -1));
+    for (const Link& link : chain.tool_side().links)
+        result.screws.push_back(make_screw(link, joint_frames, 1));
     return result;
 }
 

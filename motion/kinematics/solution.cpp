@@ -15,47 +15,50 @@ namespace gsim::kinematics {
 
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kFullTurn_rad = 2 * std::numbers::pi;
 constexpr double kRangeTolerance = 1e-9;
-constexpr double kSame = 1e-6;
+constexpr double kEqualTolerance = 1e-6;
 
 bool inside(const JointRange& range, double value) {
     return value >= range.min - kRangeTolerance && value <= range.max + kRangeTolerance;
 }
 
 // Returns the angle nearest to `near` among those that differ from `angle` by full turns and are in range.
-double turned_near(const JointRange& range, double near, double angle) {
-    const double closest = angle + kTurn * std::round((near - angle) / kTurn);
+double unwrapped_near(const JointRange& range, double near, double angle) {
+    const double closest = angle + kFullTurn_rad * std::round((near - angle) / kFullTurn_rad);
     if (closest < range.min - kRangeTolerance) {
-        const double raised = closest + kTurn * std::ceil((range.min - kRangeTolerance - closest) / kTurn);
+        const double raised =
+            closest + kFullTurn_rad * std::ceil((range.min - kRangeTolerance - closest) / kFullTurn_rad);
         return inside(range, raised) ? raised : closest;
     }
     if (closest > range.max + kRangeTolerance) {
-        const double lowered = closest - kTurn * std::ceil((closest - range.max - kRangeTolerance) / kTurn);
-        return inside(range, lowered) ? lowered : closest;
+        const double lowered_angle =
+            closest - kFullTurn_rad * std::ceil((closest - range.max - kRangeTolerance) / kFullTurn_rad);
+        return inside(range, lowered_angle) ? lowered_angle : closest;
     }
     return closest;
 }
 
 bool same(const Chain& chain, const rrs::JointPos& a, const rrs::JointPos& b) {
     for (int joint = 0; joint < chain.joint_count(); ++joint) {
-        const double way = a[joint] - b[joint];
+        const double difference = a[joint] - b[joint];
         const bool revolute = chain.kind(joint) == rrs::JointKind::revolute;
-        if (std::abs(revolute ? std::remainder(way, kTurn) : way) >= kSame) return false;
+        if (std::abs(revolute ? std::remainder(difference, kFullTurn_rad) : difference) >= kEqualTolerance)
+            return false;
     }
     return true;
 }
 
 }  // namespace
 
-std::optional<std::string> find_fault(const Chain& chain, const rrs::CartPos& pose,
+std::optional<std::string> find_error(const Chain& chain, const rrs::CartPos& pose,
                                       const rrs::JointPos& near) {
     if (auto valid = check_pose(pose); !valid) return std::move(valid.error());
     if (near.size() == chain.joint_count() && near.allFinite()) return std::nullopt;
     return fmt::format("The joint values near the solution must be {} finite numbers.", chain.joint_count());
 }
 
-std::optional<std::string> find_fault(const Chain& chain, const std::vector<JointRange>& ranges) {
+std::optional<std::string> find_error(const Chain& chain, const std::vector<JointRange>& ranges) {
     if (ranges.empty()) return std::nullopt;
     const bool ordered = std::all_of(ranges.begin(), ranges.end(),
                                      [](const JointRange& range) { return range.min <= range.max; });
@@ -64,12 +67,12 @@ std::optional<std::string> find_fault(const Chain& chain, const std::vector<Join
                        chain.joint_count());
 }
 
-void turn_near(const Chain& chain, const std::vector<JointRange>& ranges, const rrs::JointPos& near,
-               rrs::JointPos& joints) {
+void unwrap_near(const Chain& chain, const std::vector<JointRange>& ranges, const rrs::JointPos& near,
+                 rrs::JointPos& joints) {
     for (int joint = 0; joint < chain.joint_count(); ++joint) {
         if (chain.kind(joint) != rrs::JointKind::revolute) continue;
         const JointRange range = ranges.empty() ? JointRange{} : ranges[static_cast<std::size_t>(joint)];
-        joints[joint] = turned_near(range, near[joint], joints[joint]);
+        joints[joint] = unwrapped_near(range, near[joint], joints[joint]);
     }
 }
 
@@ -79,8 +82,8 @@ bool in_range(const std::vector<JointRange>& ranges, const rrs::JointPos& joints
                        [&](const JointRange& range) { return inside(range, joints[joint++]); });
 }
 
-std::vector<rrs::JointPos> in_order(const Chain& chain, const std::vector<JointRange>& ranges,
-                                    const rrs::JointPos& near, std::vector<Solution> solutions) {
+std::vector<rrs::JointPos> sorted_solutions(const Chain& chain, const std::vector<JointRange>& ranges,
+                                            const rrs::JointPos& near, std::vector<Solution> solutions) {
     const auto rank = [&](const Solution& solution) {
         return std::tuple(!in_range(ranges, solution.joints), !solution.exact,
                           (solution.joints - near).squaredNorm());

@@ -11,10 +11,11 @@ namespace {
 
 /// A circle that touches both lines represents the corner. It misses the corner by the junction deviation,
 /// and touches each line within half of its length.
-double corner_cap(const PlannerSetup& setup, const QueuedMove& before, const QueuedMove& move) {
-    const double straight = position_of(setup, before.slope).dot(position_of(setup, move.slope));
-    const double sine = std::sqrt(std::max((1 + straight) / 2, 0.0));  // of half the angle between the lines
-    const double cosine = std::sqrt(std::max((1 - straight) / 2, 0.0));
+double corner_speed_cap(const PlannerSetup& setup, const QueuedMove& before, const QueuedMove& move) {
+    const double dot_product = read_position(setup, before.slope).dot(read_position(setup, move.slope));
+    const double sine =
+        std::sqrt(std::max((1 + dot_product) / 2, 0.0));  // of half the angle between the lines
+    const double cosine = std::sqrt(std::max((1 - dot_product) / 2, 0.0));
     if (!(sine < 1 && cosine > 0)) return kUnlimited;
     const double radius = sine / (1 - sine);  // by the junction deviation
     const double touch = sine / cosine / 4;
@@ -24,7 +25,7 @@ double corner_cap(const PlannerSetup& setup, const QueuedMove& before, const Que
 }
 
 /// The flow out of a nozzle changes at once, so each extruder tolerates a jump of its speed.
-double extruder_cap(const PlannerSetup& setup, const QueuedMove& before, const QueuedMove& move) {
+double extruder_speed_cap(const PlannerSetup& setup, const QueuedMove& before, const QueuedMove& move) {
     double cap = kUnlimited;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         if (setup.role(joint) == JointRole::position) continue;
@@ -41,9 +42,9 @@ double extruder_cap(const PlannerSetup& setup, const QueuedMove& before, const Q
 void join(const PlannerSetup& setup, const QueuedMove& before, QueuedMove& move) {
     move.full.entry_cap = move.smooth.entry_cap = 0;
     if (!before.moves_tool || !move.moves_tool || before.stops) return;
-    move.full.entry_cap = std::min({move.max_speed_squared(), before.max_speed_squared(),
-                                    before.full.entry_cap + before.full.change,
-                                    corner_cap(setup, before, move), extruder_cap(setup, before, move)});
+    move.full.entry_cap = std::min(
+        {move.max_speed_squared(), before.max_speed_squared(), before.full.entry_cap + before.full.change,
+         corner_speed_cap(setup, before, move), extruder_speed_cap(setup, before, move)});
     move.smooth.entry_cap = std::min(move.full.entry_cap, before.smooth.entry_cap + before.smooth.change);
 }
 

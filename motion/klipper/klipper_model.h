@@ -22,22 +22,22 @@ class KlipperModel final : public MotionModel {
     /// Both must outlive the model.
     KlipperModel(const PlannerSetup& setup, SegmentOutput& output);
 
-    Planned add(const PathMove& move) override;
-    void come_to_rest() override;
+    PlanResult add(const PathMove& move) override;
+    void plan_to_standstill() override;
     void clear() override;
 
   private:
-    Planned add_line(const PathMove& line);
-    void reach_with_last(const PathMove& line);
-    void put_out(std::size_t count);
-    void put_out(const klipper::QueuedMove& move, double exit_speed);
+    PlanResult add_line(const PathMove& line);
+    void mark_target_reached(const PathMove& line);
+    void emit(std::size_t count);
+    void emit(const klipper::QueuedMove& move, double exit_speed);
 
     const PlannerSetup& setup_;
     SegmentOutput& output_;
     std::deque<klipper::QueuedMove> queue_;
-    std::size_t plan_at_;    ///< Length of the queue at which it is planned next.
-    double top_before_ = 0;  ///< Squared cruising speed of the last move that was output,
-    double speed_ = 0;       ///< and the speed at its end.
+    std::size_t next_plan_size_;      ///< Length of the queue at which it is planned next.
+    double last_cruise_squared_ = 0;  ///< Squared cruising speed of the last move that was output,
+    double speed_ = 0;                ///< and the speed at its end.
 };
 
 }  // namespace gsim::motion

@@ -33,17 +33,17 @@ Vector3d Axes::point(const rrs::JointPos& joints) const {
     return point;
 }
 
-void Axes::put(const Vector3d& point, rrs::JointPos& joints) const {
-    put_position(joints_, point, joints);
+void Axes::set_point(const Vector3d& point, rrs::JointPos& joints) const {
+    write_position(joints_, point, joints);
 }
 
 double Axes::in_plane(const Vector3d& limits, const Vector3d& normal) {
-    double least = kUnlimited;
+    double min = kUnlimited;
     for (int axis = 0; axis < 3; ++axis) {
         const double share = std::sqrt(std::max(0.0, 1 - normal[axis] * normal[axis]));
-        if (share > 0) least = std::min(least, limits[axis] / share);
+        if (share > 0) min = std::min(min, limits[axis] / share);
     }
-    return least;
+    return min;
 }
 
 }  // namespace gsim::motion::linuxcnc

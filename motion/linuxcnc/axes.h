@@ -18,7 +18,7 @@ class Axes {
     const Eigen::Vector3d& max_jerk_mm_s3() const { return max_jerk_mm_s3_; }
 
     Eigen::Vector3d point(const rrs::JointPos& joints) const;
-    void put(const Eigen::Vector3d& point, rrs::JointPos& joints) const;
+    void set_point(const Eigen::Vector3d& point, rrs::JointPos& joints) const;
 
     /// Returns the largest magnitude in the plane across `normal` of a quantity for which each axis has its
     /// value in `limits`.

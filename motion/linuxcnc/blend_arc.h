@@ -5,7 +5,7 @@
 
 #include "motion/linuxcnc/axes.h"
 #include "motion/linuxcnc/corner.h"
-#include "motion/linuxcnc/piece.h"
+#include "motion/linuxcnc/sub_segment.h"
 
 namespace gsim::motion::linuxcnc {
 
@@ -28,8 +28,9 @@ struct BlendCircle {
 
 /// Returns speed and radius within the lengths and tolerances of both legs, or nullopt if they form no
 /// corner.
-std::optional<BlendSpeeds> blend_speeds(const Piece& before, const Piece& after, const Corner& corner,
-                                        const Leg& leg_before, const Leg& leg_after, const Axes& axes);
+std::optional<BlendSpeeds> blend_speeds(const SubSegment& before, const SubSegment& after,
+                                        const Corner& corner, const Leg& leg_before, const Leg& leg_after,
+                                        const Axes& axes);
 
 /// Returns the position of the circle, or nullopt if none fits.
 std::optional<BlendCircle> blend_circle(const Corner& corner, const Leg& before, const Leg& after,

@@ -10,7 +10,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr double kSharpest_rad = std::numbers::pi / 12;  // between two arcs
+constexpr double kMinCornerAngle_rad = std::numbers::pi / 12;  // between two arcs
 
 double angle_between(const Vector3d& a, const Vector3d& b) {
     return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -18,36 +18,36 @@ double angle_between(const Vector3d& a, const Vector3d& b) {
 
 // Returns the distance of the blend's centre from that of the leg's circle, which it touches from inside or
 // outside.
-double center_distance(const Leg& leg, double blend_mm) {
-    return leg.bends_along ? leg.radius_mm - blend_mm : leg.radius_mm + blend_mm;
+double center_distance(const Leg& leg, double blend_radius_mm) {
+    return leg.turns_with_corner ? leg.radius_mm - blend_radius_mm : leg.radius_mm + blend_radius_mm;
 }
 
 // Returns the angle at the centre of the leg's circle between the corner and the point at which the blend
 // touches.
-double cut_of(const Leg& leg, const Corner& corner, const Vector3d& blend_center) {
+double arc_cut(const Leg& leg, const Corner& corner, const Vector3d& blend_center) {
     return angle_between(corner.point - leg.center, blend_center - leg.center);
 }
 
-bool stays_near(const BlendCircle& circle, const Corner& corner, const BlendSpeeds& speeds) {
+bool is_within_tolerance(const BlendCircle& circle, const Corner& corner, const BlendSpeeds& speeds) {
     return (circle.center - corner.point).norm() - speeds.radius_mm <= speeds.tolerance_mm;
 }
 
-BlendCircle between_lines(const Corner& corner, const BlendSpeeds& speeds) {
-    const Vector3d inwards = (corner.out - corner.in).normalized();
+BlendCircle line_line_circle(const Corner& corner, const BlendSpeeds& speeds) {
+    const Vector3d inward = (corner.out - corner.in).normalized();
     const double cut_mm = speeds.radius_mm / std::tan(speeds.half_angle_rad);
-    return {corner.point + inwards * (speeds.radius_mm / std::sin(speeds.half_angle_rad)), cut_mm, cut_mm};
+    return {corner.point + inward * (speeds.radius_mm / std::sin(speeds.half_angle_rad)), cut_mm, cut_mm};
 }
 
 // Returns the distance from the corner to the point at which a circle touches a line that leads away along
 // `outwards`. The circle must also touch that of the other leg. `inwards` is the line's normal towards the
 // inside of the corner.
-std::optional<double> cut_of_line(const Leg& arc, const Corner& corner, const Vector3d& outwards,
-                                  const Vector3d& inwards, double radius_mm) {
+std::optional<double> line_cut(const Leg& arc, const Corner& corner, const Vector3d& outwards,
+                               const Vector3d& inward, double radius_mm) {
     const Vector3d to_center = arc.center - corner.point;
     const double along = to_center.dot(outwards);
-    const double across = radius_mm - to_center.dot(inwards);
+    const double center_offset = radius_mm - to_center.dot(inward);
     const double distance = center_distance(arc, radius_mm);
-    const double square = distance * distance - across * across;
+    const double square = distance * distance - center_offset * center_offset;
     if (!(square >= 0) || distance <= 0) return std::nullopt;
     const double root = std::sqrt(square);
     const double cut = std::abs(along - root) < std::abs(along + root) ? along - root : along + root;
@@ -55,54 +55,58 @@ std::optional<double> cut_of_line(const Leg& arc, const Corner& corner, const Ve
     return cut;
 }
 
-std::optional<BlendCircle> line_then_arc(const Corner& corner, const Leg& before, const Leg& after,
-                                         const BlendSpeeds& speeds) {
-    const Vector3d inwards = corner.normal.cross(before.direction).normalized();
-    const auto cut = cut_of_line(after, corner, -before.direction, inwards, speeds.radius_mm);
+std::optional<BlendCircle> line_arc_circle(const Corner& corner, const Leg& before, const Leg& after,
+                                           const BlendSpeeds& speeds) {
+    const Vector3d inward = corner.normal.cross(before.direction).normalized();
+    const auto cut = line_cut(after, corner, -before.direction, inward, speeds.radius_mm);
     if (!cut) return std::nullopt;
-    BlendCircle circle{corner.point - before.direction * *cut + inwards * speeds.radius_mm, *cut, 0};
-    circle.cut_after = cut_of(after, corner, circle.center);
-    if (!stays_near(circle, corner, speeds) || circle.cut_after > after.room_rad) return std::nullopt;
+    BlendCircle circle{corner.point - before.direction * *cut + inward * speeds.radius_mm, *cut, 0};
+    circle.cut_after = arc_cut(after, corner, circle.center);
+    if (!is_within_tolerance(circle, corner, speeds) || circle.cut_after > after.available_rad)
+        return std::nullopt;
     return circle;
 }
 
-std::optional<BlendCircle> arc_then_line(const Corner& corner, const Leg& before, const Leg& after,
-                                         const BlendSpeeds& speeds) {
-    const Vector3d inwards = corner.normal.cross(after.direction).normalized();
-    const auto cut = cut_of_line(before, corner, after.direction, inwards, speeds.radius_mm);
+std::optional<BlendCircle> arc_line_circle(const Corner& corner, const Leg& before, const Leg& after,
+                                           const BlendSpeeds& speeds) {
+    const Vector3d inward = corner.normal.cross(after.direction).normalized();
+    const auto cut = line_cut(before, corner, after.direction, inward, speeds.radius_mm);
     if (!cut) return std::nullopt;
-    BlendCircle circle{corner.point + after.direction * *cut + inwards * speeds.radius_mm, 0, *cut};
-    circle.cut_before = cut_of(before, corner, circle.center);
-    if (!stays_near(circle, corner, speeds) || circle.cut_before > before.room_rad) return std::nullopt;
+    BlendCircle circle{corner.point + after.direction * *cut + inward * speeds.radius_mm, 0, *cut};
+    circle.cut_before = arc_cut(before, corner, circle.center);
+    if (!is_within_tolerance(circle, corner, speeds) || circle.cut_before > before.available_rad)
+        return std::nullopt;
     return circle;
 }
 
 // The centre has its distance from both centres. Two points meet this; the one nearer to the corner is used.
-std::optional<Vector3d> center_between(const Corner& corner, const Leg& before, const Leg& after,
-                                       double radius_mm) {
-    const Vector3d apart = after.center - before.center;
-    const double distance = apart.norm();
-    const double from_before = center_distance(before, radius_mm);
-    const double from_after = center_distance(after, radius_mm);
-    if (!(distance > 0) || from_before <= 0 || from_after <= 0) return std::nullopt;
+std::optional<Vector3d> blend_center_between(const Corner& corner, const Leg& before, const Leg& after,
+                                             double radius_mm) {
+    const Vector3d center_vector = after.center - before.center;
+    const double distance = center_vector.norm();
+    const double distance_before = center_distance(before, radius_mm);
+    const double distance_after = center_distance(after, radius_mm);
+    if (!(distance > 0) || distance_before <= 0 || distance_after <= 0) return std::nullopt;
     const double along =
-        (from_before * from_before - from_after * from_after + distance * distance) / (2 * distance);
-    const double square = from_before * from_before - along * along;
+        (distance_before * distance_before - distance_after * distance_after + distance * distance) /
+        (2 * distance);
+    const double square = distance_before * distance_before - along * along;
     if (!(square >= 0)) return std::nullopt;
-    const Vector3d foot = before.center + apart * (along / distance);
-    const Vector3d aside = corner.normal.cross(apart).normalized() * std::sqrt(square);
-    const Vector3d one = foot + aside, other = foot - aside;
+    const Vector3d foot = before.center + center_vector * (along / distance);
+    const Vector3d lateral = corner.normal.cross(center_vector).normalized() * std::sqrt(square);
+    const Vector3d one = foot + lateral, other = foot - lateral;
     return (one - corner.point).squaredNorm() < (other - corner.point).squaredNorm() ? one : other;
 }
 
-std::optional<BlendCircle> between_arcs(const Corner& corner, const Leg& before, const Leg& after,
-                                        const BlendSpeeds& speeds) {
-    if (speeds.half_angle_rad < kSharpest_rad) return std::nullopt;
-    const auto center = center_between(corner, before, after, speeds.radius_mm);
+std::optional<BlendCircle> arc_arc_circle(const Corner& corner, const Leg& before, const Leg& after,
+                                          const BlendSpeeds& speeds) {
+    if (speeds.half_angle_rad < kMinCornerAngle_rad) return std::nullopt;
+    const auto center = blend_center_between(corner, before, after, speeds.radius_mm);
     if (!center) return std::nullopt;
-    const BlendCircle circle{*center, cut_of(before, corner, *center), cut_of(after, corner, *center)};
-    if (!stays_near(circle, corner, speeds)) return std::nullopt;
-    if (circle.cut_before > before.room_rad || circle.cut_after > after.room_rad) return std::nullopt;
+    const BlendCircle circle{*center, arc_cut(before, corner, *center), arc_cut(after, corner, *center)};
+    if (!is_within_tolerance(circle, corner, speeds)) return std::nullopt;
+    if (circle.cut_before > before.available_rad || circle.cut_after > after.available_rad)
+        return std::nullopt;
     return circle;
 }
 
@@ -110,10 +114,10 @@ std::optional<BlendCircle> between_arcs(const Corner& corner, const Leg& before,
 
 std::optional<BlendCircle> blend_circle(const Corner& corner, const Leg& before, const Leg& after,
                                         const BlendSpeeds& speeds) {
-    if (before.curved && after.curved) return between_arcs(corner, before, after, speeds);
-    if (before.curved) return arc_then_line(corner, before, after, speeds);
-    if (after.curved) return line_then_arc(corner, before, after, speeds);
-    return between_lines(corner, speeds);
+    if (before.curved && after.curved) return arc_arc_circle(corner, before, after, speeds);
+    if (before.curved) return arc_line_circle(corner, before, after, speeds);
+    if (after.curved) return line_arc_circle(corner, before, after, speeds);
+    return line_line_circle(corner, speeds);
 }
 
 }  // namespace gsim::motion::linuxcnc

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "motion/linuxcnc/axes.h"
-#include "motion/linuxcnc/piece.h"
+#include "motion/linuxcnc/sub_segment.h"
 
 namespace gsim::motion::linuxcnc {
 
@@ -17,7 +17,7 @@ struct Corner {
     double half_angle_rad;  ///< Half of the angle between the two legs: pi/2 if the path continues straight.
 };
 
-Corner corner_between(const Piece& before, const Piece& after, const Axes& axes);
+Corner corner_between(const SubSegment& before, const SubSegment& after, const Axes& axes);
 
 /// Leg of a corner as a blend arc uses it.
 struct Leg {
@@ -26,14 +26,14 @@ struct Leg {
     /// the sense of the corner.
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();
     double half_angle_rad = 0;                         ///< Half angle of the corner for this leg.
-    double room_mm = 0;                                ///< Length that the blend may use.
+    double available_mm = 0;                           ///< Length that the blend may use.
     Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< Centre of an arc, in the plane of the corner.
     double radius_mm = 0;
-    bool bends_along = false;  ///< The arc turns as the corner does: the blend lies within its circle.
-    double room_rad = 0;       ///< Angle of the arc that the blend may use.
+    bool turns_with_corner = false;  ///< The arc turns as the corner does: the blend lies within its circle.
+    double available_rad = 0;        ///< Angle of the arc that the blend may use.
 };
 
-Leg leg_before(const Piece& piece, const Corner& corner);
-Leg leg_after(const Piece& piece, const Corner& corner);
+Leg leg_before(const SubSegment& sub_segment, const Corner& corner);
+Leg leg_after(const SubSegment& sub_segment, const Corner& corner);
 
 }  // namespace gsim::motion::linuxcnc

@@ -16,92 +16,93 @@ namespace {
 
 // A tangent discontinuity that takes less than this share of an axis' acceleration in a period is passed at
 // full speed.
-constexpr double kKinkShare = 0.1;
+constexpr double kTangentDiscontinuityShare = 0.1;
 constexpr double kReversal_rad = 2 * kRadPerDeg;
 
-void end_by(Piece& before, Piece& after, Term term) {
-    before.term = term;
-    after.after_parabola = term == Term::parabola;
+void end_with_term(SubSegment& before, SubSegment& after, EndCondition end_condition) {
+    before.end_condition = end_condition;
+    after.after_parabola = end_condition == EndCondition::parabola;
 }
 
-void set_kink(Piece& before, Piece& after, double speed, double share) {
-    before.kink_speed = speed;
-    before.kink_at_end = std::max(before.kink_at_end, share);
-    after.kink_at_start = std::max(after.kink_at_start, share);
+void set_corner_speed(SubSegment& before, SubSegment& after, double speed, double share) {
+    before.corner_speed = speed;
+    before.end_corner_share = std::max(before.end_corner_share, share);
+    after.start_corner_share = std::max(after.start_corner_share, share);
 }
 
-void clear_kink(Piece& before, Piece& after) {
-    before.kink_speed = -1;
-    before.kink_at_end = 0;
-    after.kink_at_start = 0;
+void clear_corner_speed(SubSegment& before, SubSegment& after) {
+    before.corner_speed = -1;
+    before.end_corner_share = 0;
+    after.start_corner_share = 0;
 }
 
-bool reverses(const Corner& corner) {
+bool is_reversal(const Corner& corner) {
     return (corner.in + corner.out).squaredNorm() < kReversal_rad * kReversal_rad;
 }
 
-double shared_speed(const Piece& before, const Piece& after, double most_share) {
-    const auto most = [most_share](const Piece& piece) {
-        return piece.obeyed.feed ? piece.requested_speed * most_share : piece.requested_speed;
+double common_speed(const SubSegment& before, const SubSegment& after, double max_share) {
+    const auto capped_speed = [max_share](const SubSegment& sub_segment) {
+        return sub_segment.enabled_overrides.feed ? sub_segment.requested_speed * max_share
+                                                  : sub_segment.requested_speed;
     };
-    return std::min({most(before), before.max_speed, most(after), after.max_speed});
+    return std::min({capped_speed(before), before.max_speed, capped_speed(after), after.max_speed});
 }
 
 // Returns the largest share of an axis' acceleration that the tangent discontinuity takes if it is passed at
 // `speed` within a period.
-double kink_share(const Piece& before, const Piece& after, const Corner& corner, double speed,
-                  const Axes& axes, double period_s) {
+double acceleration_share_at(const SubSegment& before, const SubSegment& after, const Corner& corner,
+                             double speed, const Axes& axes, double period_s) {
     const double change = speed / period_s + after.full_acceleration;
     const Vector3d shares =
         (corner.out - corner.in).cwiseAbs().cwiseQuotient(axes.max_acceleration_mm_s2()) * change;
-    const double greatest = shares.maxCoeff();
-    return before.curved || after.curved ? greatest / kTangentialShare : greatest;
+    const double max = shares.maxCoeff();
+    return before.curved || after.curved ? max / kTangentialShare : max;
 }
 
 // Continuous mode uses the fastest of three methods to pass the corner.
-std::optional<Blend> join_fastest(Piece& before, Piece& after, const Corner& corner, const Axes& axes,
-                                  const JoinRules& rules) {
+std::optional<Blend> join_by_fastest(SubSegment& before, SubSegment& after, const Corner& corner,
+                                     const Axes& axes, const JoinRules& rules) {
     const double parabola = parabola_between(before, after).net_speed / 2;
-    const double kink = before.kink_speed;
+    const double corner_speed = before.corner_speed;
     std::optional<Blend> blend = blend_between(before, after, corner, axes, rules.planning);
-    const double arc = blend ? blend->piece.max_speed : 0;
-    if (parabola >= std::max(kink, arc)) {
-        clear_kink(before, after);
-        end_by(before, after, Term::parabola);
+    const double arc = blend ? blend->sub_segment.max_speed : 0;
+    if (parabola >= std::max(corner_speed, arc)) {
+        clear_corner_speed(before, after);
+        end_with_term(before, after, EndCondition::parabola);
         return std::nullopt;
     }
-    end_by(before, after, Term::tangent);
+    end_with_term(before, after, EndCondition::tangent);
     after.after_tangent = true;
-    if (kink >= arc) return std::nullopt;
-    clear_kink(before, after);
-    make_room(*blend, axes, before, after);
+    if (corner_speed >= arc) return std::nullopt;
+    clear_corner_speed(before, after);
+    trim_for_blend(*blend, axes, before, after);
     return blend;
 }
 
 }  // namespace
 
-std::optional<Blend> join(Piece& before, Piece& after, const Axes& axes, const JoinRules& rules) {
+std::optional<Blend> join(SubSegment& before, SubSegment& after, const Axes& axes, const JoinRules& rules) {
     if (rules.stop_between_rapid_and_feed && before.rapid != after.rapid) {
-        end_by(before, after, Term::stop);
+        end_with_term(before, after, EndCondition::stop);
         return std::nullopt;
     }
-    if (before.turns || after.turns || before.term == Term::stop) return std::nullopt;
+    if (before.turns || after.turns || before.end_condition == EndCondition::stop) return std::nullopt;
     const Corner corner = corner_between(before, after, axes);
-    if (reverses(corner)) {
-        end_by(before, after, Term::stop);
+    if (is_reversal(corner)) {
+        end_with_term(before, after, EndCondition::stop);
         return std::nullopt;
     }
-    const double speed = shared_speed(before, after, rules.most_share);
-    const double share = kink_share(before, after, corner, speed, axes, rules.planning.period_s);
-    if (share < kKinkShare) {
-        set_kink(before, after, speed, share);
-        end_by(before, after, Term::tangent);
+    const double speed = common_speed(before, after, rules.max_share);
+    const double share = acceleration_share_at(before, after, corner, speed, axes, rules.planning.period_s);
+    if (share < kTangentDiscontinuityShare) {
+        set_corner_speed(before, after, speed, share);
+        end_with_term(before, after, EndCondition::tangent);
         after.after_tangent = true;
         return std::nullopt;
     }
-    set_kink(before, after, speed * kKinkShare / share, kKinkShare);
-    if (before.term == Term::exact) return std::nullopt;
-    return join_fastest(before, after, corner, axes, rules);
+    set_corner_speed(before, after, speed * kTangentDiscontinuityShare / share, kTangentDiscontinuityShare);
+    if (before.end_condition == EndCondition::exact) return std::nullopt;
+    return join_by_fastest(before, after, corner, axes, rules);
 }
 
 }  // namespace gsim::motion::linuxcnc

@@ -18,7 +18,7 @@ class Law {
 
     /// Adds a part. Parts without duration are left out.
     void add(double duration_s, double speed, double acceleration, double jerk = 0);
-    void rest(double duration_s) { add(duration_s, 0, 0); }
+    void standstill(double duration_s) { add(duration_s, 0, 0); }
     /// Appends the motion of `other`.
     void append(const Law& other);
 
@@ -33,11 +33,11 @@ class Law {
     TimeLaw scaled(double scale) const;
     /// Returns the law scaled so that it covers `length`.
     Law over(double length) const;
-    /// Returns a law over the same distance that stops `by_s` earlier.
-    Law sooner(double by_s) const;
+    /// Returns a law over the same distance that stops `earlier_s` earlier.
+    Law shortened(double earlier_s) const;
 
   private:
-    std::array<LawPiece, TimeLaw::kMaxPieces> pieces_;  // only the first count_ hold values
+    std::array<LawSection, TimeLaw::kMaxSections> sections_;  // only the first count_ hold values
     std::size_t count_ = 0;
     double duration_s_ = 0;
     double length_ = 0;

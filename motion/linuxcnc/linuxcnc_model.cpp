@@ -3,24 +3,24 @@
 #include <algorithm>
 #include <utility>
 
-#include "motion/linuxcnc/piece_of_move.h"
+#include "motion/linuxcnc/make_sub_segment.h"
 
 namespace gsim::motion {
 
-using linuxcnc::Piece;
+using linuxcnc::SubSegment;
 
 namespace {
 
 constexpr double kShortestPeriod_s = 1e-9;
 
-linuxcnc::Clock clock_of(const rrs::ControllerRules& rules) {
+linuxcnc::Clock make_clock(const rrs::ControllerRules& rules) {
     if (!(rules.servo_period_s >= kShortestPeriod_s)) return {.counts = false};
     return {.period_s = rules.servo_period_s, .counts = true};
 }
 
-linuxcnc::Planning planning_of(const PlannerSetup& setup, const rrs::ControllerRules& rules,
-                               const linuxcnc::Clock& clock) {
-    linuxcnc::Planning planning{.period_s = clock.period_s};
+linuxcnc::PlanningRules make_planning(const PlannerSetup& setup, const rrs::ControllerRules& rules,
+                                      const linuxcnc::Clock& clock) {
+    linuxcnc::PlanningRules planning{.period_s = clock.period_s};
     planning.since_2_10 = rules.linuxcnc_release == rrs::LinuxcncRelease::v2_10;
     planning.s_curves = planning.since_2_10 && rules.limit_jerk;
     planning.path_jerk = planning.s_curves ? setup.path.max_jerk_mm_s3 : kUnlimited;
@@ -33,38 +33,38 @@ LinuxcncModel::LinuxcncModel(const PlannerSetup& setup, const rrs::ControllerRul
                              SegmentOutput& output)
     : setup_(setup),
       axes_(setup),
-      clock_(clock_of(rules)),
-      planning_(planning_of(setup, rules, clock_)),
+      clock_(make_clock(rules)),
+      planning_(make_planning(setup, rules, clock_)),
       join_rules_{planning_, rules.stop_between_rapid_and_feed, rules.overrides.planned_feed_percent / 100},
       merged_(axes_),
       output_(output),
-      pacer_(std::max<std::size_t>(rules.look_ahead_blocks, 1), clock_, planning_, axes_),
+      velocity_planner_(std::max<std::size_t>(rules.look_ahead_blocks, 1), clock_, planning_, axes_),
       writer_(axes_, output) {}
 
 /// The path of a move that is too short to be made is added to the next line.
-Planned LinuxcncModel::add(const PathMove& move) {
-    if (!left_out_ || move.kind == SegmentKind::circular) return add_whole(move);
+PlanResult LinuxcncModel::add(const PathMove& move) {
+    if (!skipped_start_ || move.kind == SegmentKind::circular) return add_complete(move);
     PathMove line = move;
-    line.start = *left_out_;
-    return add_whole(line);
+    line.start = *skipped_start_;
+    return add_complete(line);
 }
 
-Planned LinuxcncModel::add_whole(const PathMove& move) {
-    if (linuxcnc::may_merge(move) && linuxcnc::surely_makes_piece(setup_, move)) {
-        left_out_.reset();
+PlanResult LinuxcncModel::add_complete(const PathMove& move) {
+    if (linuxcnc::may_merge(move) && linuxcnc::certainly_moves(setup_, move)) {
+        skipped_start_.reset();
         merge(move);
         return {};
     }
-    auto piece = linuxcnc::piece_of(setup_, axes_, move, planning_);
-    if (!piece) return tl::unexpected(std::move(piece.error()));
-    if (piece->length == 0) {
-        left_out_ = move.start;
+    auto sub_segment = linuxcnc::make_sub_segment(setup_, axes_, move, planning_);
+    if (!sub_segment) return tl::unexpected(std::move(sub_segment.error()));
+    if (sub_segment->length == 0) {
+        skipped_start_ = move.start;
         return {};
     }
-    left_out_.reset();
-    if (piece->turns || !linuxcnc::may_merge(move)) {
+    skipped_start_.reset();
+    if (sub_segment->turns || !linuxcnc::may_merge(move)) {
         end_merged();
-        take(*std::move(piece));
+        add_part(*std::move(sub_segment));
         return {};
     }
     // LinuxCNC merges an arc of little curvature as two lines through its middle.
@@ -78,22 +78,22 @@ Planned LinuxcncModel::add_whole(const PathMove& move) {
     return {};
 }
 
-void LinuxcncModel::come_to_rest() {
+void LinuxcncModel::plan_to_standstill() {
     end_merged();
-    put_out(true);
+    emit(true);
     queue_.clear();
-    pacer_.clear();
+    velocity_planner_.clear();
 }
 
-rrs::JointPos LinuxcncModel::standing_at(const rrs::JointPos& position) const {
-    return left_out_.value_or(position);
+rrs::JointPos LinuxcncModel::end_position_of(const rrs::JointPos& position) const {
+    return skipped_start_.value_or(position);
 }
 
 void LinuxcncModel::clear() {
     merged_.clear();
     queue_.clear();
-    pacer_.clear();
-    left_out_.reset();
+    velocity_planner_.clear();
+    skipped_start_.reset();
 }
 
 void LinuxcncModel::merge(const PathMove& line) {
@@ -104,39 +104,39 @@ void LinuxcncModel::merge(const PathMove& line) {
 /// A line that replaces plannable lines is plannable itself, or has no length.
 void LinuxcncModel::end_merged() {
     if (merged_.empty()) return;
-    auto piece = linuxcnc::piece_of(setup_, axes_, merged_.line(), planning_);
+    auto sub_segment = linuxcnc::make_sub_segment(setup_, axes_, merged_.line(), planning_);
     const bool several = merged_.several();
     merged_.clear();
-    if (!piece || !(piece->length > 0)) return;
-    if (several) piece->off_way = OffWay::yes;
-    take(*std::move(piece));
+    if (!sub_segment || !(sub_segment->length > 0)) return;
+    if (several) sub_segment->path_deviation = PathDeviation::other;
+    add_part(*std::move(sub_segment));
 }
 
-void LinuxcncModel::take(Piece piece) {
+void LinuxcncModel::add_part(SubSegment sub_segment) {
     if (queue_.empty()) {
-        push(piece);
+        push(sub_segment);
         return;
     }
-    Piece& last = queue_.back().piece;
-    const auto blend = linuxcnc::join(last, piece, axes_, join_rules_);
-    if (blend && blend->takes_before) {
-        last = blend->piece;
+    SubSegment& last = queue_.back().sub_segment;
+    const auto blend = linuxcnc::join(last, sub_segment, axes_, join_rules_);
+    if (blend && blend->absorbs_before) {
+        last = blend->sub_segment;
     } else {
-        linuxcnc::settle(last, planning_);
-        if (blend) push(blend->piece);
+        linuxcnc::finalize(last, planning_);
+        if (blend) push(blend->sub_segment);
     }
-    push(piece);
-    put_out(false);
+    push(sub_segment);
+    emit(false);
 }
 
-void LinuxcncModel::push(const Piece& piece) {
-    if (queue_.empty()) pacer_.start(output_.time_s(), setup_.overrides.get());
-    queue_.push().piece = piece;
+void LinuxcncModel::push(const SubSegment& sub_segment) {
+    if (queue_.empty()) velocity_planner_.start(output_.time_s(), setup_.overrides.get());
+    queue_.push().sub_segment = sub_segment;
 }
 
-void LinuxcncModel::put_out(bool ended) {
-    pacer_.advance(queue_, ended);
-    pacer_.drop(writer_.write(queue_, pacer_.ready(), ended));
+void LinuxcncModel::emit(bool ended) {
+    velocity_planner_.advance(queue_, ended);
+    velocity_planner_.drop(writer_.write(queue_, velocity_planner_.ready(), ended));
 }
 
 }  // namespace gsim::motion

@@ -4,10 +4,10 @@
 
 #include "controller/services/controller_rules.h"
 #include "motion/linuxcnc/axes.h"
-#include "motion/linuxcnc/held_piece.h"
 #include "motion/linuxcnc/join.h"
 #include "motion/linuxcnc/merged_lines.h"
-#include "motion/linuxcnc/pacer.h"
+#include "motion/linuxcnc/queued_sub_segment.h"
+#include "motion/linuxcnc/velocity_planner.h"
 #include "motion/linuxcnc/writer.h"
 #include "motion/planner/motion_model.h"
 #include "motion/planner/planner_setup.h"
@@ -34,30 +34,30 @@ class LinuxcncModel final : public MotionModel {
     LinuxcncModel(const LinuxcncModel&) = delete;
     LinuxcncModel& operator=(const LinuxcncModel&) = delete;
 
-    Planned add(const PathMove& move) override;
-    void come_to_rest() override;
+    PlanResult add(const PathMove& move) override;
+    void plan_to_standstill() override;
     void clear() override;
-    rrs::JointPos standing_at(const rrs::JointPos& position) const override;
+    rrs::JointPos end_position_of(const rrs::JointPos& position) const override;
 
   private:
-    Planned add_whole(const PathMove& move);
+    PlanResult add_complete(const PathMove& move);
     void merge(const PathMove& line);
     void end_merged();
-    void take(linuxcnc::Piece piece);
-    void push(const linuxcnc::Piece& piece);
-    void put_out(bool ended);
+    void add_part(linuxcnc::SubSegment sub_segment);
+    void push(const linuxcnc::SubSegment& sub_segment);
+    void emit(bool ended);
 
     const PlannerSetup& setup_;
     linuxcnc::Axes axes_;
     linuxcnc::Clock clock_;
-    linuxcnc::Planning planning_;
+    linuxcnc::PlanningRules planning_;
     linuxcnc::JoinRules join_rules_;
     linuxcnc::MergedLines merged_;
     SegmentOutput& output_;
-    linuxcnc::PieceQueue queue_;
-    linuxcnc::Pacer pacer_;
+    linuxcnc::SubSegmentQueue queue_;
+    linuxcnc::VelocityPlanner velocity_planner_;
     linuxcnc::Writer writer_;
-    std::optional<rrs::JointPos> left_out_;  ///< Start of the moves since the last one made.
+    std::optional<rrs::JointPos> skipped_start_;  ///< Start of the moves since the last one made.
 };
 
 }  // namespace gsim::motion

@@ -10,8 +10,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-constexpr std::size_t kMostLines = 100;
-constexpr double kLevel = 1e-9;  // slope of a plane that counts as that of XY
+constexpr std::size_t kMaxLines = 100;
+constexpr double kLevelTolerance = 1e-9;  // slope of a plane that counts as that of XY
 constexpr double kOneTurn_rad = 2 * std::numbers::pi + 1e-5;
 
 // The height over the chord shows how far an arc of at most one turn deviates from it. Arcs of more turns are
@@ -19,24 +19,25 @@ constexpr double kOneTurn_rad = 2 * std::numbers::pi + 1e-5;
 bool flat(const PathMove& move) {
     const Arc& arc = move.arc;
     if (arc.sweep_rad > kOneTurn_rad) return false;
-    const bool level = std::abs(arc.u.z()) < kLevel && std::abs(arc.v.z()) < kLevel;
+    const bool level = std::abs(arc.u.z()) < kLevelTolerance && std::abs(arc.v.z()) < kLevelTolerance;
     return level && arc.radius_mm * (1 - std::cos(arc.sweep_rad / 2)) < move.merge_tolerance_mm;
 }
 
 /// True if a point is within `tolerance_mm` of the line from `start` by `way`.
-bool lies_within(double tolerance_mm, const Vector3d& point, const Vector3d& start, const Vector3d& way) {
+bool is_within_box(double tolerance_mm, const Vector3d& point, const Vector3d& start,
+                   const Vector3d& displacement) {
     const Vector3d to_point = point - start;
-    const double share = std::clamp(to_point.dot(way) / way.squaredNorm(), 0.0, 1.0);
-    return (to_point - share * way).squaredNorm() <= tolerance_mm * tolerance_mm;
+    const double share = std::clamp(to_point.dot(displacement) / displacement.squaredNorm(), 0.0, 1.0);
+    return (to_point - share * displacement).squaredNorm() <= tolerance_mm * tolerance_mm;
 }
 
 bool same_rules(const PathMove& a, const PathMove& b) {
     return a.rules.programmed_speed_mm_s == b.rules.programmed_speed_mm_s &&
            a.rules.max_path_speed_mm_s == b.rules.max_path_speed_mm_s &&
            a.rules.path_acceleration_mm_s2 == b.rules.path_acceleration_mm_s2 &&
-           a.rules.least_duration_s <= 0 && b.rules.least_duration_s <= 0 && a.obeyed == b.obeyed &&
-           a.rules.follows_spindle == b.rules.follows_spindle && a.tolerance_mm == b.tolerance_mm &&
-           a.merge_tolerance_mm == b.merge_tolerance_mm;
+           a.rules.min_duration_s <= 0 && b.rules.min_duration_s <= 0 &&
+           a.enabled_overrides == b.enabled_overrides && a.rules.follows_spindle == b.rules.follows_spindle &&
+           a.tolerance_mm == b.tolerance_mm && a.merge_tolerance_mm == b.merge_tolerance_mm;
 }
 
 }  // namespace
@@ -47,12 +48,12 @@ bool may_merge(const PathMove& move) {
 }
 
 bool MergedLines::accepts(const PathMove& line) const {
-    if (ends_.size() > kMostLines || !same_rules(line, line_)) return false;
+    if (ends_.size() > kMaxLines || !same_rules(line, line_)) return false;
     const Vector3d start = axes_.point(line_.start);
-    const Vector3d way = axes_.point(line.end) - start;
-    if (!(way.squaredNorm() > 0)) return false;
+    const Vector3d displacement = axes_.point(line.end) - start;
+    if (!(displacement.squaredNorm() > 0)) return false;
     return std::all_of(ends_.begin(), ends_.end(), [&](const Vector3d& end) {
-        return lies_within(line.merge_tolerance_mm, end, start, way);
+        return is_within_box(line.merge_tolerance_mm, end, start, displacement);
     });
 }
 
@@ -67,9 +68,9 @@ PathMove line_to_end(const PathMove& move, const rrs::JointPos& start) {
     PathMove line = move;
     line.kind = SegmentKind::linear;
     line.start = start;
-    if (move.kind == SegmentKind::circular && move.rules.least_duration_s > 0) {
-        line.rules.programmed_speed_mm_s = move.arc.length_mm() / move.rules.least_duration_s;
-        line.rules.least_duration_s = 0;
+    if (move.kind == SegmentKind::circular && move.rules.min_duration_s > 0) {
+        line.rules.programmed_speed_mm_s = move.arc.length_mm() / move.rules.min_duration_s;
+        line.rules.min_duration_s = 0;
     }
     return line;
 }
@@ -77,7 +78,7 @@ PathMove line_to_end(const PathMove& move, const rrs::JointPos& start) {
 PathMove line_to_middle(const PathMove& move, const Axes& axes) {
     PathMove line = line_to_end(move, move.start);
     line.end = (move.start + move.end) / 2;
-    axes.put(move.arc.at(move.arc.sweep_rad / 2), line.end);
+    axes.set_point(move.arc.at(move.arc.sweep_rad / 2), line.end);
     return line;
 }
 

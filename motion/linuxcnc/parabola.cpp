@@ -17,75 +17,84 @@ namespace {
 constexpr double kStraight_rad = 0.001;  // a turn by less than twice this needs no tolerance
 
 // Returns the speed that a sub-segment reaches if it has to stop again.
-double reached_speed(const Piece& piece, double acceleration, double share) {
-    const double length = piece.settled ? piece.length : piece.length / 2;
+double reachable_speed_to_stop(const SubSegment& sub_segment, double acceleration, double share) {
+    const double length = sub_segment.is_final ? sub_segment.length : sub_segment.length / 2;
     double speed = std::sqrt(acceleration * length);
-    if (std::isfinite(piece.jerk)) speed = std::min(speed, peak_speed(length, acceleration, piece.path_jerk));
-    return std::min(speed, target_speed(piece, share));
+    if (std::isfinite(sub_segment.jerk))
+        speed = std::min(speed, peak_speed(length, acceleration, sub_segment.path_jerk));
+    return std::min(speed, target_speed(sub_segment, share));
 }
 
-double time_to_reach(double speed, double acceleration, const Piece& piece) {
-    return std::isfinite(piece.jerk) ? ramp_s(0, speed, acceleration, piece.path_jerk) : speed / acceleration;
+double time_to_reach(double speed, double acceleration, const SubSegment& sub_segment) {
+    return std::isfinite(sub_segment.jerk) ? ramp_s(0, speed, acceleration, sub_segment.path_jerk)
+                                           : speed / acceleration;
 }
 
 // The square root is LinuxCNC's own (calcSCurveSpeedWithT() in sp_scurve.c). Speeds fall as the jerk grows,
 // and its units do not fit. So it matters that LinuxCNC counts in degrees if only rotary joints move.
-double reached_after(double time_s, double acceleration, const Piece& piece, double jerk) {
-    const double straight = time_s * acceleration;
-    if (std::isinf(jerk)) return straight;
-    const double unit = piece.path_limited ? 1 : kRadPerDeg;
-    return std::min(straight, acceleration * std::sqrt(time_s * unit / jerk));
+double speed_after(double time_s, double acceleration, const SubSegment& sub_segment, double jerk) {
+    const double trapezoid_speed = time_s * acceleration;
+    if (std::isinf(jerk)) return trapezoid_speed;
+    const double unit = sub_segment.path_limited ? 1 : kRadPerDeg;
+    return std::min(trapezoid_speed, acceleration * std::sqrt(time_s * unit / jerk));
 }
 
 // Returns the speed from which a stop takes the length that the tolerance leaves.
-double speed_within(double tolerance, double sharpness, double acceleration, double jerk) {
+double speed_within_tolerance(double tolerance, double sharpness, double acceleration, double jerk) {
     if (std::isinf(jerk)) return 2 * std::sqrt(acceleration * tolerance / sharpness);
     const double root = std::cbrt(12 * tolerance / sharpness * std::sqrt(jerk));
     return root * root;
 }
 
-Vector3d level_tangent(const Arc& arc, double phi_rad) {
+Vector3d in_plane_tangent(const Arc& arc, double phi_rad) {
     return std::cos(phi_rad) * arc.v - std::sin(phi_rad) * arc.u;
 }
 
 // A line without motion in X, Y and Z counts as one along X.
-Vector3d direction_of_line(const Piece& line) {
+Vector3d line_direction(const SubSegment& line) {
     return line.direction.isZero() ? Vector3d::UnitX() : line.direction;
 }
 
-Vector3d end_direction_of(const Piece& piece) {
-    return piece.curved ? level_tangent(piece.arc, piece.arc.sweep_rad) : direction_of_line(piece);
+Vector3d parabola_end_direction(const SubSegment& sub_segment) {
+    return sub_segment.curved ? in_plane_tangent(sub_segment.arc, sub_segment.arc.sweep_rad)
+                              : line_direction(sub_segment);
 }
 
 // An arc starts in the direction of its full acceleration at half of its speed.
-Vector3d start_direction_of(const Piece& piece) {
-    if (!piece.curved) return direction_of_line(piece);
-    const double speed = piece.requested_speed / 2;
-    const double across = speed * speed / piece.arc.radius_mm;
-    return (whole_acceleration(piece) * level_tangent(piece.arc, 0) - across * piece.arc.u).normalized();
+Vector3d parabola_start_direction(const SubSegment& sub_segment) {
+    if (!sub_segment.curved) return line_direction(sub_segment);
+    const double speed = sub_segment.requested_speed / 2;
+    const double normal_acceleration = speed * speed / sub_segment.arc.radius_mm;
+    return (total_acceleration(sub_segment) * in_plane_tangent(sub_segment.arc, 0) -
+            normal_acceleration * sub_segment.arc.u)
+        .normalized();
 }
 
 // Returns the program's tolerance, in degrees if only rotary joints move.
-double parabola_tolerance(const Piece& piece) {
-    return piece.path_limited ? piece.tolerance_mm : piece.tolerance_mm * kRadPerDeg;
+double parabola_tolerance(const SubSegment& sub_segment) {
+    return sub_segment.path_limited ? sub_segment.tolerance_mm : sub_segment.tolerance_mm * kRadPerDeg;
 }
 
 }  // namespace
 
-Parabola parabola_between(const Piece& before, const Piece& after, double share_before, double share_after) {
+Parabola parabola_between(const SubSegment& before, const SubSegment& after, double share_before,
+                          double share_after) {
     const double a_before = acceleration(before), a_after = acceleration(after);
-    const double v_before = reached_speed(before, a_before, share_before);
-    const double v_after = reached_speed(after, a_after, share_after);
+    const double v_before = reachable_speed_to_stop(before, a_before, share_before);
+    const double v_after = reachable_speed_to_stop(after, a_after, share_after);
     const double blend_s = std::min(
         {before.length / v_before, after.length / v_after,
          std::max(time_to_reach(v_before, a_before, before), time_to_reach(v_after, a_after, after))});
-    double from = std::min(v_before, reached_after(blend_s, a_before, before, before.jerk));
-    double to = std::min(v_after, reached_after(blend_s, a_after, after, before.jerk));
+    double from = std::min(v_before, speed_after(blend_s, a_before, before, before.jerk));
+    double to = std::min(v_after, speed_after(blend_s, a_after, after, before.jerk));
     const double half_angle_rad =
-        std::acos(std::clamp(-end_direction_of(before).dot(start_direction_of(after)), -1.0, 1.0)) / 2;
+        std::acos(
+            std::clamp(-parabola_end_direction(before).dot(parabola_start_direction(after)), -1.0, 1.0)) /
+        2;
     const double sharpness = std::cos(half_angle_rad);
     if (before.tolerance_mm > 0 && sharpness > std::sin(kStraight_rad)) {
-        const double within = speed_within(parabola_tolerance(before), sharpness, a_before, before.jerk);
+        const double within =
+            speed_within_tolerance(parabola_tolerance(before), sharpness, a_before, before.jerk);
         from = std::min(from, within);
         to = std::min(to, within);
     }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "motion/linuxcnc/piece.h"
+#include "motion/linuxcnc/sub_segment.h"
 
 namespace gsim::motion::linuxcnc {
 
@@ -13,7 +13,7 @@ struct Parabola {
 };
 
 /// Returns the blend with these shares of the requested speeds of the sub-segments.
-Parabola parabola_between(const Piece& before, const Piece& after, double share_before = 1,
+Parabola parabola_between(const SubSegment& before, const SubSegment& after, double share_before = 1,
                           double share_after = 1);
 
 }  // namespace gsim::motion::linuxcnc

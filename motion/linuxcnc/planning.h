@@ -5,7 +5,7 @@
 namespace gsim::motion::linuxcnc {
 
 /// Planning parameters of LinuxCNC's releases.
-struct Planning {
+struct PlanningRules {
     double period_s = 1e-3;  ///< Period of the controller loop.
     /// True for release 2.10: sub-segments have their full acceleration except while two of them overlap, and
     /// arcs are slowed as soon as they are queued.

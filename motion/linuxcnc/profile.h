@@ -6,7 +6,7 @@
 namespace gsim::motion::linuxcnc {
 
 /// Tolerance within which a number of periods counts as an integer.
-inline constexpr double kWholePeriods = 1e-9;
+inline constexpr double kPeriodTolerance = 1e-9;
 
 /// The controller's loop.
 struct Clock {
@@ -25,8 +25,8 @@ struct Stretch {
 /// Motion along a path section.
 struct Profile {
     Law law;
-    double brake_s = 0;    ///< Time from the start of the last braking to the end.
-    double end_speed = 0;  ///< Speed at its end.
+    double braking_time_s = 0;  ///< Time from the start of the last braking to the end.
+    double end_speed = 0;       ///< Speed at its end.
     double end_acceleration = 0;
 };
 
@@ -35,28 +35,28 @@ double peak_speed(double length, double acceleration, double jerk);
 
 /// Returns the motion from standstill to standstill, in full periods, because the controller checks once in a
 /// period if it must brake.
-Profile rest_to_rest(const Stretch& stretch, const Clock& clock);
+Profile rest_to_rest(const Stretch& section, const Clock& clock);
 
 /// Returns the motion from a speed towards another one, in continuous time. The end speed is a different one
 /// if the length does not suffice. The acceleration is 0 at both ends with a finite jerk; the jerk is not
 /// kept if the length is too short for that, as in LinuxCNC.
-Profile from_speed_to_speed(const Stretch& stretch, double start_speed, double end_speed);
+Profile from_speed_to_speed(const Stretch& section, double start_speed, double end_speed);
 
 /// Returns the motion at constant acceleration from one speed to the other.
 Profile ramp(double length, double start_speed, double end_speed);
 
 /// Returns the law that takes the acceleration of a motion to 0. The motion then continues with ramps that
 /// have acceleration 0 at their ends.
-Law easing(double speed, double acceleration, double jerk);
+Law acceleration_ramp_down(double speed, double acceleration, double jerk);
 
 /// Returns the law that slows down from a speed at once: to standstill, or to the end if the length is too
 /// short, no faster there than `end_speed`.
-Profile braking(const Stretch& stretch, double start_speed, double end_speed);
+Profile braking(const Stretch& section, double start_speed, double end_speed);
 
 /// Returns how long before its end the last braking of a profile that ends at standstill falls below `speed`.
-double slow_s(const Profile& profile, double speed);
+double time_below_speed_s(const Profile& profile, double speed);
 
 /// Returns the profile after the motion `before` on the same path.
-Profile continued(const Law& before, const Profile& profile);
+Profile append_profile(const Law& before, const Profile& profile);
 
 }  // namespace gsim::motion::linuxcnc

@@ -17,19 +17,20 @@ namespace gsim::motion {
 
 /// Returns the remaining distance of each line from the middle of a blend to the corner, as a share of the
 /// cut.
-constexpr double blend_share(bool smooth) {
+constexpr double corner_distance_share(bool smooth) {
     return smooth ? 1.0 / 6 : 1.0 / 4;
 }
 
 /// Largest share of a line that one blend may cut off. A blend is passed at one speed, so a length must
 /// remain between two of them for speeding up.
-inline constexpr double kMostOfLine = 0.4;
+inline constexpr double kMaxCutShare = 0.4;
 
 /// Blend and the speed at which it may be passed.
 struct BlendedCorner {
     Blend blend;
     double speed = 0;
-    bool steps_cover = false;  ///< The joints' steps surely cover this corner and those in front of it.
+    bool is_within_speed_steps =
+        false;  ///< The joints' steps surely cover this corner and those in front of it.
 };
 
 /// Returns the blend of two lines with the same measure. It is as fast as the tolerances, half of either
@@ -37,24 +38,24 @@ struct BlendedCorner {
 /// limits them. It is no faster than `most`, and no larger than that speed needs. Returns no blend and the
 /// speed 0 if nothing may be cut off; no blend and a speed if nothing has to be.
 BlendedCorner blend_between(const PlannerSetup& setup, const Block& from, const Block& to, bool smooth,
-                            double most);
+                            double speed_cap);
 
 /// True if the blend of a corner takes less time than passing it exactly at `exact_speed`. Both cover the
 /// same distance, to and from the highest speed, at most `most`, that is reached from the blend on half of
 /// either line.
 bool saves_time(const BlendedCorner& blended, double exact_speed, const Block& from, const Block& to,
-                double most);
+                double speed_cap);
 
 /// Returns the blend at the start of `to`, no larger than `speed` needs. It was planned for a higher speed.
 Blend blend_at(const PlannerSetup& setup, const Block& from, const Block& to, double speed);
 
 /// Returns the speed below which a stop at the corner is better than its blend. It is a share, below those of
 /// full blends, of the speed from which the cut is long enough to stop. Both then take about the same time.
-double least_blend_speed(const Block& from, const Block& to);
+double min_blend_speed(const Block& from, const Block& to);
 
 /// Outputs the blend at the start of `to`, passed at `speed` > 0, as two segments: the path to the point
 /// nearest to the corner, at which the first move reaches its target, and the path from there.
-void put_out_blend(const Block& from, const Block& to, double speed, LimitedBy limited_by,
-                   SegmentOutput& output);
+void emit_blend(const Block& from, const Block& to, double speed, LimitedBy limited_by,
+                SegmentOutput& output);
 
 }  // namespace gsim::motion

@@ -14,61 +14,61 @@ struct HalfLaws {
     TimeLaw entering;
 };
 
-TimeLaw law_of(const LawPiece& piece) {
-    return TimeLaw::of_pieces({&piece, 1});
+TimeLaw make_law(const LawSection& section) {
+    return TimeLaw::from_sections({&section, 1});
 }
 
 HalfLaws first_half(bool smooth, double speed, double half_s) {
     const double a0 = smooth ? 0 : speed / (2 * half_s);
     const double jerk = smooth ? speed / (half_s * half_s) : 0;
-    return {law_of({half_s, 0, speed, -a0, -jerk}), law_of({half_s, 0, 0, a0, jerk})};
+    return {make_law({half_s, 0, speed, -a0, -jerk}), make_law({half_s, 0, 0, a0, jerk})};
 }
 
 HalfLaws second_half(bool smooth, double speed, double half_s) {
     const double a0 = speed / half_s / (smooth ? 1 : 2);
     const double jerk = smooth ? speed / (half_s * half_s) : 0;
-    return {law_of({half_s, 0, speed / 2, -a0, jerk}), law_of({half_s, 0, speed / 2, a0, -jerk})};
+    return {make_law({half_s, 0, speed / 2, -a0, jerk}), make_law({half_s, 0, speed / 2, a0, -jerk})};
 }
 
 /// Ends of the parts of both lines that are passed in one half, as path lengths.
-struct HalfWays {
+struct HalfPaths {
     double leaving_from, leaving_to;
     double entering_from, entering_to;
 };
 
 double length_mm(const Block& from, const Segment& segment, double cut) {
-    if (from.lead.role == JointRole::position) return segment.blended_length_mm();
-    return from.lead.role == JointRole::secondary ? cut : 0;
+    if (from.master.role == JointRole::position) return segment.blended_length_mm();
+    return from.master.role == JointRole::secondary ? cut : 0;
 }
 
-void fill(const Block& from, const Block& to, const HalfWays& ways, const HalfLaws& laws, Segment& segment) {
-    auto beside = std::make_shared<Segment>();
-    beside->kind = segment.kind = SegmentKind::linear;
-    beside->target_id = segment.target_id;
-    beside->start_s = segment.start_s;
-    beside->position_joints = segment.position_joints;
-    beside->duration_s = segment.duration_s = laws.leaving.duration_s();
-    beside->start = to.line_at(ways.entering_from);
-    beside->end = to.line_at(ways.entering_to);
-    beside->lead = laws.entering;
-    const rrs::JointPos moved = beside->start - to.move.start;
+void fill(const Block& from, const Block& to, const HalfPaths& ways, const HalfLaws& laws, Segment& segment) {
+    auto superimposed = std::make_shared<Segment>();
+    superimposed->kind = segment.kind = SegmentKind::linear;
+    superimposed->target_id = segment.target_id;
+    superimposed->start_s = segment.start_s;
+    superimposed->position_joints = segment.position_joints;
+    superimposed->duration_s = segment.duration_s = laws.leaving.duration_s();
+    superimposed->start = to.line_at(ways.entering_from);
+    superimposed->end = to.line_at(ways.entering_to);
+    superimposed->master = laws.entering;
+    const rrs::JointPos moved = superimposed->start - to.move.start;
     segment.start = from.line_at(ways.leaving_from) + moved;
     segment.end = from.line_at(ways.leaving_to) + moved;
-    segment.lead = laws.leaving;
-    segment.lead_limits = {};
-    segment.off_way = OffWay::corner;
-    segment.beside = std::move(beside);
+    segment.master = laws.leaving;
+    segment.master_limits = {};
+    segment.path_deviation = PathDeviation::corner;
+    segment.superimposed = std::move(superimposed);
     segment.length_mm = length_mm(from, segment, to.entry_blend.cut);
 }
 
 }  // namespace
 
-void put_out_blend(const Block& from, const Block& to, double speed, LimitedBy limited_by,
-                   SegmentOutput& output) {
+void emit_blend(const Block& from, const Block& to, double speed, LimitedBy limited_by,
+                SegmentOutput& output) {
     const Blend& blend = to.entry_blend;
     const double half_s = blend.cut / speed;
-    const double near = blend.cut * blend_share(blend.smooth);
-    const double length = from.lead.length;
+    const double near = blend.cut * corner_distance_share(blend.smooth);
+    const double length = from.master.length;
     Segment& first = output.begin(from.move.target_id);
     fill(from, to, {length - blend.cut, length - near, 0, near}, first_half(blend.smooth, speed, half_s),
          first);

@@ -11,7 +11,7 @@
 #include "motion/path/arc_limits.h"
 #include "motion/path/axis_space.h"
 #include "motion/path/joint_changes.h"
-#include "motion/path/lead_path.h"
+#include "motion/path/master_path.h"
 #include "motion/path/orientation_path.h"
 #include "motion/profile/stepped_ramps.h"
 
@@ -21,14 +21,14 @@ namespace {
 
 /// Returns the largest change of each joint per path length, all along the path; 0 for the joints of an
 /// orientation arc.
-rrs::JointPos shares_of(const PathMove& move, const PlannerSetup& setup, const Block& block) {
+rrs::JointPos joint_shares(const PathMove& move, const PlannerSetup& setup, const Block& block) {
     rrs::JointPos shares = block.slope_in.cwiseAbs();
     if (move.orientation) shares[move.orientation->turn_joint()] = shares[move.orientation->tilt_joint()] = 0;
     if (move.kind != SegmentKind::circular) return shares;
-    const Eigen::Vector3d of_arc = move.arc.max_shares();
+    const Eigen::Vector3d arc_shares = move.arc.max_shares();
     for (int axis = 0; axis < 3; ++axis) {
         const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
-        if (joint >= 0) shares[joint] = of_arc[axis];
+        if (joint >= 0) shares[joint] = arc_shares[axis];
     }
     return shares;
 }
@@ -42,7 +42,7 @@ void limit(double& value, LimitedBy& by, double other, LimitedBy other_by) {
 void limit_by_joints(const PlannerSetup& setup, const rrs::JointPos& shares, Block& block) {
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double share = shares[joint];
-        if (share < kNoShare) continue;
+        if (share < kMinShare) continue;
         const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
         const auto index = static_cast<std::int8_t>(joint);
         limit(block.max_speed, block.speed_limit, limits.max_speed / share, {LimitKind::joint_speed, index});
@@ -55,53 +55,55 @@ void limit_by_joints(const PlannerSetup& setup, const rrs::JointPos& shares, Blo
 }
 
 /// Returns how far the joints other than the rotary ones move, mm.
-double linear_way(const JointChanges& changes) {
+double linear_distance(const JointChanges& changes) {
     return std::hypot(changes.norm(JointRole::position), changes.norm(JointRole::secondary));
 }
 
 /// True if only rotary joints move.
-bool only_turns(const JointChanges& changes) {
-    return linear_way(changes) == 0;
+bool is_rotary_only(const JointChanges& changes) {
+    return linear_distance(changes) == 0;
 }
 
 /// Returns the programmed speed along the master axes: of the tool, or of orientation if only rotary joints
 /// move. It is converted if the measure is of all axes.
 double programmed_speed(const PathMove& move, const MoveRules& rules, const JointChanges& changes,
                         const Block& block, const rrs::ControllerRules& controller) {
-    if (rules.least_duration_s > 0) return block.lead.length / rules.least_duration_s;
-    if (block.lead.role == JointRole::rotary) return rules.orientation_speed_rad_s;
+    if (rules.min_duration_s > 0) return block.master.length / rules.min_duration_s;
+    if (block.master.role == JointRole::rotary) return rules.orientation_speed_rad_s;
     if (move.rapid) return kUnlimited;
-    const bool of_all_axes = controller.path_measure == rrs::PathMeasure::all_axes;
-    if (of_all_axes && only_turns(changes)) return rules.orientation_speed_rad_s / kRadPerDeg;
-    const double feed = std::max(rules.programmed_speed_mm_s, controller.least_feed_mm_min / 60);
-    if (!of_all_axes || controller.feed_measure == rrs::PathMeasure::all_axes) return feed;
-    return feed * block.lead.length / linear_way(changes);
+    const bool measures_all_axes = controller.path_measure == rrs::PathMeasure::all_axes;
+    if (measures_all_axes && is_rotary_only(changes)) return rules.orientation_speed_rad_s / kRadPerDeg;
+    const double feed = std::max(rules.programmed_speed_mm_s, controller.min_feed_mm_min / 60);
+    if (!measures_all_axes || controller.feed_measure == rrs::PathMeasure::all_axes) return feed;
+    return feed * block.master.length / linear_distance(changes);
 }
 
 /// Returns how far the tool turns: along the great circle, or by the norm of the rotary joints.
-double turn_of(const PathMove& move, const JointChanges& changes) {
+double rotation_angle(const PathMove& move, const JointChanges& changes) {
     return move.orientation ? move.orientation->length_rad() : changes.norm(JointRole::rotary);
 }
 
-void limit_by_program(const PathMove& move, const MoveRules& asked, const PlannerSetup& setup,
+void limit_by_program(const PathMove& move, const MoveRules& requested, const PlannerSetup& setup,
                       const JointChanges& changes, Block& block) {
-    const double turn = turn_of(move, changes);
-    const MoveRules rules = asked.resolved(turn > 0 && block.lead.role != JointRole::rotary);
-    limit(block.max_speed, block.speed_limit, programmed_speed(move, asked, changes, block, setup.controller),
-          {asked.least_duration_s > 0 ? LimitKind::time : LimitKind::feed, -1});
-    if (block.lead.role != JointRole::rotary) {
+    const double turn = rotation_angle(move, changes);
+    const MoveRules rules = requested.with_dominance(turn > 0 && block.master.role != JointRole::rotary);
+    limit(block.max_speed, block.speed_limit,
+          programmed_speed(move, requested, changes, block, setup.controller),
+          {requested.min_duration_s > 0 ? LimitKind::time : LimitKind::feed, -1});
+    if (block.master.role != JointRole::rotary) {
         limit(block.max_speed, block.speed_limit, rules.max_path_speed_mm_s, {LimitKind::path_speed, -1});
         limit(block.acceleration, block.acceleration_limit, rules.path_acceleration_mm_s2,
               {LimitKind::path_acceleration, -1});
         block.deceleration = std::min(block.deceleration, rules.path_acceleration_mm_s2);
     }
     if (turn == 0) return;
-    const double way_per_turn = block.lead.length / turn;
-    limit(block.max_speed, block.speed_limit, rules.orientation_speed_rad_s * way_per_turn,
+    const double distance_per_rad = block.master.length / turn;
+    limit(block.max_speed, block.speed_limit, rules.orientation_speed_rad_s * distance_per_rad,
           {LimitKind::feed, -1});
-    limit(block.acceleration, block.acceleration_limit, rules.orientation_acceleration_rad_s2 * way_per_turn,
-          {LimitKind::path_acceleration, -1});
-    block.deceleration = std::min(block.deceleration, rules.orientation_acceleration_rad_s2 * way_per_turn);
+    limit(block.acceleration, block.acceleration_limit,
+          rules.orientation_acceleration_rad_s2 * distance_per_rad, {LimitKind::path_acceleration, -1});
+    block.deceleration =
+        std::min(block.deceleration, rules.orientation_acceleration_rad_s2 * distance_per_rad);
 }
 
 /// Returns the acceleration that the joints can do towards the centre of an arc, all round it.
@@ -110,26 +112,26 @@ double acceleration_in_plane(const PlannerSetup& setup, const Arc& arc) {
     for (int axis = 0; axis < 3; ++axis) {
         const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
         const double share = std::hypot(arc.u[axis], arc.v[axis]);
-        if (joint < 0 || share < kNoShare) continue;
-        acceleration = std::min(acceleration,
-                                setup.joints[static_cast<std::size_t>(joint)].least_acceleration() / share);
+        if (joint < 0 || share < kMinShare) continue;
+        acceleration =
+            std::min(acceleration, setup.joints[static_cast<std::size_t>(joint)].min_acceleration() / share);
     }
     return acceleration;
 }
 
-/// Passes the limits of the block to `limit` as those of a LeadPath.
+/// Passes the limits of the block to `limit` as those of a MasterPath.
 template <typename Limit>
-void limit_lead(Block& block, const Limit& limit) {
-    LeadPath lead{block.lead.length, block.limits(), block.speed_limit, block.acceleration_limit,
-                  block.jerk_limit};
-    limit(lead);
-    block.max_speed = lead.limits.max_speed;
-    block.acceleration = lead.limits.acceleration;
-    block.deceleration = lead.limits.deceleration;
-    block.jerk = lead.limits.jerk;
-    block.speed_limit = lead.speed_limit;
-    block.acceleration_limit = lead.acceleration_limit;
-    block.jerk_limit = lead.jerk_limit;
+void limit_master(Block& block, const Limit& limit) {
+    MasterPath master{block.master.length, block.limits(), block.speed_limit, block.acceleration_limit,
+                      block.jerk_limit};
+    limit(master);
+    block.max_speed = master.limits.max_speed;
+    block.acceleration = master.limits.acceleration;
+    block.deceleration = master.limits.deceleration;
+    block.jerk = master.limits.jerk;
+    block.speed_limit = master.speed_limit;
+    block.acceleration_limit = master.acceleration_limit;
+    block.jerk_limit = master.jerk_limit;
 }
 
 /// The acceleration of a joint is shared on a curve: one part keeps to the curve, the other one changes the
@@ -138,53 +140,59 @@ void limit_by_curvature(const PathMove& move, const PlannerSetup& setup, Block& 
     const double share = setup.controller.centripetal_share;
     if (!std::isfinite(share)) return;
     const double curvature = move.arc.max_curvature();
-    const double towards_center = share * acceleration_in_plane(setup, move.arc);
-    limit(block.max_speed, block.speed_limit, std::sqrt(towards_center / curvature),
+    const double centripetal_acceleration = share * acceleration_in_plane(setup, move.arc);
+    limit(block.max_speed, block.speed_limit, std::sqrt(centripetal_acceleration / curvature),
           {LimitKind::centripetal, -1});
     if (share >= 1) return;
     block.acceleration *= std::sqrt(1 - share * share);
     block.deceleration *= std::sqrt(1 - share * share);
-    limit_lead(block, [&](LeadPath& lead) { limit_by_askew_climb(setup, move.arc, share, lead); });
+    limit_master(block, [&](MasterPath& master) { limit_by_oblique_helix(setup, move.arc, share, master); });
 }
 
 /// The joints follow the curve that the sub-segments of a move approximate. That may use half of what a joint
 /// can do. The remainder at the speed of the block is for the ramps.
-void limit_by_bend(const PlannerSetup& setup, const ToolPiece& piece, const rrs::JointPos& shares,
-                   Block& block) {
-    constexpr double kMostOfBend = 0.5;
-    const auto limit_of = [&](int joint) {
-        return setup.joints[static_cast<std::size_t>(joint)].least_acceleration();
+void limit_by_joint_curvature(const PlannerSetup& setup, const ToolSubSegment& sub_segment,
+                              const rrs::JointPos& shares, Block& block) {
+    constexpr double kMaxCurvatureShare = 0.5;
+    const auto max_acceleration_of = [&](int joint) {
+        return setup.joints[static_cast<std::size_t>(joint)].min_acceleration();
     };
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
-        if (piece.bend[joint] > 0) {
+        if (sub_segment.joint_curvature[joint] > 0) {
             limit(block.max_speed, block.speed_limit,
-                  std::sqrt(kMostOfBend * limit_of(joint) / piece.bend[joint]), {LimitKind::centripetal, -1});
+                  std::sqrt(kMaxCurvatureShare * max_acceleration_of(joint) /
+                            sub_segment.joint_curvature[joint]),
+                  {LimitKind::centripetal, -1});
         }
     }
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
-        if (!(piece.bend[joint] > 0) || shares[joint] < kNoShare || std::isinf(limit_of(joint))) continue;
-        const double rest = limit_of(joint) - piece.bend[joint] * block.max_speed * block.max_speed;
-        limit(block.acceleration, block.acceleration_limit, rest / shares[joint],
+        if (!(sub_segment.joint_curvature[joint] > 0) || shares[joint] < kMinShare ||
+            std::isinf(max_acceleration_of(joint)))
+            continue;
+        const double remainder = max_acceleration_of(joint) -
+                                 sub_segment.joint_curvature[joint] * block.max_speed * block.max_speed;
+        limit(block.acceleration, block.acceleration_limit, remainder / shares[joint],
               {LimitKind::acceleration, static_cast<std::int8_t>(joint)});
-        block.deceleration = std::min(block.deceleration, rest / shares[joint]);
+        block.deceleration = std::min(block.deceleration, remainder / shares[joint]);
     }
 }
 
-Lead lead_of(const PathMove& move, const JointChanges& changes, const rrs::ControllerRules& controller) {
+MasterJoints make_master_joints(const PathMove& move, const JointChanges& changes,
+                                const rrs::ControllerRules& controller) {
     if (controller.path_measure == rrs::PathMeasure::all_axes && move.kind == SegmentKind::linear) {
         const double turn_deg = changes.norm(JointRole::rotary) / kRadPerDeg;
-        return {JointRole::position, std::hypot(linear_way(changes), turn_deg)};
+        return {JointRole::position, std::hypot(linear_distance(changes), turn_deg)};
     }
-    if (move.piece) return {move.piece->role, move.piece->length};
+    if (move.sub_segment) return {move.sub_segment->role, move.sub_segment->length};
     if (move.kind == SegmentKind::circular) return {JointRole::position, move.arc.length_mm()};
     for (const JointRole role : {JointRole::position, JointRole::secondary}) {
         if (changes.norm(role) > 0) return {role, changes.norm(role)};
     }
-    return {JointRole::rotary, turn_of(move, changes)};
+    return {JointRole::rotary, rotation_angle(move, changes)};
 }
 
-void set_head_slopes(const OrientationArc& arc, Block& block) {
-    const double rate = arc.length_rad() / block.lead.length;
+void set_orientation_slopes(const OrientationArc& arc, Block& block) {
+    const double rate = arc.length_rad() / block.master.length;
     const HeadAngles in = arc.at(0).first;
     const HeadAngles out = arc.at(arc.length_rad()).first;
     block.slope_in[arc.turn_joint()] = in.turn * rate;
@@ -196,29 +204,30 @@ void set_head_slopes(const OrientationArc& arc, Block& block) {
 void set_slopes(const PathMove& move, const PlannerSetup& setup, const JointChanges& changes, Block& block) {
     block.slope_in.resize(setup.joint_count());
     for (int joint = 0; joint < setup.joint_count(); ++joint)
-        block.slope_in[joint] = changes.of(joint) / block.lead.length;
+        block.slope_in[joint] = changes.of(joint) / block.master.length;
     block.slope_out = block.slope_in;
-    if (move.orientation) set_head_slopes(*move.orientation, block);
+    if (move.orientation) set_orientation_slopes(*move.orientation, block);
     if (move.kind != SegmentKind::circular) return;
-    put_position(setup.position_joints, move.arc.tangent(0), block.slope_in);
-    put_position(setup.position_joints, move.arc.tangent(move.arc.sweep_rad), block.slope_out);
+    write_position(setup.position_joints, move.arc.tangent(0), block.slope_in);
+    write_position(setup.position_joints, move.arc.tangent(move.arc.sweep_rad), block.slope_out);
 }
 
-void leave_for_overlaying(const rrs::ControllerRules& controller, Block& block) {
+void reserve_blend_acceleration(const rrs::ControllerRules& controller, Block& block) {
     if (block.move.mode != rrs::PathMode::continuous) return;
     block.acceleration *= controller.continuous_acceleration_share;
     block.deceleration *= controller.continuous_acceleration_share;
 }
 
 /// Returns the path length of the tool; 0 if only rotary joints move.
-double tool_way(const Lead& lead, const JointChanges& changes, const rrs::ControllerRules& controller) {
-    if (lead.role == JointRole::rotary) return 0;
-    return controller.path_measure == rrs::PathMeasure::all_axes ? linear_way(changes) : lead.length;
+double tool_path_length_mm(const MasterJoints& master, const JointChanges& changes,
+                           const rrs::ControllerRules& controller) {
+    if (master.role == JointRole::rotary) return 0;
+    return controller.path_measure == rrs::PathMeasure::all_axes ? linear_distance(changes) : master.length;
 }
 
 /// `asked` is the programmed speed, the only speed on which the mean acceleration depends.
-void drive_in_steps(double asked, Block& block) {
-    const double speed = std::isfinite(asked) ? asked : block.max_speed;
+void use_stepped_ramps(double requested, Block& block) {
+    const double speed = std::isfinite(requested) ? requested : block.max_speed;
     const double acceleration = std::min(block.acceleration, block.deceleration);
     if (!std::isfinite(block.jerk) || !std::isfinite(acceleration) || !std::isfinite(speed)) return;
     block.steps = SteppedLimits{acceleration, block.jerk};
@@ -228,28 +237,29 @@ void drive_in_steps(double asked, Block& block) {
     block.jerk = kUnlimited;
 }
 
-Settling settling_of(const rrs::ControllerRules& controller) {
+Settling make_settling(const rrs::ControllerRules& controller) {
     if (controller.position_gain_1_s <= 0) return {controller.settle_s, kUnlimited, kUnlimited};
     return {controller.settle_s, controller.in_position_mm, controller.in_position_deg * kRadPerDeg};
 }
 
 /// Returns an upper bound of the time from standstill to standstill.
 double longest_s(const Block& block) {
-    const double length = block.lead.length;
+    const double length = block.master.length;
     const double acceleration = std::min(block.acceleration, block.deceleration);
     return length / block.max_speed + 2 * std::sqrt(length / acceleration) +
            4 * std::cbrt(length / block.jerk);
 }
 
-Planned check(const Block& block) {
-    if (!std::isfinite(block.lead.length) || !(longest_s(block) <= kLongest_s)) {
-        return refused(
+PlanResult check(const Block& block) {
+    if (!std::isfinite(block.master.length) || !(longest_s(block) <= kMaxDuration_s)) {
+        return make_plan_error(
             rrs::Status::RRS_INVALID_PARAMETER,
-            fmt::format("The move is too long or too slow: it would take more than {} s.", kLongest_s));
+            fmt::format("The move is too long or too slow: it would take more than {} s.", kMaxDuration_s));
     }
     if (!std::isfinite(block.max_speed) && !std::isfinite(block.acceleration)) {
-        return refused(rrs::Status::RRS_ZERO_SPEED,
-                       "The move would take no time: no speed is programmed and the machine sets no limit.");
+        return make_plan_error(
+            rrs::Status::RRS_ZERO_SPEED,
+            "The move would take no time: no speed is programmed and the machine sets no limit.");
     }
     return {};
 }
@@ -258,46 +268,48 @@ Planned check(const Block& block) {
 
 rrs::JointPos Block::line_at(double length) const {
     if (length <= 0) return move.start;
-    if (length >= lead.length) return move.end;
-    return move.start + length / lead.length * (move.end - move.start);
+    if (length >= master.length) return move.end;
+    return move.start + length / master.length * (move.end - move.start);
 }
 
-tl::expected<std::optional<Block>, PlanError> block_of(const PathMove& move, const PlannerSetup& setup,
-                                                       const Overrides& overrides) {
+tl::expected<std::optional<Block>, PlanError> make_block(const PathMove& move, const PlannerSetup& setup,
+                                                         const Overrides& overrides) {
     const JointChanges changes(setup, move.start, move.end);
     Block block;
-    block.lead = lead_of(move, changes, setup.controller);
-    if (block.lead.length == 0) return std::nullopt;
-    const MoveRules rules = move.rules.overridden(overrides, move.obeyed, move.rapid);
-    const bool turns = block.lead.role == JointRole::rotary || only_turns(changes);
-    const bool feed = !turns && !move.rapid && rules.least_duration_s <= 0;
-    if (feed && rules.programmed_speed_mm_s <= 0) return no_programmed_speed();
+    block.master = make_master_joints(move, changes, setup.controller);
+    if (block.master.length == 0) return std::nullopt;
+    const MoveRules rules = move.rules.with_overrides(overrides, move.enabled_overrides, move.rapid);
+    const bool turns = block.master.role == JointRole::rotary || is_rotary_only(changes);
+    const bool feed = !turns && !move.rapid && rules.min_duration_s <= 0;
+    if (feed && rules.programmed_speed_mm_s <= 0) return no_programmed_speed_error();
     block.move = move;
-    block.move.length_mm = tool_way(block.lead, changes, setup.controller);
-    block.settling = settling_of(setup.controller);
+    block.move.length_mm = tool_path_length_mm(block.master, changes, setup.controller);
+    block.settling = make_settling(setup.controller);
     set_slopes(move, setup, changes, block);
     limit_by_program(move, rules, setup, changes, block);
-    limit_by_joints(setup, shares_of(move, setup, block), block);
-    if (move.piece) limit_by_bend(setup, *move.piece, block.slope_in.cwiseAbs(), block);
+    limit_by_joints(setup, joint_shares(move, setup, block), block);
+    if (move.sub_segment)
+        limit_by_joint_curvature(setup, *move.sub_segment, block.slope_in.cwiseAbs(), block);
     if (move.kind == SegmentKind::circular) {
         limit_by_curvature(move, setup, block);
-        limit_lead(block, [&](LeadPath& lead) { limit_by_arc_jerk(setup, move.arc, lead); });
+        limit_master(block, [&](MasterPath& master) { limit_by_arc_jerk(setup, move.arc, master); });
     }
     if (move.orientation)
-        limit_lead(block, [&](LeadPath& lead) { limit_by_head(setup, *move.orientation, lead); });
-    leave_for_overlaying(setup.controller, block);
+        limit_master(block, [&](MasterPath& master) { limit_by_head(setup, *move.orientation, master); });
+    reserve_blend_acceleration(setup.controller, block);
     if (setup.controller.block_time_s > 0) {
         limit(block.max_speed, block.speed_limit,
-              block.lead.length / (setup.controller.block_time_s * move.share), {LimitKind::block_time, -1});
+              block.master.length / (setup.controller.block_time_s * move.share),
+              {LimitKind::block_time, -1});
     }
     if (rules.rapid_share < 1)
         limit(block.max_speed, block.speed_limit, rules.rapid_share * block.max_speed,
               {LimitKind::rapid_override, -1});
     if (setup.controller.limit_jerk && setup.controller.ramp_step_s > 0) {
-        const double asked = programmed_speed(move, move.rules, changes, block, setup.controller);
-        drive_in_steps(asked, block);
+        const double requested = programmed_speed(move, move.rules, changes, block, setup.controller);
+        use_stepped_ramps(requested, block);
     }
-    if (Planned checked = check(block); !checked) return tl::unexpected(std::move(checked.error()));
+    if (PlanResult checked = check(block); !checked) return tl::unexpected(std::move(checked.error()));
     return block;
 }
 

@@ -12,7 +12,7 @@ namespace gsim::motion {
 
 /// Measure of a path: the joints of one role are the masters, and the others move in proportion. position: mm
 /// of the tool path; secondary: mm of other prismatic joints; rotary: rad, the norm of the angles.
-struct Lead {
+struct MasterJoints {
     JointRole role = JointRole::position;
     double length = 0;
 };
@@ -43,7 +43,7 @@ struct SteppedLimits {
 /// the path use the measure of the master joints (mm or rad).
 struct Block {
     PathMove move;
-    Lead lead;
+    MasterJoints master;
     rrs::JointPos slope_in;   ///< Change of the joints per path length at the start
     rrs::JointPos slope_out;  ///< and at the end.
     double max_speed = kUnlimited;
@@ -62,10 +62,10 @@ struct Block {
     double entry_cap = 0;                     ///< Max speed at which its start may be passed,
     LimitKind entry_limit = LimitKind::stop;  ///< and why.
     double entry = 0;                         ///< The speed at its start by what is known so far.
-    bool by_window = false;                   ///< True if `entry` is low because no further block is known.
+    bool is_window_limited = false;           ///< True if `entry` is low because no further block is known.
 
     /// Returns the path length that blends leave.
-    double way() const { return std::max(lead.length - entry_blend.cut - exit_cut, 0.0); }
+    double distance() const { return std::max(master.length - entry_blend.cut - exit_cut, 0.0); }
     /// Returns the joints after a path length, for a line.
     rrs::JointPos line_at(double length) const;
     LawLimits limits() const { return {max_speed, acceleration, deceleration, jerk}; }
@@ -74,7 +74,7 @@ struct Block {
 /// Returns the path of a move and its limits under the operator's overrides, or no value if nothing moves
 /// (changes below 1e-9 mm or rad do not count). All joints move in proportion, so the slowest sets the speed.
 /// Errors: RRS_ZERO_SPEED, RRS_INVALID_PARAMETER.
-tl::expected<std::optional<Block>, PlanError> block_of(const PathMove& move, const PlannerSetup& setup,
-                                                       const Overrides& overrides = {});
+tl::expected<std::optional<Block>, PlanError> make_block(const PathMove& move, const PlannerSetup& setup,
+                                                         const Overrides& overrides = {});
 
 }  // namespace gsim::motion

@@ -12,7 +12,7 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr double kStraight = 1e-9;  // difference of slopes that counts as none
+constexpr double kSlopeTolerance = 1e-9;  // difference of slopes that counts as none
 
 using rrs::CornerRule;
 
@@ -20,20 +20,20 @@ double velocity_step_speed(const PlannerSetup& setup, const rrs::JointPos& turn)
     double speed = kUnlimited;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double change = std::abs(turn[joint]);
-        if (change >= kStraight) speed = std::min(speed, speed_step(setup, joint) / change);
+        if (change >= kSlopeTolerance) speed = std::min(speed, speed_step(setup, joint) / change);
     }
     return speed;
 }
 
 /// Returns the part of a joint slope that counts for the angle between two paths: that of the position
 /// joints, or of all, with a degree as a millimetre.
-rrs::JointPos direction_of(const PlannerSetup& setup, const rrs::JointPos& slope) {
-    const bool of_all_axes = setup.controller.path_measure == rrs::PathMeasure::all_axes;
+rrs::JointPos unit_direction(const PlannerSetup& setup, const rrs::JointPos& slope) {
+    const bool measures_all_axes = setup.controller.path_measure == rrs::PathMeasure::all_axes;
     rrs::JointPos direction = slope;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const JointRole role = setup.role(joint);
         if (role == JointRole::rotary) direction[joint] /= kRadPerDeg;
-        if (role != JointRole::position && !of_all_axes) direction[joint] = 0;
+        if (role != JointRole::position && !measures_all_axes) direction[joint] = 0;
     }
     return direction;
 }
@@ -43,8 +43,8 @@ double acceleration_along(const PlannerSetup& setup, const rrs::JointPos& direct
     double acceleration = kUnlimited;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double share = std::abs(direction[joint]);
-        if (share < kStraight) continue;
-        const double limit = setup.joints[static_cast<std::size_t>(joint)].least_acceleration();
+        if (share < kSlopeTolerance) continue;
+        const double limit = setup.joints[static_cast<std::size_t>(joint)].min_acceleration();
         const double unit = setup.role(joint) == JointRole::rotary ? kRadPerDeg : 1;
         acceleration = std::min(acceleration, limit / unit / share);
     }
@@ -55,13 +55,13 @@ double acceleration_along(const PlannerSetup& setup, const rrs::JointPos& direct
 /// with r = deviation sin(h) / (1 - sin(h)), h half of the angle between the paths (grbl 1.1). The thresholds
 /// are grbl's.
 double junction_deviation_speed(const PlannerSetup& setup, const Block& from, const Block& to) {
-    constexpr double kStraightOn = -0.999999;
-    constexpr double kBack = 0.999999;
-    const rrs::JointPos in = direction_of(setup, from.slope_out);
-    const rrs::JointPos out = direction_of(setup, to.slope_in);
+    constexpr double kStraightCosine = -0.999999;
+    constexpr double kReversalCosine = 0.999999;
+    const rrs::JointPos in = unit_direction(setup, from.slope_out);
+    const rrs::JointPos out = unit_direction(setup, to.slope_in);
     const double cosine = -in.dot(out);
-    if (cosine < kStraightOn) return kUnlimited;
-    if (cosine > kBack) return 0;
+    if (cosine < kStraightCosine) return kUnlimited;
+    if (cosine > kReversalCosine) return 0;
     const double half_sine = std::sqrt((1 - cosine) / 2);
     const double acceleration = acceleration_along(setup, (out - in).normalized());
     if (setup.controller.junction_deviation_mm <= 0) return 0;
@@ -70,9 +70,10 @@ double junction_deviation_speed(const PlannerSetup& setup, const Block& from, co
 
 /// Rotary and other joints have no position on an arc in space, so junction deviation stops if their slope
 /// changes.
-bool only_position_turns(const PlannerSetup& setup, const rrs::JointPos& turn) {
+bool only_position_joints_turn(const PlannerSetup& setup, const rrs::JointPos& turn) {
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
-        if (setup.role(joint) != JointRole::position && std::abs(turn[joint]) >= kStraight) return false;
+        if (setup.role(joint) != JointRole::position && std::abs(turn[joint]) >= kSlopeTolerance)
+            return false;
     }
     return true;
 }
@@ -83,56 +84,58 @@ CornerRule rule_at_end(const rrs::ControllerRules& controller, const Block& bloc
 
 /// True if all joints move in proportion, and the path is theirs.
 bool is_straight(const Block& block) {
-    return block.move.kind == SegmentKind::linear && !block.move.orientation && !block.move.piece;
+    return block.move.kind == SegmentKind::linear && !block.move.orientation && !block.move.sub_segment;
 }
 
 /// Blends are between lines. The jumps of the joint speeds count if the joints' paths are not the tool's.
 CornerRule rule_between(const rrs::ControllerRules& controller, const Block& from, const Block& to) {
     const CornerRule rule = rule_at_end(controller, from);
-    if (rule != CornerRule::stop && (from.move.piece || to.move.piece)) return CornerRule::velocity_step;
+    if (rule != CornerRule::stop && (from.move.sub_segment || to.move.sub_segment))
+        return CornerRule::velocity_step;
     if (!is_blend(rule) || (is_straight(from) && is_straight(to))) return rule;
     return is_blend(controller.exact_path_corner) ? CornerRule::stop : controller.exact_path_corner;
 }
 
 /// Passes the corner at the end of `before` exactly, by a jump of the joint speeds.
-BlendedCorner pass_by_jump(const PlannerSetup& setup, const BlocksBefore& before, const Block& to,
-                           double most) {
+BlendedCorner pass_by_jump(const PlannerSetup& setup, const PrecedingBlocks& before, const Block& to,
+                           double speed_cap) {
     const double jump = velocity_step_speed(setup, to.slope_in - before.back().slope_out);
-    const WindowSpeed in_window = speed_in_window(setup, before, std::min(most, jump), to);
-    return {{}, in_window.speed, in_window.steps_cover};
+    const WindowSpeed window_speed = speed_in_window(setup, before, std::min(speed_cap, jump), to);
+    return {{}, window_speed.speed, window_speed.is_within_speed_steps};
 }
 
 /// Cuts nothing off if a jump takes no more time than a blend, as between the many lines that approximate a
 /// curve.
-BlendedCorner pass_by_blend(const PlannerSetup& setup, const BlocksBefore& before, const Block& to,
-                            double most, bool smooth) {
-    const BlendedCorner blended = blend_between(setup, before.back(), to, smooth, most);
+BlendedCorner pass_by_blend(const PlannerSetup& setup, const PrecedingBlocks& before, const Block& to,
+                            double speed_cap, bool smooth) {
+    const BlendedCorner blended = blend_between(setup, before.back(), to, smooth, speed_cap);
     if (setup.controller.exact_path_corner != CornerRule::velocity_step) return blended;
-    const BlendedCorner exact = pass_by_jump(setup, before, to, most);
-    return saves_time(blended, exact.speed, before.back(), to, most) ? blended : exact;
+    const BlendedCorner exact = pass_by_jump(setup, before, to, speed_cap);
+    return saves_time(blended, exact.speed, before.back(), to, speed_cap) ? blended : exact;
 }
 
-bool jumps_where_exact(const rrs::ControllerRules& controller, const Block& from, const Block& to) {
+bool uses_speed_jump(const rrs::ControllerRules& controller, const Block& from, const Block& to) {
     const CornerRule rule = rule_between(controller, from, to);
     return (is_blend(rule) ? controller.exact_path_corner : rule) == CornerRule::velocity_step;
 }
 
-BlendedCorner pass_by_rule(const PlannerSetup& setup, const BlocksBefore& before, const Block& to,
-                           double most) {
+BlendedCorner pass_by_rule(const PlannerSetup& setup, const PrecedingBlocks& before, const Block& to,
+                           double speed_cap) {
     const Block& from = before.back();
     const rrs::JointPos turn = to.slope_in - from.slope_out;
-    if ((turn.array().abs() < kStraight).all()) return {{}, kUnlimited, false};
+    if ((turn.array().abs() < kSlopeTolerance).all()) return {{}, kUnlimited, false};
     const CornerRule rule = rule_between(setup.controller, from, to);
     switch (rule) {
         case CornerRule::stop: return {};
-        case CornerRule::velocity_step: return pass_by_jump(setup, before, to, most);
+        case CornerRule::velocity_step: return pass_by_jump(setup, before, to, speed_cap);
         case CornerRule::parabolic_blend:
         case CornerRule::smooth_blend:
-            return pass_by_blend(setup, before, to, most, rule == CornerRule::smooth_blend);
+            return pass_by_blend(setup, before, to, speed_cap, rule == CornerRule::smooth_blend);
         case CornerRule::junction_deviation: break;
     }
-    const bool of_all_axes = setup.controller.path_measure == rrs::PathMeasure::all_axes;
-    if (from.lead.role != JointRole::position || (!of_all_axes && !only_position_turns(setup, turn)))
+    const bool measures_all_axes = setup.controller.path_measure == rrs::PathMeasure::all_axes;
+    if (from.master.role != JointRole::position ||
+        (!measures_all_axes && !only_position_joints_turn(setup, turn)))
         return {};
     return {{}, junction_deviation_speed(setup, from, to), false};
 }
@@ -142,29 +145,29 @@ BlendedCorner pass_by_rule(const PlannerSetup& setup, const BlocksBefore& before
 double speed_step(const PlannerSetup& setup, int joint) {
     const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
     if (std::isfinite(limits.max_speed_step)) return limits.max_speed_step;
-    return limits.least_acceleration() * setup.controller.speed_step_s;
+    return limits.min_acceleration() * setup.controller.speed_step_s;
 }
 
-CornerSpeed corner_speed(const PlannerSetup& setup, const BlocksBefore& before, const Block& to) {
+CornerSpeed corner_speed(const PlannerSetup& setup, const PrecedingBlocks& before, const Block& to) {
     const Block& from = before.back();
     const rrs::ControllerRules& controller = setup.controller;
-    const double most = std::min(from.max_speed, to.max_speed);
-    if (from.move.piece && !from.move.reaches_target) return {most, LimitKind::feed, {}};
+    const double speed_cap = std::min(from.max_speed, to.max_speed);
+    if (from.move.sub_segment && !from.move.reaches_target) return {speed_cap, LimitKind::feed, {}};
     const bool changes_mode = controller.stop_between_rapid_and_feed && from.move.rapid != to.move.rapid;
-    if (changes_mode || from.lead.role != to.lead.role || from.move.mode == rrs::PathMode::exact_stop)
+    if (changes_mode || from.master.role != to.master.role || from.move.mode == rrs::PathMode::exact_stop)
         return {};
-    const BlendedCorner corner = pass_by_rule(setup, before, to, most);
+    const BlendedCorner corner = pass_by_rule(setup, before, to, speed_cap);
     if (corner.speed == 0) return {};
-    const bool takes =
-        corner.blend.cut <= 0 && !corner.steps_cover && jumps_where_exact(controller, from, to);
-    if (corner.speed < most) return {corner.speed, LimitKind::corner, corner.blend, takes};
-    return {most, LimitKind::feed, corner.blend, takes};
+    const bool uses_acceleration =
+        corner.blend.cut <= 0 && !corner.is_within_speed_steps && uses_speed_jump(controller, from, to);
+    if (corner.speed < speed_cap) return {corner.speed, LimitKind::corner, corner.blend, uses_acceleration};
+    return {speed_cap, LimitKind::feed, corner.blend, uses_acceleration};
 }
 
 double largest_exit_cut(const PlannerSetup& setup, const Block& block) {
     const bool rounded = is_straight(block) && block.move.mode != rrs::PathMode::exact_stop &&
                          is_blend(rule_at_end(setup.controller, block));
-    return rounded ? kMostOfLine * block.lead.length : 0;
+    return rounded ? kMaxCutShare * block.master.length : 0;
 }
 
 }  // namespace gsim::motion

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "motion/lookahead/blocks_before.h"
+#include "motion/lookahead/preceding_blocks.h"
 
 namespace gsim::motion {
 
@@ -13,17 +13,17 @@ namespace gsim::motion {
 
 struct WindowSpeed {
     double speed = 0;
-    bool steps_cover = false;  ///< True if the joint steps cover all corners at that speed: no stretch needs
-                               ///< the joint accelerations.
+    bool is_within_speed_steps = false;  ///< True if the joint steps cover all corners at that speed: no
+                                         ///< stretch needs the joint accelerations.
 };
 
 /// Returns the speed at which the corner between the last block of `before` and `to` may be passed, at most
 /// `most`, given what the corners before it have already turned.
-WindowSpeed speed_in_window(const PlannerSetup& setup, const BlocksBefore& before, double most,
+WindowSpeed speed_in_window(const PlannerSetup& setup, const PrecedingBlocks& before, double speed_cap,
                             const Block& to);
 
 /// Reduces the accelerations of `to` along its path by what the corners before it, including the one at its
 /// entry, use of the joints' at its entry_cap.
-void leave_for_corners(const PlannerSetup& setup, const BlocksBefore& before, Block& to);
+void reserve_for_corners(const PlannerSetup& setup, const PrecedingBlocks& before, Block& to);
 
 }  // namespace gsim::motion

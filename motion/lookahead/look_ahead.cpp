@@ -9,7 +9,7 @@
 #include "motion/lookahead/corner.h"
 #include "motion/lookahead/corner_window.h"
 #include "motion/path/chords.h"
-#include "motion/path/limited_way.h"
+#include "motion/path/limited_path.h"
 #include "motion/profile/ramp.h"
 #include "motion/segment/followers.h"
 
@@ -17,14 +17,14 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr double kReachedBlockSpeed = 1e-9;  // relative
-constexpr std::size_t kMostInnerPieces = 2'000;
+constexpr double kBlockSpeedTolerance = 1e-9;  // relative
+constexpr std::size_t kMaxInnerSubSegments = 2'000;
 
-bool leads_on(const Block& block) {
-    return block.move.piece && !block.move.reaches_target;
+bool continues_move(const Block& block) {
+    return block.move.sub_segment && !block.move.reaches_target;
 }
 
-rrs::JointPos on_grid(const PlannerSetup& setup, rrs::JointPos position) {
+rrs::JointPos snap_to_grid(const PlannerSetup& setup, rrs::JointPos position) {
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double step = setup.joints[static_cast<std::size_t>(joint)].step;
         if (step > 0) position[joint] = std::round(position[joint] / step) * step;
@@ -34,10 +34,10 @@ rrs::JointPos on_grid(const PlannerSetup& setup, rrs::JointPos position) {
 
 }  // namespace
 
-Planned LookAhead::add(const PathMove& move) {
-    const bool chords = move.kind == SegmentKind::circular && setup_.controller.arc_chord_tolerance_mm > 0;
-    if (!chords) return add_line(move);
-    Planned planned;
+PlanResult LookAhead::add(const PathMove& move) {
+    const bool is_chords = move.kind == SegmentKind::circular && setup_.controller.arc_chord_tolerance_mm > 0;
+    if (!is_chords) return add_line(move);
+    PlanResult planned;
     for_each_chord(move, setup_, [&](const PathMove& line) {
         if (planned) planned = add_line(line);
     });
@@ -46,111 +46,111 @@ Planned LookAhead::add(const PathMove& move) {
 
 /// Controllers that know only lines count steps. They plan from step to step, so that short blocks have ends
 /// off their line.
-Planned LookAhead::add_line(const PathMove& move) {
+PlanResult LookAhead::add_line(const PathMove& move) {
     if (setup_.controller.arc_chord_tolerance_mm <= 0) return add_block(move);
     PathMove line = move;
-    if (has_rounded_) line.start = rounded_;
-    line.end = on_grid(setup_, move.end);
-    Planned planned = add_block(line);
+    if (has_rounded_end_) line.start = rounded_end_;
+    line.end = snap_to_grid(setup_, move.end);
+    PlanResult planned = add_block(line);
     if (planned) {
-        rounded_ = line.end;
-        has_rounded_ = true;
+        rounded_end_ = line.end;
+        has_rounded_end_ = true;
     }
     return planned;
 }
 
-Planned LookAhead::add_block(const PathMove& move) {
-    if (setup_.overrides && window_.empty()) take_overrides(output_.time_s());
+PlanResult LookAhead::add_block(const PathMove& move) {
+    if (setup_.overrides && window_.empty()) update_overrides(output_.time_s());
     auto block =
-        setup_.move_limits ? limited_block_of(move, setup_, overrides_) : block_of(move, setup_, overrides_);
+        setup_.move_limits ? limited_block(move, setup_, overrides_) : make_block(move, setup_, overrides_);
     if (!block) return tl::unexpected(std::move(block.error()));
     if (!*block) {
-        reach_with_last(move);
+        mark_target_reached(move);
         return {};
     }
     if (!window_.empty()) join(window_.size(), **block);
-    if (leads_on(**block)) ++inner_;
+    if (continues_move(**block)) ++inner_count_;
     window_.push_back(*std::move(*block));
-    if (!window_is_full()) return {};
-    if (!knows_exit()) plan_back(largest_exit_cut(setup_, window_.back()));
-    put_out_front();
+    if (!is_window_full()) return {};
+    if (!is_exit_known()) plan_backward(largest_exit_cut(setup_, window_.back()));
+    emit_front_block();
     return {};
 }
 
 /// Rounding may remove the last chord of an arc.
-void LookAhead::reach_with_last(const PathMove& move) {
+void LookAhead::mark_target_reached(const PathMove& move) {
     if (window_.empty() || window_.back().move.target_id != move.target_id) return;
     window_.back().move.reaches_target = move.reaches_target;
 }
 
 /// Further blocks only raise planned speeds. So the end speed of the oldest block is final if it is the
 /// highest that the corner allows or that the block can reach.
-bool LookAhead::knows_exit() const {
+bool LookAhead::is_exit_known() const {
     if (window_.size() < 2) return true;
     const Block& next = window_[1];
-    return next.entry >= next.entry_cap || next.entry > reachable_exit();
+    return next.entry >= next.entry_cap || next.entry > reachable_exit_speed();
 }
 
-bool LookAhead::window_is_full() const {
-    const std::size_t most = std::max<std::size_t>(setup_.controller.look_ahead_blocks, 1);
-    return window_.size() - inner_ >= most || inner_ >= kMostInnerPieces;
+bool LookAhead::is_window_full() const {
+    const std::size_t max = std::max<std::size_t>(setup_.controller.look_ahead_blocks, 1);
+    return window_.size() - inner_count_ >= max || inner_count_ >= kMaxInnerSubSegments;
 }
 
 /// Joins the first `count` blocks of the window and `to` at their corner.
 void LookAhead::join(std::size_t count, Block& to) {
     Block& from = window_[count - 1];
-    const BlocksBefore before{window_, count};
+    const PrecedingBlocks before{window_, count};
     const CornerSpeed corner =
         setup_.move_limits ? limited_corner(before, to) : corner_speed(setup_, before, to);
     to.entry_cap = corner.speed;
     to.entry_limit = corner.limit;
     to.entry_blend = corner.blend;
     from.exit_cut = corner.blend.cut;
-    if (!corner.takes_acceleration) return;
+    if (!corner.uses_acceleration) return;
     if (to.corner_accelerations) {
-        leave_for_corners(setup_at_corner(setup_, *to.corner_accelerations), before, to);
+        reserve_for_corners(setup_for_corner(setup_, *to.corner_accelerations), before, to);
     } else {
-        leave_for_corners(setup_, before, to);
+        reserve_for_corners(setup_, before, to);
     }
 }
 
 /// Returns the speed of a corner that has its own accelerations.
-CornerSpeed LookAhead::limited_corner(const BlocksBefore& before, Block& to) {
+CornerSpeed LookAhead::limited_corner(const PrecedingBlocks& before, Block& to) {
     to.corner_accelerations = corner_accelerations(setup_, before.back(), to);
     if (!to.corner_accelerations) return {};
-    return corner_speed(setup_at_corner(setup_, *to.corner_accelerations), before, to);
+    return corner_speed(setup_for_corner(setup_, *to.corner_accelerations), before, to);
 }
 
-/// Plans from the newest block, which stops `held_back` before its end, back to the first block that was
-/// planned before and does not get faster.
-void LookAhead::plan_back(double held_back) {
+/// Plans from the newest block, which stops `reserved_length` before its end, back to the first block that
+/// was planned before and does not get faster.
+void LookAhead::plan_backward(double reserved_length) {
     double exit_speed = 0;
-    double way = std::max(window_.back().way() - held_back, 0.0);
-    bool by_window = true;
+    double distance = std::max(window_.back().distance() - reserved_length, 0.0);
+    bool is_window_limited = true;
     for (std::size_t i = window_.size() - 1; i > 0; --i) {
         Block& block = window_[i];
-        const double reachable = reachable_speed(way, exit_speed, block.deceleration, block.jerk);
+        const double reachable = reachable_speed(distance, exit_speed, block.deceleration, block.jerk);
         const bool corner = block.entry_cap <= reachable;
         const double entry = corner ? block.entry_cap : reachable;
-        by_window = by_window && !corner;
-        if (i < planned_ && entry <= block.entry && by_window == block.by_window) break;
+        is_window_limited = is_window_limited && !corner;
+        if (i < planned_count_ && entry <= block.entry && is_window_limited == block.is_window_limited) break;
         block.entry = entry;
-        block.by_window = by_window;
+        block.is_window_limited = is_window_limited;
         exit_speed = entry;
-        way = window_[i - 1].way();
+        distance = window_[i - 1].distance();
     }
-    planned_ = window_.size();
+    planned_count_ = window_.size();
 }
 
 /// Returns the speed at which the next block begins, as far as the oldest one can reach it.
 double LookAhead::front_exit_speed() const {
-    const double planned = std::min(window_.size() > 1 ? window_[1].entry : 0, reachable_exit());
-    return setup_.overrides ? std::max(is_held() ? 0 : planned, least_exit()) : planned;
+    const double planned = std::min(window_.size() > 1 ? window_[1].entry : 0, reachable_exit_speed());
+    return setup_.overrides ? std::max(is_on_hold() ? 0 : planned, min_exit_speed()) : planned;
 }
 
-double LookAhead::reachable_exit() const {
+double LookAhead::reachable_exit_speed() const {
     const Block& block = window_.front();
-    return reachable_speed(block.way(), speed_, block.acceleration, block.jerk);
+    return reachable_speed(block.distance(), speed_, block.acceleration, block.jerk);
 }
 
 /// A stop may take less time than a slow blend if few blocks are known. The cut is long enough for that stop.
@@ -158,8 +158,8 @@ void LookAhead::drop_slow_blend() {
     if (window_.size() < 2) return;
     Block& from = window_[0];
     Block& to = window_[1];
-    if (to.entry_blend.cut <= 0 || front_exit_speed() >= least_blend_speed(from, to)) return;
-    if (setup_.overrides && least_exit() > 0) return;
+    if (to.entry_blend.cut <= 0 || front_exit_speed() >= min_blend_speed(from, to)) return;
+    if (setup_.overrides && min_exit_speed() > 0) return;
     to.entry_blend = {};
     to.entry = to.entry_cap = 0;
     to.entry_limit = LimitKind::stop;
@@ -167,23 +167,23 @@ void LookAhead::drop_slow_blend() {
 }
 
 /// A slow blend needs a smaller cut, which leaves more of both lines for speeding up.
-void LookAhead::fit_blend(double speed) {
+void LookAhead::shrink_blend(double speed) {
     if (window_.size() < 2 || window_[1].entry_blend.cut <= 0 || !(speed > 0)) return;
     Block& to = window_[1];
     to.entry_blend = to.corner_accelerations
-                         ? blend_at(setup_at_corner(setup_, *to.corner_accelerations), window_[0], to, speed)
+                         ? blend_at(setup_for_corner(setup_, *to.corner_accelerations), window_[0], to, speed)
                          : blend_at(setup_, window_[0], to, speed);
     window_[0].exit_cut = window_[1].entry_blend.cut;
 }
 
-void LookAhead::put_out_front() {
+void LookAhead::emit_front_block() {
     if (setup_.overrides) {
-        while (turn_overrides()) {
+        while (handle_override_change()) {
         }
     }
     drop_slow_blend();
     const double exit = front_exit_speed();
-    fit_blend(exit);
+    shrink_blend(exit);
     const Block& block = window_.front();
     const bool blended = block.exit_cut > 0;
     const bool settles = exit == 0 && block.move.mode == rrs::PathMode::exact_stop;
@@ -192,38 +192,38 @@ void LookAhead::put_out_front() {
         settles && (block.settling.fixed_s > 0 || std::isfinite(block.settling.in_position_mm));
     const bool reaches_target = block.move.reaches_target && !blended && !may_wait;
     if (block.steps) {
-        put_out_steps(block, exit, reaches_target);
+        emit_steps(block, exit, reaches_target);
     } else {
-        put_out_way(block, exit, reaches_target);
+        emit_path(block, exit, reaches_target);
     }
     if (blended) {
         const Block& next = window_[1];
-        put_out_blend(block, next, exit, blend_limited_by(block, next, exit), output_);
+        emit_blend(block, next, exit, blend_limited_by(block, next, exit), output_);
     }
-    if (may_wait) put_out_rest(block.move.target_id, block.move.end, settle_s(block));
-    if (leads_on(block)) --inner_;
+    if (may_wait) emit_dwell(block.move.target_id, block.move.end, settle_s(block));
+    if (continues_move(block)) --inner_count_;
     window_.pop_front();
-    planned_ = std::max<std::size_t>(planned_, 1) - 1;
+    planned_count_ = std::max<std::size_t>(planned_count_, 1) - 1;
     speed_ = exit;
 }
 
-void LookAhead::put_out_way(const Block& block, double exit_speed, bool reaches_target) {
-    const double way = block.way();
-    if (!(way > 0)) return;
-    const double length = block.lead.length;
+void LookAhead::emit_path(const Block& block, double exit_speed, bool reaches_target) {
+    const double distance = block.distance();
+    if (!(distance > 0)) return;
+    const double length = block.master.length;
     Segment& segment = output_.begin(block.move.target_id);
     segment.kind = block.move.kind;
     segment.start = block.entry_blend.cut > 0 ? block.line_at(block.entry_blend.cut) : block.move.start;
     segment.end = block.exit_cut > 0 ? block.line_at(length - block.exit_cut) : block.move.end;
     segment.arc = block.move.arc;
     segment.orientation = block.move.orientation;
-    segment.length_mm = block.move.length_mm * (way / length);
+    segment.length_mm = block.move.length_mm * (distance / length);
     segment.reaches_target = reaches_target;
-    segment.lead = front_law(exit_speed);
-    segment.lead_limits = block.limits();
-    segment.lead_limits.max_speed = std::max(block.max_speed, segment.lead.peak_speed());
-    segment.duration_s = segment.lead.duration_s();
-    segment.limited_by = limited_by(block, segment.lead, exit_speed);
+    segment.master = front_law(exit_speed);
+    segment.master_limits = block.limits();
+    segment.master_limits.max_speed = std::max(block.max_speed, segment.master.peak_speed());
+    segment.duration_s = segment.master.duration_s();
+    segment.limited_by = limited_by(block, segment.master, exit_speed);
     output_.finish();
 }
 
@@ -241,50 +241,51 @@ double LookAhead::settle_s(const Block& block) const {
 
 LimitedBy LookAhead::blend_limited_by(const Block& from, const Block& to, double speed) const {
     const Block& slower = from.max_speed <= to.max_speed ? from : to;
-    if (speed >= slower.max_speed * (1 - kReachedBlockSpeed)) return slower.speed_limit;
-    return {to.by_window && speed >= to.entry ? LimitKind::look_ahead : LimitKind::corner, -1};
+    if (speed >= slower.max_speed * (1 - kBlockSpeedTolerance)) return slower.speed_limit;
+    return {to.is_window_limited && speed >= to.entry ? LimitKind::look_ahead : LimitKind::corner, -1};
 }
 
-void LookAhead::put_out_rest(rrs::TargetId id, const rrs::JointPos& end, double settle_s) {
-    Segment& rest = output_.begin(id);
-    rest.kind = SegmentKind::rest;
-    rest.start = rest.end = end;
-    plan_stay(rest, settle_s);
+void LookAhead::emit_dwell(rrs::TargetId id, const rrs::JointPos& end, double settle_s) {
+    Segment& standstill = output_.begin(id);
+    standstill.kind = SegmentKind::rest;
+    standstill.start = standstill.end = end;
+    plan_standstill(standstill, settle_s);
     output_.finish();
 }
 
 LimitedBy LookAhead::limited_by(const Block& block, const TimeLaw& law, double exit_speed) const {
-    if (law.peak_speed() >= block.max_speed * (1 - kReachedBlockSpeed)) return block.speed_limit;
+    if (law.peak_speed() >= block.max_speed * (1 - kBlockSpeedTolerance)) return block.speed_limit;
     const Block* next = window_.size() > 1 ? &window_[1] : nullptr;
-    if (next != nullptr && next->by_window && exit_speed >= next->entry) return {LimitKind::look_ahead, -1};
+    if (next != nullptr && next->is_window_limited && exit_speed >= next->entry)
+        return {LimitKind::look_ahead, -1};
     const bool slow_corner = speed_ > 0 && exit_speed > 0;
     if (slow_corner && next != nullptr && next->entry_limit == LimitKind::corner)
         return {LimitKind::corner, -1};
-    return limit_reached(law, block.limits(), block.speed_limit, block.acceleration_limit, block.jerk_limit);
+    return reached_limit(law, block.limits(), block.speed_limit, block.acceleration_limit, block.jerk_limit);
 }
 
-void LookAhead::come_to_rest() {
-    if (!window_.empty()) plan_back(0);
+void LookAhead::plan_to_standstill() {
+    if (!window_.empty()) plan_backward(0);
     ending_ = true;
-    while (!window_.empty()) put_out_front();
+    while (!window_.empty()) emit_front_block();
     ending_ = false;
     speed_ = 0;
 }
 
-rrs::JointPos LookAhead::standing_at(const rrs::JointPos& position) const {
-    return has_rounded_ ? rounded_ : position;
+rrs::JointPos LookAhead::end_position_of(const rrs::JointPos& position) const {
+    return has_rounded_end_ ? rounded_end_ : position;
 }
 
 void LookAhead::clear() {
     window_.clear();
     overrides_ = {};
     overrides_s_ = 0;
-    planned_ = 0;
-    inner_ = 0;
+    planned_count_ = 0;
+    inner_count_ = 0;
     output_.clear();
     stepped_ = SteppedRamps(setup_.controller.ramp_step_s);
     speed_ = 0;
-    has_rounded_ = false;
+    has_rounded_end_ = false;
 }
 
 }  // namespace gsim::motion

@@ -12,95 +12,100 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr double kMinute_s = 60;
+constexpr double kSecondsPerMinute = 60;
 
 float per_minute(double value, int power) {
-    for (int i = 0; i < power; ++i) value *= kMinute_s;
+    for (int i = 0; i < power; ++i) value *= kSecondsPerMinute;
     return static_cast<float>(value);
 }
 
-SteppedBlock stepped(const Block& block, double entry_speed, double exit_speed) {
-    return {static_cast<float>(block.way()),   per_minute(entry_speed, 1),
-            per_minute(exit_speed, 1),         per_minute(block.max_speed, 1),
-            per_minute(block.acceleration, 2), per_minute(block.steps->acceleration, 2),
+SteppedBlock make_stepped_block(const Block& block, double entry_speed, double exit_speed) {
+    return {static_cast<float>(block.distance()),
+            per_minute(entry_speed, 1),
+            per_minute(exit_speed, 1),
+            per_minute(block.max_speed, 1),
+            per_minute(block.acceleration, 2),
+            per_minute(block.steps->acceleration, 2),
             per_minute(block.steps->jerk, 3)};
 }
 
 /// Parts of one law, one after the other. Parts that only continue at the speed of the last one are merged
 /// into it.
-class PieceLaw {
+class SectionMerger {
   public:
-    bool takes(const LawPiece& piece) const {
-        return count_ < TimeLaw::kMaxPieces || (count_ > 0 && goes_on(piece));
+    bool has_space_for(const LawSection& section) const {
+        return count_ < TimeLaw::kMaxSections || (count_ > 0 && continues(section));
     }
-    void add(LawPiece piece) {
-        const double way = piece.v0 * piece.duration_s + piece.a0 * piece.duration_s * piece.duration_s / 2;
-        if (count_ > 0 && goes_on(piece)) {
-            pieces_[count_ - 1].duration_s += piece.duration_s;
+    void add(LawSection section) {
+        const double distance =
+            section.v0 * section.duration_s + section.a0 * section.duration_s * section.duration_s / 2;
+        if (count_ > 0 && continues(section)) {
+            sections_[count_ - 1].duration_s += section.duration_s;
         } else {
-            piece.s0 = length_;
-            pieces_[count_++] = piece;
+            section.s0 = length_;
+            sections_[count_++] = section;
         }
-        length_ += way;
+        length_ += distance;
     }
     bool empty() const { return count_ == 0; }
     double length() const { return length_; }
-    TimeLaw law() const { return TimeLaw::of_pieces({pieces_.data(), count_}); }
+    TimeLaw law() const { return TimeLaw::from_sections({sections_.data(), count_}); }
 
   private:
-    bool goes_on(const LawPiece& piece) const {
+    bool continues(const LawSection& section) const {
         constexpr double kSameSpeed = 1e-6;  // relative: 32 bits are no nearer
-        const LawPiece& last = pieces_[count_ - 1];
-        const auto even = [](const LawPiece& one) {
+        const LawSection& last = sections_[count_ - 1];
+        const auto has_constant_speed = [](const LawSection& one) {
             return std::abs(one.a0) * one.duration_s <= kSameSpeed * one.v0;
         };
-        return even(last) && even(piece) && std::abs(piece.v0 - last.v0) <= kSameSpeed * last.v0;
+        return has_constant_speed(last) && has_constant_speed(section) &&
+               std::abs(section.v0 - last.v0) <= kSameSpeed * last.v0;
     }
 
-    std::array<LawPiece, TimeLaw::kMaxPieces> pieces_{};
+    std::array<LawSection, TimeLaw::kMaxSections> sections_{};
     std::size_t count_ = 0;
     double length_ = 0;
 };
 
 }  // namespace
 
-void LookAhead::put_out_steps(const Block& block, double exit_speed, bool reaches_target) {
-    if (!(block.way() > 0)) return;
-    PieceLaw held;
-    bool held_crawls = false;
+void LookAhead::emit_steps(const Block& block, double exit_speed, bool reaches_target) {
+    if (!(block.distance() > 0)) return;
+    SectionMerger pending;
+    bool pending_creeps = false;
     double from = 0;
-    const auto put_out = [&](bool reaches) {
-        if (held.empty()) return;
-        const TimeLaw law = held.law();
+    const auto emit = [&](bool reaches) {
+        if (pending.empty()) return;
+        const TimeLaw law = pending.law();
         const LimitedBy by =
-            held_crawls ? LimitedBy{LimitKind::short_brakes, -1} : limited_by(block, law, law.end_speed());
-        put_out_pieces(block, law, from, by, reaches);
-        from += held.length();
-        held = {};
+            pending_creeps ? LimitedBy{LimitKind::short_brakes, -1} : limited_by(block, law, law.end_speed());
+        emit_sections(block, law, from, by, reaches);
+        from += pending.length();
+        pending = {};
     };
-    stepped_.drive(stepped(block, speed_, exit_speed), [&](const SteppedPiece& piece) {
-        if (piece.falls_short != held_crawls || !held.takes(piece.law)) put_out(false);
-        held_crawls = piece.falls_short;
-        held.add(piece.law);
+    stepped_.drive(make_stepped_block(block, speed_, exit_speed), [&](const SteppedSection& section) {
+        if (section.stops_short != pending_creeps || !pending.has_space_for(section.law)) emit(false);
+        pending_creeps = section.stops_short;
+        pending.add(section.law);
     });
-    put_out(reaches_target);
+    emit(reaches_target);
 }
 
 /// Outputs a part of the block that begins `from` after its start.
-void LookAhead::put_out_pieces(const Block& block, const TimeLaw& law, double from, LimitedBy limited_by,
-                               bool reaches_target) {
+void LookAhead::emit_sections(const Block& block, const TimeLaw& law, double from, LimitedBy limited_by,
+                              bool reaches_target) {
     constexpr double kSameEnd = 1e-6;  // relative: lengths are of 32 bits
-    const double length = block.lead.length;
+    const double length = block.master.length;
     const double start = block.entry_blend.cut + from;
     const double end = start + law.length();
     const bool is_last = length - block.exit_cut - end <= kSameEnd * length;
     Segment& segment = output_.begin(block.move.target_id);
-    set_way(
+    set_path(
         move_part(block.move, length, start, is_last ? length - block.exit_cut : end, setup_.position_joints),
         segment);
-    segment.lead = law;
-    segment.lead_limits = {std::max(block.max_speed, law.peak_speed()), block.steps->acceleration,
-                           block.steps->acceleration, kUnlimited};
+    segment.master = law;
+    segment.master_limits = {std::max(block.max_speed, law.peak_speed()), block.steps->acceleration,
+                             block.steps->acceleration, kUnlimited};
     segment.duration_s = law.duration_s();
     segment.limited_by = limited_by;
     segment.reaches_target = reaches_target;

@@ -14,10 +14,10 @@ using Eigen::Vector3d;
 
 // The path by its own length s: radius = start radius + radial s, radius dphi/ds = around, lift = climb s.
 // The three are constant and radial^2 + around^2 + climb^2 = 1.
-struct Slopes {
+struct ArcSlopes {
     double radial;
-    double around;
-    Vector3d climb;
+    double tangential;
+    Vector3d ascent;
     double length_mm;
 };
 
@@ -30,17 +30,17 @@ double log_growth(const Arc& arc) {
 // on a circle. Programs round their centres, so most arcs are spirals by a very small amount. The series is
 // exact and cheap for them.
 double mean_radius(const Arc& arc) {
-    constexpr double kHair = 1e-4;  // the next term is below 3 % of its fourth power
+    constexpr double kMinGrowth = 1e-4;  // the next term is below 3 % of its fourth power
     const double growth = (arc.end_radius_mm - arc.radius_mm) / arc.radius_mm;
-    if (std::abs(growth) > kHair) return (arc.end_radius_mm - arc.radius_mm) / log_growth(arc);
+    if (std::abs(growth) > kMinGrowth) return (arc.end_radius_mm - arc.radius_mm) / log_growth(arc);
     return arc.radius_mm * (1 + growth * (1.0 / 2 - growth * (1.0 / 12 - growth / 24)));
 }
 
-Slopes slopes_of(const Arc& arc) {
+ArcSlopes arc_slopes(const Arc& arc) {
     const double change = arc.end_radius_mm - arc.radius_mm;
-    const double around_mm = arc.sweep_rad * mean_radius(arc);
-    const double length = std::sqrt(change * change + around_mm * around_mm + arc.lift.squaredNorm());
-    return {change / length, around_mm / length, arc.lift / length, length};
+    const double arc_length_mm = arc.sweep_rad * mean_radius(arc);
+    const double length = std::sqrt(change * change + arc_length_mm * arc_length_mm + arc.lift.squaredNorm());
+    return {change / length, arc_length_mm / length, arc.lift / length, length};
 }
 
 // Returns the angle at a share of the path from 0 to 1; share_at() is the inverse.
@@ -51,10 +51,10 @@ double phi_at_share(const Arc& arc, double share) {
 }
 
 double share_at(const Arc& arc, double phi_rad) {
-    const double turned = phi_rad / arc.sweep_rad;
+    const double angle_share = phi_rad / arc.sweep_rad;
     const double change = arc.end_radius_mm - arc.radius_mm;
-    if (change == 0) return turned;
-    return std::expm1(turned * log_growth(arc)) * arc.radius_mm / change;
+    if (change == 0) return angle_share;
+    return std::expm1(angle_share * log_growth(arc)) * arc.radius_mm / change;
 }
 
 double radius_at_share(const Arc& arc, double share) {
@@ -76,17 +76,17 @@ struct Directions {
     Directions(const Arc& arc, double phi_rad)
         : cosine(std::cos(phi_rad)),
           sine(std::sin(phi_rad)),
-          outward(cosine * arc.u + sine * arc.v),
+          outward_direction(cosine * arc.u + sine * arc.v),
           forward(cosine * arc.v - sine * arc.u) {}
     double cosine;
     double sine;
-    Vector3d outward;
+    Vector3d outward_direction;
     Vector3d forward;
 };
 
 // Widens the range by the coordinate at the angles `phase` + 2 pi k within the sweep. The value drifts in one
 // direction from turn to turn, so the first and the last of them suffice.
-void widen(Range& range, const Arc& arc, int axis, double phase) {
+void expand(Range& range, const Arc& arc, int axis, double phase) {
     const double first = phase - kTurn_rad * std::floor(phase / kTurn_rad);
     if (first >= arc.sweep_rad) return;
     const double last = first + kTurn_rad * std::floor((arc.sweep_rad - first) / kTurn_rad);
@@ -100,7 +100,7 @@ void widen(Range& range, const Arc& arc, int axis, double phase) {
 }  // namespace
 
 double Arc::length_mm() const {
-    return slopes_of(*this).length_mm;
+    return arc_slopes(*this).length_mm;
 }
 
 double Arc::phi_at(double s_mm) const {
@@ -119,7 +119,7 @@ Arc Arc::part(double from_mm, double to_mm) const {
     const Directions from(*this, from_rad);
     Arc part = *this;
     part.center += from_share * lift;
-    part.u = from.outward;
+    part.u = from.outward_direction;
     part.v = from.forward;
     part.radius_mm = radius_at_share(*this, from_share);
     part.end_radius_mm = radius_at_share(*this, to_share);
@@ -130,26 +130,27 @@ Arc Arc::part(double from_mm, double to_mm) const {
 
 Vector3d Arc::at(double phi_rad) const {
     const double share = share_at(*this, phi_rad);
-    const Vector3d outward = std::cos(phi_rad) * u + std::sin(phi_rad) * v;
-    return center + radius_at_share(*this, share) * outward + share * lift;
+    const Vector3d outward_direction = std::cos(phi_rad) * u + std::sin(phi_rad) * v;
+    return center + radius_at_share(*this, share) * outward_direction + share * lift;
 }
 
 Vector3d Arc::tangent(double phi_rad) const {
-    const Slopes slopes = slopes_of(*this);
+    const ArcSlopes slopes = arc_slopes(*this);
     const Directions at(*this, phi_rad);
-    return slopes.radial * at.outward + slopes.around * at.forward + slopes.climb;
+    return slopes.radial * at.outward_direction + slopes.tangential * at.forward + slopes.ascent;
 }
 
 Vector3d Arc::curvature(double phi_rad) const {
-    const Slopes slopes = slopes_of(*this);
+    const ArcSlopes slopes = arc_slopes(*this);
     const Directions at(*this, phi_rad);
-    return slopes.around / radius_at(*this, phi_rad) *
-           (slopes.radial * at.forward - slopes.around * at.outward);
+    return slopes.tangential / radius_at(*this, phi_rad) *
+           (slopes.radial * at.forward - slopes.tangential * at.outward_direction);
 }
 
 double Arc::max_curvature() const {
-    const Slopes slopes = slopes_of(*this);
-    return slopes.around * in_plane(slopes.around, slopes.radial) / std::min(radius_mm, end_radius_mm);
+    const ArcSlopes slopes = arc_slopes(*this);
+    return slopes.tangential * in_plane(slopes.tangential, slopes.radial) /
+           std::min(radius_mm, end_radius_mm);
 }
 
 double Arc::max_share(int axis) const {
@@ -157,11 +158,11 @@ double Arc::max_share(int axis) const {
 }
 
 Vector3d Arc::max_shares() const {
-    const Slopes slopes = slopes_of(*this);
-    const double pace = in_plane(slopes.around, slopes.radial);
+    const ArcSlopes slopes = arc_slopes(*this);
+    const double in_plane_share = in_plane(slopes.tangential, slopes.radial);
     Vector3d shares;
     for (int axis = 0; axis < 3; ++axis)
-        shares[axis] = pace * in_plane(u[axis], v[axis]) + std::abs(slopes.climb[axis]);
+        shares[axis] = in_plane_share * in_plane(u[axis], v[axis]) + std::abs(slopes.ascent[axis]);
     return shares;
 }
 
@@ -184,13 +185,13 @@ Range Arc::range(int axis) const {
     const double start = center[axis] + radius_mm * u[axis];
     const double end = at(sweep_rad)[axis];
     Range range{std::min(start, end), std::max(start, end)};
-    const Slopes slopes = slopes_of(*this);
-    const double swing = in_plane(u[axis], v[axis]) * in_plane(slopes.around, slopes.radial);
-    if (std::abs(slopes.climb[axis]) >= swing) return range;
-    const double base = std::atan2(v[axis], u[axis]) + std::atan2(slopes.radial, slopes.around);
-    const double turn = std::asin(slopes.climb[axis] / swing);
-    widen(range, *this, axis, base + turn);
-    widen(range, *this, axis, base + std::numbers::pi - turn);
+    const ArcSlopes slopes = arc_slopes(*this);
+    const double amplitude = in_plane(u[axis], v[axis]) * in_plane(slopes.tangential, slopes.radial);
+    if (std::abs(slopes.ascent[axis]) >= amplitude) return range;
+    const double base = std::atan2(v[axis], u[axis]) + std::atan2(slopes.radial, slopes.tangential);
+    const double turn = std::asin(slopes.ascent[axis] / amplitude);
+    expand(range, *this, axis, base + turn);
+    expand(range, *this, axis, base + std::numbers::pi - turn);
     return range;
 }
 

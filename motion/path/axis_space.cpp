@@ -22,16 +22,16 @@ std::optional<AxisSpace> AxisSpace::of(const PlannerSetup& setup) {
     return space;
 }
 
-bool tip_turns(const PlannerSetup& setup, const Eigen::Vector3d& tip_mm) {
-    constexpr double kNoMotion_mm = 1e-7;
+bool rotary_joints_move_tcp(const PlannerSetup& setup, const Eigen::Vector3d& tcp_mm) {
+    constexpr double kMotionTolerance_mm = 1e-7;
     rrs::JointPos joints = rrs::JointPos::Zero(setup.joint_count());
-    for (int stance = 0; stance < 3; ++stance) {
-        const Eigen::Vector3d tip = setup.kinematics->forward(joints) * tip_mm;
+    for (int configuration = 0; configuration < 3; ++configuration) {
+        const Eigen::Vector3d tcp = setup.kinematics->forward(joints) * tcp_mm;
         for (int joint = 0; joint < setup.joint_count(); ++joint) {
             if (setup.role(joint) != JointRole::rotary) continue;
-            rrs::JointPos turned = joints;
-            turned[joint] += 1;
-            if ((setup.kinematics->forward(turned) * tip_mm - tip).norm() > kNoMotion_mm) return true;
+            rrs::JointPos rotated = joints;
+            rotated[joint] += 1;
+            if ((setup.kinematics->forward(rotated) * tcp_mm - tcp).norm() > kMotionTolerance_mm) return true;
         }
         for (int joint = 0; joint < setup.joint_count(); ++joint)  // elsewhere, with no axes in line
             joints[joint] += setup.role(joint) == JointRole::rotary ? 0.5 + 0.1 * joint : 100.0 + 10 * joint;
@@ -47,7 +47,7 @@ Eigen::Vector3d AxisSpace::turn_axis(const Eigen::Vector3d& world) const {
     return handedness_ * (to_axes_ * world);
 }
 
-Eigen::Vector3d position_of(const PlannerSetup& setup, const rrs::JointPos& joints) {
+Eigen::Vector3d read_position(const PlannerSetup& setup, const rrs::JointPos& joints) {
     Eigen::Vector3d position = Eigen::Vector3d::Zero();
     for (int axis = 0; axis < 3; ++axis) {
         const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
@@ -56,8 +56,8 @@ Eigen::Vector3d position_of(const PlannerSetup& setup, const rrs::JointPos& join
     return position;
 }
 
-void put_position(const std::array<int, 3>& position_joints, const Eigen::Vector3d& point,
-                  rrs::JointPos& joints) {
+void write_position(const std::array<int, 3>& position_joints, const Eigen::Vector3d& point,
+                    rrs::JointPos& joints) {
     for (int axis = 0; axis < 3; ++axis) {
         const int joint = position_joints[static_cast<std::size_t>(axis)];
         if (joint >= 0) joints[joint] = point[axis];

@@ -28,14 +28,15 @@ class AxisSpace {
 };
 
 /// True if rotary joints move the controlled point in the work frame, so that lines of the joints are no
-/// lines of this point. `tip_mm` is the point in the frame of the tool centre point.
-bool tip_turns(const PlannerSetup& setup, const Eigen::Vector3d& tip_mm = Eigen::Vector3d::Zero());
+/// lines of this point. `tcp_mm` is the point in the frame of the tool centre point.
+bool rotary_joints_move_tcp(const PlannerSetup& setup,
+                            const Eigen::Vector3d& tcp_mm = Eigen::Vector3d::Zero());
 
 /// Returns the values of the position joints; 0 if one is absent.
-Eigen::Vector3d position_of(const PlannerSetup& setup, const rrs::JointPos& joints);
+Eigen::Vector3d read_position(const PlannerSetup& setup, const rrs::JointPos& joints);
 
 /// Sets the position joints (-1: absent) to the coordinates of a point or vector.
-void put_position(const std::array<int, 3>& position_joints, const Eigen::Vector3d& point,
-                  rrs::JointPos& joints);
+void write_position(const std::array<int, 3>& position_joints, const Eigen::Vector3d& point,
+                    rrs::JointPos& joints);
 
 }  // namespace gsim::motion

@@ -2,11 +2,11 @@
 
 namespace gsim::motion {
 
-rrs::CartPos WorkFrames::target_of(const rrs::CartPos& tool_centre) const {
-    return object.inverse() * tool_centre * tool;
+rrs::CartPos WorkFrames::to_target(const rrs::CartPos& tcp_pose) const {
+    return object.inverse() * tcp_pose * tool;
 }
 
-rrs::CartPos WorkFrames::tool_centre_of(const rrs::CartPos& target) const {
+rrs::CartPos WorkFrames::to_tool_centre(const rrs::CartPos& target) const {
     return object * target * tool.inverse();
 }
 

@@ -9,16 +9,16 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr double kMostChords = 1e7;
+constexpr double kMaxChords = 1e7;
 
-void set_chord_speed(const PathMove& move, const rrs::ControllerRules& controller, int chords,
+void set_chord_speed(const PathMove& move, const rrs::ControllerRules& controller, int number_of_chords,
                      PathMove& line) {
-    const double asked_s = move.rules.least_duration_s;
-    if (asked_s <= 0) return;
-    line.rules.least_duration_s = 0;
-    // F in 1/min is 60 / asked_s. It is taken as mm/min if it counts once for each chord.
-    line.rules.programmed_speed_mm_s =
-        controller.inverse_time_of_chords ? chords / asked_s : move.arc.length_mm() / asked_s;
+    const double requested_s = move.rules.min_duration_s;
+    if (requested_s <= 0) return;
+    line.rules.min_duration_s = 0;
+    // F in 1/min is 60 / requested_s. It is taken as mm/min if it counts once for each chord.
+    line.rules.programmed_speed_mm_s = controller.inverse_time_per_chord ? number_of_chords / requested_s
+                                                                         : move.arc.length_mm() / requested_s;
 }
 
 }  // namespace
@@ -27,18 +27,18 @@ int chord_count(const Arc& arc, const rrs::ControllerRules& controller) {
     if (controller.planner != rrs::PlannerKind::klipper)
         return chord_count(arc, controller.arc_chord_tolerance_mm);
     return static_cast<int>(
-        std::clamp(std::floor(arc.length_mm() / controller.arc_resolution_mm), 1.0, kMostChords));
+        std::clamp(std::floor(arc.length_mm() / controller.arc_resolution_mm), 1.0, kMaxChords));
 }
 
 int chord_count(const Arc& arc, double tolerance_mm) {
     const double radius = std::max(arc.radius_mm, tolerance_mm);
     const double count =
         std::floor(arc.sweep_rad * radius / 2 / std::sqrt(tolerance_mm * (2 * radius - tolerance_mm)));
-    return static_cast<int>(std::clamp(count, 1.0, kMostChords));
+    return static_cast<int>(std::clamp(count, 1.0, kMaxChords));
 }
 
 void for_each_chord(const PathMove& move, const PlannerSetup& setup,
-                    const std::function<void(const PathMove&)>& take) {
+                    const std::function<void(const PathMove&)>& on_part) {
     const int count = chord_count(move.arc, setup.controller);
     PathMove line = move;
     line.kind = SegmentKind::linear;
@@ -47,9 +47,10 @@ void for_each_chord(const PathMove& move, const PlannerSetup& setup,
     for (int i = 1; i <= count; ++i) {
         const double share = static_cast<double>(i) / count;
         line.end = i == count ? move.end : rrs::JointPos(move.start + share * (move.end - move.start));
-        if (i < count) put_position(setup.position_joints, move.arc.at(share * move.arc.sweep_rad), line.end);
+        if (i < count)
+            write_position(setup.position_joints, move.arc.at(share * move.arc.sweep_rad), line.end);
         line.reaches_target = i == count;
-        take(line);
+        on_part(line);
         line.start = line.end;
     }
 }

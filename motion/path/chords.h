@@ -19,6 +19,6 @@ int chord_count(const Arc& arc, const rrs::ControllerRules& controller);
 /// complete arc takes the time. The speed follows from the number of chords if the controller counts the time
 /// once for each chord.
 void for_each_chord(const PathMove& move, const PlannerSetup& setup,
-                    const std::function<void(const PathMove&)>& take);
+                    const std::function<void(const PathMove&)>& on_part);
 
 }  // namespace gsim::motion

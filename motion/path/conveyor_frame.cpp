@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/path/lead_path.h"
+#include "motion/path/master_path.h"
 #include "motion/planner/range_check.h"
 #include "motion/profile/ramp.h"
 #include "motion/segment/followers.h"
@@ -19,8 +19,8 @@ namespace {
 constexpr double kSmallestShare = 1e-12;  // of a unit vector: less is rounding
 
 TimeLaw constant_speed(double speed, double duration_s) {
-    const std::array pieces{LawPiece{duration_s, 0, speed, 0, 0}};
-    return TimeLaw::of_pieces(pieces);
+    const std::array sections{LawSection{duration_s, 0, speed, 0, 0}};
+    return TimeLaw::from_sections(sections);
 }
 
 }  // namespace
@@ -28,14 +28,14 @@ TimeLaw constant_speed(double speed, double duration_s) {
 tl::expected<ConveyorFrame, PlanError> ConveyorFrame::of(const PlannerSetup& setup, const AxisSpace* space,
                                                          const ConveyorMotion& conveyor) {
     if (space == nullptr) {
-        return refused(
+        return make_plan_error(
             Status::RRS_MODE_NOT_SUPPORTED,
             "A conveyor can be tracked only by a machine whose position joints carry the tool along "
             "three directions at right angles.");
     }
     const Eigen::Vector3d along = space->point(conveyor.direction) - space->point(Eigen::Vector3d::Zero());
     rrs::JointPos joints = rrs::JointPos::Zero(setup.joint_count());
-    put_position(setup.position_joints, along, joints);
+    write_position(setup.position_joints, along, joints);
     joints = (joints.array().abs() < kSmallestShare).select(0, joints);
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double speed = std::abs(conveyor.speed_mm_s * joints[joint]);
@@ -50,15 +50,15 @@ tl::expected<ConveyorFrame, PlanError> ConveyorFrame::of(const PlannerSetup& set
     return ConveyorFrame(conveyor, joints);
 }
 
-PlannerSetup ConveyorFrame::setup_within(const PlannerSetup& setup) const {
+PlannerSetup ConveyorFrame::remaining_setup(const PlannerSetup& setup) const {
     PlannerSetup within = setup;
     for (int joint = 0; joint < setup.joint_count(); ++joint)
         within.joints[static_cast<std::size_t>(joint)].max_speed -=
-            std::abs(conveyor_.speed_mm_s * along_[joint]);
+            std::abs(conveyor_.speed_mm_s * joints_per_mm_[joint]);
     return within;
 }
 
-void ConveyorFrame::carry(Segment& segment) const {
+void ConveyorFrame::superimpose(Segment& segment) const {
     const rrs::JointPos start = shift(segment.start_s);
     segment.start += start;
     segment.end += start;
@@ -69,37 +69,38 @@ void ConveyorFrame::carry(Segment& segment) const {
         }
     }
     if (!(segment.duration_s > 0) || conveyor_.speed_mm_s == 0) return;
-    auto belt = std::make_shared<Segment>();
-    belt->kind = SegmentKind::linear;
-    belt->duration_s = segment.duration_s;
-    belt->start = rrs::JointPos::Zero(along_.size());
-    belt->end = conveyor_.speed_mm_s * segment.duration_s * along_;
-    belt->lead = constant_speed(std::abs(conveyor_.speed_mm_s), segment.duration_s);
-    belt->position_joints = segment.position_joints;
-    segment.beside = std::move(belt);
+    auto conveyor_segment = std::make_shared<Segment>();
+    conveyor_segment->kind = SegmentKind::linear;
+    conveyor_segment->duration_s = segment.duration_s;
+    conveyor_segment->start = rrs::JointPos::Zero(joints_per_mm_.size());
+    conveyor_segment->end = conveyor_.speed_mm_s * segment.duration_s * joints_per_mm_;
+    conveyor_segment->master = constant_speed(std::abs(conveyor_.speed_mm_s), segment.duration_s);
+    conveyor_segment->position_joints = segment.position_joints;
+    segment.superimposed = std::move(conveyor_segment);
 }
 
-Planned ConveyorFrame::plan_ramp(const PlannerSetup& setup, bool up, Segment& segment) const {
+PlanResult ConveyorFrame::plan_ramp(const PlannerSetup& setup, bool up, Segment& segment) const {
     const double speed = std::abs(conveyor_.speed_mm_s);
-    LeadPath lead;
+    MasterPath master;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
-        if (along_[joint] != 0) lead.limit_by_joint(joint, law_limits(setup, joint), std::abs(along_[joint]));
+        if (joints_per_mm_[joint] != 0)
+            master.limit_by_joint(joint, law_limits(setup, joint), std::abs(joints_per_mm_[joint]));
     }
-    LawLimits& limits = lead.limits;
+    LawLimits& limits = master.limits;
     const double rate = up ? limits.acceleration : limits.deceleration;
     const double length = ramp_length(0, speed, rate, limits.jerk);
     segment.kind = SegmentKind::linear;
-    segment.limited_by = lead.acceleration_limit;
-    segment.lead_limits = limits;
-    segment.end = segment.start + std::copysign(length, conveyor_.speed_mm_s) * along_;
-    segment.lead = TimeLaw::between(length, up ? 0 : speed, up ? speed : 0, limits);
-    segment.duration_s = segment.lead.duration_s();
+    segment.limited_by = master.acceleration_limit;
+    segment.master_limits = limits;
+    segment.end = segment.start + std::copysign(length, conveyor_.speed_mm_s) * joints_per_mm_;
+    segment.master = TimeLaw::between(length, up ? 0 : speed, up ? speed : 0, limits);
+    segment.duration_s = segment.master.duration_s();
     segment.length_mm = length;
     return check_target_ranges(setup, segment.end);
 }
 
 rrs::JointPos ConveyorFrame::shift(double time_s) const {
-    return conveyor_.position_mm_at(time_s) * along_;
+    return conveyor_.position_mm_at(time_s) * joints_per_mm_;
 }
 
 }  // namespace gsim::motion

@@ -33,19 +33,19 @@ class ConveyorFrame {
     /// Returns what the frame adds to joint values at a time.
     rrs::JointPos shift(double time_s) const;
     /// Returns the machine with the remainder of its speeds.
-    PlannerSetup setup_within(const PlannerSetup& setup) const;
+    PlannerSetup remaining_setup(const PlannerSetup& setup) const;
     /// Turns a segment planned in the frame into one of the machine.
-    void carry(Segment& segment) const;
+    void superimpose(Segment& segment) const;
     /// Plans the shortest path of the joints from standstill to the conveyor's motion, or from there to
     /// standstill. The segment has its start already. Error: RRS_JOINT_LIMIT.
-    Planned plan_ramp(const PlannerSetup& setup, bool up, Segment& segment) const;
+    PlanResult plan_ramp(const PlannerSetup& setup, bool up, Segment& segment) const;
 
   private:
     ConveyorFrame(const ConveyorMotion& conveyor, const rrs::JointPos& along)
-        : conveyor_(conveyor), along_(along) {}
+        : conveyor_(conveyor), joints_per_mm_(along) {}
 
     ConveyorMotion conveyor_;
-    rrs::JointPos along_;  ///< Change of joint values by a mm of travel.
+    rrs::JointPos joints_per_mm_;  ///< Change of joint values by a mm of travel.
 };
 
 }  // namespace gsim::motion

@@ -12,7 +12,7 @@ namespace gsim::motion {
 class JointChanges {
   public:
     JointChanges(const PlannerSetup& setup, const rrs::JointPos& start, const rrs::JointPos& end,
-                 double least = 1e-9);
+                 double min = 1e-9);
 
     double of(int joint) const { return changes_[static_cast<std::size_t>(joint)]; }
     JointRole role(int joint) const { return roles_[static_cast<std::size_t>(joint)]; }

@@ -21,7 +21,7 @@ class ObjectMotion {
     ObjectMotion() : end_(rrs::CartPos::Identity()) {}
 
     /// Sets its pose before its next target; its targets are dropped.
-    void stand_at(const rrs::CartPos& pose);
+    void set_position(const rrs::CartPos& pose);
     /// Sets the speed for the targets that follow, > 0.
     void set_speed(double speed_mm_s) { speed_mm_s_ = speed_mm_s; }
     /// Returns the time that the path takes, s. Errors: RRS_ZERO_SPEED without a speed, or if the object
@@ -31,15 +31,15 @@ class ObjectMotion {
     Step step(double step_s);
 
   private:
-    struct Way {
+    struct PosePath {
         rrs::CartPos from;
         rrs::CartPos to;
         double duration_s;
     };
 
-    std::deque<Way> ways_;
-    double into_s_ = 0;  ///< Time since the first path began.
-    rrs::CartPos end_;   ///< End of the last path.
+    std::deque<PosePath> moves_;
+    double elapsed_s_ = 0;  ///< Time since the first path began.
+    rrs::CartPos end_;      ///< End of the last path.
     double speed_mm_s_ = 0;
 };
 

@@ -31,11 +31,11 @@ struct HeadBounds {
 };
 
 /// Reason why no orientation arc leads to a target.
-enum class OrientationFault {
-    opposite,   ///< The directions are opposite: no great circle is the only one.
-    same,       ///< The direction is the same, but the joints would turn.
-    at_pole,    ///< The tool is at the pole, at one end, and the turning joint would turn.
-    other_end,  ///< The joints, without a jump, would end at other values than the target's.
+enum class OrientationError {
+    opposite,            ///< The directions are opposite: no great circle is the only one.
+    same,                ///< The direction is the same, but the joints would turn.
+    at_pole,             ///< The tool is at the pole, at one end, and the turning joint would turn.
+    different_solution,  ///< The joints, without a jump, would end at other values than the target's.
 };
 
 /// Path of the two joints of a kinematics::TiltingHead on which the tool direction moves along the shorter
@@ -50,7 +50,7 @@ class OrientationArc {
     /// Returns the arc from `start` to `end`, which may differ from the end of the circle by the rounding of
     /// kinematics. The difference is shared out, so that both ends are exact. Circles that pass the pole
     /// within 1e-9 rad count as meridians. The directions must differ by more than 1e-9 rad.
-    static tl::expected<OrientationArc, OrientationFault> between(const kinematics::TiltingHead& head,
+    static tl::expected<OrientationArc, OrientationError> between(const kinematics::TiltingHead& head,
                                                                   const rrs::JointPos& start,
                                                                   const rrs::JointPos& end);
 
@@ -72,33 +72,33 @@ class OrientationArc {
     /// heading, the side, Clairaut's constant, the drifts of turn and tilt, the start of this part, and its
     /// length (rad).
     std::array<double, 13> constants() const {
-        return {anchor_.turn,  anchor_.tilt,    tilt_,      sine_,     cosine_,
-                heading_sine_, heading_cosine_, side_,      clairaut_, drift_.turn,
-                drift_.tilt,   from_rad_,       length_rad_};
+        return {anchor_.turn,         anchor_.tilt,    tilt_,      sine_,     cosine_,
+                heading_sine_,        heading_cosine_, tilt_sign_, clairaut_, rounding_drift_.turn,
+                rounding_drift_.tilt, from_rad_,       length_rad_};
     }
 
   private:
     /// Direction at a position: sine (signed as the tilt) and cosine of the tilt from the pole, and the slope
     /// of the cosine.
-    struct Place {
-        double across;  // horizontal part, along the azimuth of the anchor and
-        double aside;   // at right angles to it
+    struct Direction {
+        double across;   // horizontal part, along the azimuth of the anchor and
+        double lateral;  // at right angles to it
         double sine;
         double cosine;
         double cosine_slope;
     };
     /// Smallest and largest |sine of the tilt| on the path.
-    struct Sines {
-        double least;
-        double most;
+    struct SineRange {
+        double min;
+        double max;
     };
 
     OrientationArc() = default;
     bool is_meridian() const { return clairaut_ == 0; }
-    Place place(double from_anchor_rad) const;
-    HeadAngles angles(double from_anchor_rad, const Place& place) const;
-    bool passes_apex(const Place& start, const Place& end) const;
-    Sines sines() const;
+    Direction direction(double from_anchor_rad) const;
+    HeadAngles angles(double from_anchor_rad, const Direction& direction) const;
+    bool passes_apex(const Direction& start, const Direction& end) const;
+    SineRange sine_range() const;
 
     kinematics::TiltingHead head_;
     HeadAngles anchor_;  // joint values where the arc was begun
@@ -107,10 +107,10 @@ class OrientationArc {
     double cosine_ = 1;
     double heading_sine_ = 0;
     double heading_cosine_ = 1;
-    double side_ = 1;      // sign of the sine of the tilt
-    double clairaut_ = 0;  // L
-    HeadAngles drift_;     // rounding to be made up for, by angle
-    double from_rad_ = 0;  // of this part
+    double tilt_sign_ = 1;       // sign of the sine of the tilt
+    double clairaut_ = 0;        // L
+    HeadAngles rounding_drift_;  // rounding to be made up for, by angle
+    double from_rad_ = 0;        // of this part
     double length_rad_ = 0;
 };
 

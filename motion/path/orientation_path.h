@@ -5,7 +5,7 @@
 #include <tl/expected.hpp>
 
 #include "controller/services/types.h"
-#include "motion/path/lead_path.h"
+#include "motion/path/master_path.h"
 #include "motion/path/orientation_arc.h"
 #include "motion/planner/move_rules.h"
 #include "motion/planner/plan_error.h"
@@ -15,7 +15,7 @@ namespace gsim::motion {
 
 /// Returns a message that explains why the machine or its controller cannot turn the tool along great
 /// circles, or nullopt if they can.
-std::optional<std::string> no_great_circles(const PlannerSetup& setup);
+std::optional<std::string> find_great_circle_error(const PlannerSetup& setup);
 
 /// Returns the path of a head's joints along the great circle, for a machine that supports it. Returns null
 /// if the tool direction stays the same: then joints move in proportion, such as the turning joint of an
@@ -29,11 +29,11 @@ tl::expected<std::shared_ptr<const OrientationArc>, PlanError> orientation_betwe
 /// limits all along the arc: |q'| v <= V, |q''| v^2 + |q'| a <= A, |q'''| v^3 + 3 |q''| v a + |q'| j <= J,
 /// with the bounds of the derivatives by path length. The speed gets at most half of an acceleration and a
 /// quarter of a jerk if the joint path is curved. Must be called after all other limits are in the lead.
-void limit_by_head(const PlannerSetup& setup, const OrientationArc& arc, LeadPath& lead);
+void limit_by_head(const PlannerSetup& setup, const OrientationArc& arc, MasterPath& master);
 
 /// Does the same, and applies the programmed speed and acceleration of orientation, which count along the
 /// great circle.
 void limit_by_orientation(const PlannerSetup& setup, const MoveRules& rules, const OrientationArc& arc,
-                          LeadPath& lead);
+                          MasterPath& master);
 
 }  // namespace gsim::motion

@@ -17,7 +17,7 @@
 namespace gsim::motion {
 
 /// Line or arc of the controlled point in the work frame, mm.
-struct TipWay {
+struct TcpPath {
     SegmentKind kind = SegmentKind::linear;  ///< linear or circular
     Eigen::Vector3d from = Eigen::Vector3d::Zero();
     Eigen::Vector3d to = Eigen::Vector3d::Zero();
@@ -31,26 +31,26 @@ struct TipWay {
 /// Motion of the joints that the inverse holds (`led` joints) in a move: evenly along the tool path, each
 /// from its position to its value. The path is one on the work, as the machine carries it, while a
 /// coordinated one moves. The path with other (synchronous) ones is as if these were at their values already.
-class LedWay {
+class GroupPath {
   public:
-    LedWay() = default;
-    LedWay(const PlannerSetup& setup, const rrs::JointPos& start, std::vector<LedJoint> led);
+    GroupPath() = default;
+    GroupPath(const PlannerSetup& setup, const rrs::JointPos& start, std::vector<GroupJoint> group_joints);
 
     /// Returns `joints` with the `led` ones at their positions after a share of the path, 0 to 1.
-    rrs::JointPos put(double share, const rrs::JointPos& joints) const;
+    rrs::JointPos set_coordinated(double share, const rrs::JointPos& joints) const;
     /// Returns `joints` with synchronous ones at their values: the tool is seen on its path with these.
-    rrs::JointPos as_seen(const rrs::JointPos& joints) const;
-    double turn_rad() const { return turn_rad_; }  ///< Norm of what the rotary ones turn.
-    double slide_mm() const { return slide_mm_; }  ///< Norm of the others' paths.
+    rrs::JointPos with_synchronous_joints(const rrs::JointPos& joints) const;
+    double turn_rad() const { return turn_rad_; }                    ///< Norm of what the rotary ones turn.
+    double slide_distance_mm() const { return slide_distance_mm_; }  ///< Norm of the others' paths.
 
   private:
-    std::vector<LedJoint> led_;
+    std::vector<GroupJoint> group_joints_;
     rrs::JointPos start_;
     double turn_rad_ = 0;
-    double slide_mm_ = 0;
+    double slide_distance_mm_ = 0;
 };
 
-/// Path of the joints in a move of the controlled point along a TipWay.
+/// Path of the joints in a move of the controlled point along a TcpPath.
 class ToolPath {
   public:
     virtual ~ToolPath() = default;
@@ -60,59 +60,65 @@ class ToolPath {
     virtual tl::expected<rrs::JointPos, std::string> joints_at(double share,
                                                                const rrs::JointPos& near) const = 0;
     /// Returns the TCP in the frame in which the path is given: the work frame, except with synchronous
-    /// groups (LedWay).
-    virtual rrs::CartPos seen(const rrs::JointPos& joints) const = 0;
+    /// groups (GroupPath).
+    virtual rrs::CartPos tool_pose(const rrs::JointPos& joints) const = 0;
     /// Returns the measure of the path, or its length: mm of the controlled point, or rad if only the tool
     /// turns. The `led` joints give it if neither moves. A length of 0 means that no path exists.
     JointRole role() const;
     double length() const;
     /// Returns how far the tool turns, and the `led` joints, rad.
-    double turn_rad() const { return turn_rad_ + led_.turn_rad(); }
-    const TipWay& way() const { return way_; }
+    double turn_rad() const { return turn_rad_ + group_joints_.turn_rad(); }
+    const TcpPath& tcp_path() const { return tcp_path_; }
     /// Returns the controlled point in the frame of the tool centre point.
-    const Eigen::Vector3d& tip_mm() const { return tip_mm_; }
+    const Eigen::Vector3d& tcp_mm() const { return tcp_mm_; }
 
   protected:
-    ToolPath(TipWay way, const Eigen::Vector3d& tip_mm, double turn_rad)
-        : way_(std::move(way)), tip_mm_(tip_mm), turn_rad_(turn_rad) {}
+    ToolPath(TcpPath tcp_path, const Eigen::Vector3d& tcp_mm, double turn_rad)
+        : tcp_path_(std::move(tcp_path)), tcp_mm_(tcp_mm), turn_rad_(turn_rad) {}
     /// Makes a path between poses. The remaining error of an inverse counts as no distance between them.
-    ToolPath(TipWay way, const Eigen::Vector3d& tip_mm, double turn_rad, LedWay led)
-        : way_(std::move(way)), tip_mm_(tip_mm), turn_rad_(turn_rad), led_(std::move(led)), of_poses_(true) {}
-    const LedWay& led() const { return led_; }
+    ToolPath(TcpPath tcp_path, const Eigen::Vector3d& tcp_mm, double turn_rad, GroupPath group_joints)
+        : tcp_path_(std::move(tcp_path)),
+          tcp_mm_(tcp_mm),
+          turn_rad_(turn_rad),
+          group_joints_(std::move(group_joints)),
+          is_between_poses_(true) {}
+    const GroupPath& group_joints() const { return group_joints_; }
 
   private:
-    bool moves_tip() const;
+    bool moves_tcp() const;
     bool turns_tool() const;
 
-    TipWay way_;
-    Eigen::Vector3d tip_mm_;
+    TcpPath tcp_path_;
+    Eigen::Vector3d tcp_mm_;
     double turn_rad_;
-    LedWay led_;
-    bool of_poses_ = false;
+    GroupPath group_joints_;
+    bool is_between_poses_ = false;
 };
 
 /// Returns a path on which all joints except the slides x, y, z move in proportion from `start` to `end`. The
 /// slides bring the controlled point to its path. `setup` must outlive the path.
-std::unique_ptr<ToolPath> tip_path(const PlannerSetup& setup, TipWay way, const Eigen::Vector3d& tip_mm,
-                                   const rrs::JointPos& start, const rrs::JointPos& end);
+std::unique_ptr<ToolPath> make_slide_compensated_path(const PlannerSetup& setup, TcpPath tcp_path,
+                                                      const Eigen::Vector3d& tcp_mm,
+                                                      const rrs::JointPos& start, const rrs::JointPos& end);
 
 /// Returns a path on which a tool frame, `tool` in that of the tool centre point, turns evenly about one
 /// axis. It turns from its pose with the joints at `start` to `end`, a pose in the work frame. Its origin
 /// moves along `way` meanwhile, and the joints of `led` along theirs. `setup` must outlive the path.
-std::unique_ptr<ToolPath> pose_path(const PlannerSetup& setup, TipWay way, const rrs::CartPos& tool,
-                                    const rrs::JointPos& start, const rrs::CartPos& end, LedWay led = {});
+std::unique_ptr<ToolPath> make_pose_path(const PlannerSetup& setup, TcpPath tcp_path,
+                                         const rrs::CartPos& tool, const rrs::JointPos& start,
+                                         const rrs::CartPos& end, GroupPath group_joints = {});
 
 /// Returns `joints` with the values of the slides x, y, z that bring the controlled point to a point of the
 /// work frame. Returns nullopt if two slides move in the same direction, or one is missing.
-std::optional<rrs::JointPos> place_tip(const PlannerSetup& setup, const rrs::JointPos& joints,
-                                       const Eigen::Vector3d& tip_mm, const Eigen::Vector3d& point_mm);
+std::optional<rrs::JointPos> solve_slides(const PlannerSetup& setup, const rrs::JointPos& joints,
+                                          const Eigen::Vector3d& tcp_mm, const Eigen::Vector3d& point_mm);
 
 /// Sub-segment of a path on which the joints move in proportion.
-struct PathPiece {
-    double share = 0;   ///< Share of the full path.
-    rrs::JointPos end;  ///< Joints at its end.
-    rrs::JointPos
-        bend;  ///< Second derivative of the joints by the path, without sign: per length of the path^2.
+struct PathSubSegment {
+    double share = 0;               ///< Share of the full path.
+    rrs::JointPos end;              ///< Joints at its end.
+    rrs::JointPos joint_curvature;  ///< Second derivative of the joints by the path, without sign: per length
+                                    ///< of the path^2.
 };
 
 /// Cuts a path from `start` into sub-segments. The controlled point leaves its path by at most
@@ -120,7 +126,7 @@ struct PathPiece {
 /// share of the path. They are found by halving, with checks at the quarters of each. Errors: RRS_NO_SOLUTION
 /// if a pose is out of reach, or the joints would have to jump (a singular position on the path),
 /// RRS_JOINT_LIMIT, RRS_INVALID_PARAMETER for more than 200,000 sub-segments. Returns none if no path exists.
-tl::expected<std::vector<PathPiece>, PlanError> cut(const ToolPath& path, const PlannerSetup& setup,
-                                                    const rrs::JointPos& start);
+tl::expected<std::vector<PathSubSegment>, PlanError> cut(const ToolPath& path, const PlannerSetup& setup,
+                                                         const rrs::JointPos& start);
 
 }  // namespace gsim::motion

@@ -13,11 +13,11 @@
 namespace gsim::motion {
 
 /// Sub-segment of a curved joint path that a line of the joints approximates (tool_moves.h).
-struct ToolPiece {
+struct ToolSubSegment {
     JointRole role = JointRole::position;  ///< Measure of the path: that of the tool, or how far it turns.
     double length = 0;                     ///< mm or rad
-    rrs::JointPos
-        bend;  ///< Second derivative of the joints by that path, without sign: mm or rad per length^2.
+    rrs::JointPos joint_curvature;  ///< Second derivative of the joints by that path, without sign: mm or rad
+                                    ///< per length^2.
 };
 
 /// Move as a controller's planner gets it: the path, and what the program requests on it.
@@ -30,12 +30,12 @@ struct PathMove {
     /// Path of the joints that turn the tool, evenly with the tool path; null: in proportion.
     std::shared_ptr<const OrientationArc> orientation;
     /// Null: the joints move along straight paths by themselves.
-    std::shared_ptr<const ToolPiece> piece;
+    std::shared_ptr<const ToolSubSegment> sub_segment;
     bool reaches_target = true;  ///< Ends at its target; else another move leads on to it.
     double share = 1;            ///< Share of a program block that has become several moves.
     double length_mm = 0;        ///< Length of the tool path; 0 if only rotary joints move.
     MoveRules rules;  ///< Programmed speeds and the path's limits, without the operator's overrides.
-    ObeyedOverrides obeyed;
+    EnabledOverrides enabled_overrides;
     bool rapid = false;
     rrs::PathMode mode = rrs::PathMode::exact_stop;
     double tolerance_mm =
@@ -64,14 +64,14 @@ class MotionModel {
     virtual ~MotionModel() = default;
     /// Adds a move. Errors: RRS_ZERO_SPEED, RRS_INVALID_PARAMETER; then no change was made, except for chords
     /// of an arc before one that is rejected.
-    virtual Planned add(const PathMove& move) = 0;
+    virtual PlanResult add(const PathMove& move) = 0;
     /// Plans the pending moves to end at standstill, and outputs them.
-    virtual void come_to_rest() = 0;
+    virtual void plan_to_standstill() = 0;
     /// Drops the pending moves.
     virtual void clear() = 0;
     /// Returns the end of the motion with a last move that ended at `position`. It is off that if the model
     /// rounds positions or leaves out paths that are too short.
-    virtual rrs::JointPos standing_at(const rrs::JointPos& position) const { return position; }
+    virtual rrs::JointPos end_position_of(const rrs::JointPos& position) const { return position; }
 };
 
 }  // namespace gsim::motion

@@ -2,7 +2,7 @@
 
 namespace gsim::motion {
 
-rrs::CartPos PoseGoal::tool_centre() const {
+rrs::CartPos PoseGoal::tcp_pose() const {
     return pose * tool.inverse();
 }
 

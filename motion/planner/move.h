@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "controller/services/types.h"
-#include "motion/planner/move_terms.h"
+#include "motion/planner/move_parameters.h"
 
 namespace gsim::motion {
 
@@ -18,20 +18,20 @@ struct Circle {
 };
 
 /// Joint that the inverse keeps at its value, and the value to which the program moves it (groups of axes).
-struct LedJoint {
+struct GroupJoint {
     int joint = 0;
     double value = 0;          ///< mm or rad, at the end of the move.
-    bool coordinated = false;  ///< True if the tool path is one on the work meanwhile; see LedWay.
+    bool coordinated = false;  ///< True if the tool path is one on the work meanwhile; see GroupPath.
 };
 
 /// Target pose of a frame that the tool carries.
 struct PoseGoal {
     rrs::CartPos pose;  ///< In the work frame.
     rrs::CartPos tool;  ///< The frame, in that of the tool centre point.
-    /// Joints that the inverse holds (Kinematics::held_joints()) and that move to other values.
-    std::vector<LedJoint> led = {};
+    /// Joints that the inverse holds (Kinematics::fixed_joints()) and that move to other values.
+    std::vector<GroupJoint> group_joints = {};
 
-    rrs::CartPos tool_centre() const;
+    rrs::CartPos tcp_pose() const;
 };
 
 /// Target position of the machine: a pose if set, otherwise joint values.
@@ -51,9 +51,9 @@ struct Move {
     /// work frame.
     std::optional<Circle> circle;
     /// TCP control: the point that follows the path, in the frame of the tool centre point.
-    std::optional<Eigen::Vector3d> tip_mm;
-    MoveTerms terms;
-    double rest_s = 0;  ///< Dwell after it, with the same id.
+    std::optional<Eigen::Vector3d> tcp_mm;
+    MoveParameters move_parameters;
+    double dwell_s = 0;  ///< Dwell after it, with the same id.
 };
 
 }  // namespace gsim::motion

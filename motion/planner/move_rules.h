@@ -14,31 +14,33 @@ struct MoveRules {
     double orientation_speed_rad_s = kUnlimited;
     double orientation_acceleration_rad_s2 = kUnlimited;
     rrs::Dominance dominance = rrs::Dominance::automatic;
-    double least_duration_s = 0;   ///< Minimum duration of the move.
+    double min_duration_s = 0;     ///< Minimum duration of the move.
     bool follows_spindle = false;  ///< True if the programmed speed is per spindle turn.
     double rapid_share = 1;        ///< Share of the speed that the limits leave a rapid move.
 
     /// Returns the rules with the operator's overrides that a move obeys. A hold (0) changes none of them.
-    MoveRules overridden(const Overrides& overrides, const ObeyedOverrides& obeyed, bool rapid) const {
+    MoveRules with_overrides(const Overrides& overrides, const EnabledOverrides& enabled_overrides,
+                             bool rapid) const {
         MoveRules rules = *this;
-        const double share = obeyed.share(overrides, rapid);
+        const double share = enabled_overrides.share(overrides, rapid);
         if (share <= 0) return rules;
         if (rapid) {
             rules.rapid_share = share;
         } else {
             rules.programmed_speed_mm_s *= share;
             rules.orientation_speed_rad_s *= share;
-            rules.least_duration_s /= share;
+            rules.min_duration_s /= share;
         }
         return rules;
     }
 
     /// Returns the rules for a move that changes position and orientation (mixed) or only one of them:
     /// dominance deactivates the programmed speed of the other.
-    MoveRules resolved(bool mixed) const {
+    MoveRules with_dominance(bool changes_both) const {
         MoveRules rules = *this;
-        if (mixed && dominance == rrs::Dominance::orientation) rules.programmed_speed_mm_s = kUnlimited;
-        if (mixed && dominance == rrs::Dominance::position) rules.orientation_speed_rad_s = kUnlimited;
+        if (changes_both && dominance == rrs::Dominance::orientation)
+            rules.programmed_speed_mm_s = kUnlimited;
+        if (changes_both && dominance == rrs::Dominance::position) rules.orientation_speed_rad_s = kUnlimited;
         return rules;
     }
 };

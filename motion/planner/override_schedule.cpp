@@ -10,7 +10,7 @@ namespace {
 
 /// Returns the first change after an instant. A segment that is cut at a change ends there except for
 /// rounding.
-auto change_behind(const std::vector<OverrideChange>& changes, double t_s) {
+auto next_change(const std::vector<OverrideChange>& changes, double t_s) {
     constexpr double kSameInstant_s = 1e-9;
     return std::upper_bound(
         changes.begin(), changes.end(), t_s + kSameInstant_s,
@@ -20,17 +20,18 @@ auto change_behind(const std::vector<OverrideChange>& changes, double t_s) {
 }  // namespace
 
 Overrides OverrideSchedule::at(double t_s) const {
-    const auto next = change_behind(changes_, t_s);
+    const auto next = next_change(changes_, t_s);
     return next == changes_.begin() ? Overrides{} : std::prev(next)->to;
 }
 
 double OverrideSchedule::next_change_s(double t_s) const {
-    const auto next = change_behind(changes_, t_s);
+    const auto next = next_change(changes_, t_s);
     return next == changes_.end() ? std::numeric_limits<double>::infinity() : next->at_s;
 }
 
-double OverrideSchedule::free_s(double t_s, const ObeyedOverrides& obeyed, bool is_rapid) const {
-    while (obeyed.share(at(t_s), is_rapid) <= 0) t_s = next_change_s(t_s);
+double OverrideSchedule::release_time_s(double t_s, const EnabledOverrides& enabled_overrides,
+                                        bool is_rapid) const {
+    while (enabled_overrides.share(at(t_s), is_rapid) <= 0) t_s = next_change_s(t_s);
     return t_s;
 }
 

@@ -16,7 +16,7 @@ struct Overrides {
 
 /// Overrides that a move obeys: not those that a program has locked, nor those that do not affect this kind
 /// of move.
-struct ObeyedOverrides {
+struct EnabledOverrides {
     bool feed = true;
     bool rapid = true;
     bool spindle = false;  ///< True if its feed follows the spindle with the operator's override.
@@ -26,7 +26,7 @@ struct ObeyedOverrides {
         if (is_rapid) return rapid ? overrides.rapid : 1;
         return (feed ? overrides.feed : 1) * (spindle ? overrides.spindle : 1);
     }
-    bool operator==(const ObeyedOverrides&) const = default;
+    bool operator==(const EnabledOverrides&) const = default;
 };
 
 /// The overrides from an instant of the run on.
@@ -51,7 +51,7 @@ class OverrideSchedule {
     double next_change_s(double t_s) const;
     /// Returns the first instant from `t_s` on at which `obeyed` lets a move run: `t_s`, or the end of a
     /// hold.
-    double free_s(double t_s, const ObeyedOverrides& obeyed, bool is_rapid) const;
+    double release_time_s(double t_s, const EnabledOverrides& enabled_overrides, bool is_rapid) const;
 
   private:
     std::vector<OverrideChange> changes_;

@@ -19,9 +19,9 @@ struct PlanError {
     double limit = 0;  ///< That it would pass (mm or rad).
 };
 
-using Planned = tl::expected<void, PlanError>;
+using PlanResult = tl::expected<void, PlanError>;
 
-inline tl::unexpected<PlanError> refused(rrs::Status status, std::string message) {
+inline tl::unexpected<PlanError> make_plan_error(rrs::Status status, std::string message) {
     return tl::unexpected<PlanError>(PlanError{.status = status, .message = std::move(message)});
 }
 

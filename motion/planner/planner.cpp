@@ -17,8 +17,8 @@ using rrs::Status;
 
 namespace {
 
-PlannerSetup valid(PlannerSetup setup) {
-    if (auto trouble = setup.validate()) throw std::invalid_argument(*trouble);
+PlannerSetup validated(PlannerSetup setup) {
+    if (auto error = setup.validate()) throw std::invalid_argument(*error);
     return setup;
 }
 
@@ -36,7 +36,7 @@ std::unique_ptr<MotionModel> make_model(const PlannerSetup& setup, SegmentOutput
 }  // namespace
 
 Planner::Planner(PlannerSetup setup, SegmentSink* sink)
-    : machine_(valid(std::move(setup))),
+    : machine_(validated(std::move(setup))),
       setup_(machine_),
       sink_(sink),
       axis_space_(AxisSpace::of(setup_)),
@@ -45,83 +45,84 @@ Planner::Planner(PlannerSetup setup, SegmentSink* sink)
       model_(make_model(setup_, output_)),
       tool_model_(std::make_unique<LookAhead>(setup_, output_)) {}
 
-void Planner::start_over() {
+void Planner::restart() {
     queue_.clear();
     if (model_) model_->clear();
-    if (ways_ != nullptr) ways_->forget();
+    if (path_sink_ != nullptr) path_sink_->forget();
     setup_ = machine_;
-    machine_in_force_.reset();
-    ramps_in_force_.reset();
+    active_machine_.reset();
+    active_ramps_.reset();
     position_.setZero();
     tool_model_->clear();
     stopped_.reset();
-    held_.clear();
+    pending_.clear();
     conveyors_.clear();
-    tracked_.reset();
-    conveyor_until_s_ = 0;
-    own_.reset();
+    tracking_.reset();
+    tracking_end_s_ = 0;
+    independent_motion_.reset();
     events_.clear();
     end_s_ = 0;
     step_s_ = 0;
     step_target_ = kNoTarget;
-    waited_s_ = 0;
+    last_wait_s_ = 0;
     has_position_ = false;
 }
 
 // The models refer to setup_; their pending moves keep the limits that they were given.
-void Planner::use(const MoveTerms& terms) {
-    if (terms.machine == machine_in_force_ && terms.ramps == ramps_in_force_) return;
-    machine_in_force_ = terms.machine;
-    ramps_in_force_ = terms.ramps;
-    setup_ = terms.machine ? *terms.machine : machine_;
-    if (terms.ramps) put_in_force(*terms.ramps, machine_, setup_);
+void Planner::use(const MoveParameters& move_parameters) {
+    if (move_parameters.machine == active_machine_ && move_parameters.ramps == active_ramps_) return;
+    active_machine_ = move_parameters.machine;
+    active_ramps_ = move_parameters.ramps;
+    setup_ = move_parameters.machine ? *move_parameters.machine : machine_;
+    if (move_parameters.ramps) activate_ramps(*move_parameters.ramps, machine_, setup_);
 }
 
 /// Targets that the model leaves out at the end are reached there.
 void Planner::end_model() {
     if (!model_) return;
-    model_->come_to_rest();
-    held_.all_reached([this](rrs::TargetId id) { events_.reach(id, end_s_); });
+    model_->plan_to_standstill();
+    pending_.mark_all_reached([this](rrs::TargetId id) { events_.reach(id, end_s_); });
 }
 
-void Planner::come_to_rest(bool waits) {
+void Planner::plan_to_standstill(bool waits) {
     end_model();
-    if (!waits || end_s_ == waited_s_) return;
-    const double rest_s = setup_.controller.rest_s;
-    if (rest_s > 0) append_rest(kNoTarget, rest_s);
-    waited_s_ = end_s_;
+    if (!waits || end_s_ == last_wait_s_) return;
+    const double dwell_s = setup_.controller.dwell_s;
+    if (dwell_s > 0) append_dwell(kNoTarget, dwell_s);
+    last_wait_s_ = end_s_;
 }
 
 // LinuxCNC's position loop delays by a period, and smooths over another one.
-void Planner::come_to_last_rest() {
-    come_to_rest();
+void Planner::plan_to_final_standstill() {
+    plan_to_standstill();
     const double delay_s = 2 * setup_.controller.servo_period_s;
-    if (end_s_ > 0 && delay_s > 0) append_rest(kNoTarget, delay_s);
+    if (end_s_ > 0 && delay_s > 0) append_dwell(kNoTarget, delay_s);
 }
 
 Segment& Planner::Output::begin(rrs::TargetId id) {
     Planner& planner = planner_;
-    if (planner.queue_.room() == 0 && planner.sink_ != nullptr && !planner.keeps_all_) planner.emit_front();
+    if (planner.queue_.free_slots() == 0 && planner.sink_ != nullptr && !planner.keeps_all_segments_)
+        planner.emit_front();
     return planner.begin_segment(planner.queue_.next(), id);
 }
 
 void Planner::Output::finish() {
     Segment& segment = planner_.queue_.next();
-    if (planner_.own_) planner_.own_->carry(segment);
+    if (planner_.independent_motion_) planner_.independent_motion_->superimpose(segment);
     planner_.end_s_ = segment.end_s();
     planner_.queue_.push();
     if (!segment.reaches_target) return;
     const rrs::TargetId id = segment.target_id;
-    planner_.held_.reached(id, [&](rrs::TargetId passed) { planner_.events_.join(passed, id); });
+    planner_.pending_.reached(id, [&](rrs::TargetId passed) { planner_.events_.join(passed, id); });
 }
 
-double Planner::passed_on_s() const {
+double Planner::delivered_until_s() const {
     return queue_.empty() ? std::numeric_limits<double>::infinity() : queue_.front().start_s;
 }
 
 void Planner::flush() {
-    if (stopped_) go_on();
-    come_to_rest();
+    if (stopped_) resume();
+    plan_to_standstill();
     while (!queue_.empty()) emit_front();
 }
 
@@ -132,21 +133,21 @@ void Planner::emit_front() {
     events_.leave(queue_);
     queue_.pop();
     step_s_ = std::max(step_s_, segment.end_s());
-    if (sink_ != nullptr) sink_->take(segment);
+    if (sink_ != nullptr) sink_->on_segment(segment);
 }
 
 Planner::Step Planner::step(double interpolation_s) {
     const double from_s = step_s_;
-    const double known_s = events_.known_until_s(held_, queue_, end_s_).value_or(end_s_);
-    if (from_s + interpolation_s > known_s) come_to_rest();
+    const double known_s = events_.known_until_s(pending_, queue_, end_s_).value_or(end_s_);
+    if (from_s + interpolation_s > known_s) plan_to_standstill();
     Step step;
-    if (queue_.empty()) step.end = Step::End::at_end;
+    if (queue_.empty()) step.end = Step::StepEnd::at_end;
     step_s_ = std::min(from_s + interpolation_s, end_s_);
     events_.step(from_s, step_s_, queue_);
     step.joints = stopped_ ? stopped_->position : position_at_end();
     while (!queue_.empty() && queue_.front().end_s() <= step_s_) {
         step_target_ = queue_.front().target_id;
-        if (queue_.front().reaches_target) step.end = Step::End::target_reached;
+        if (queue_.front().reaches_target) step.end = Step::StepEnd::target_reached;
         emit_front();
     }
     if (!queue_.empty()) {
@@ -160,12 +161,12 @@ Planner::Step Planner::step(double interpolation_s) {
 
 rrs::TargetId Planner::current_target() const {
     if (!queue_.empty()) return queue_.front().target_id;
-    if (stopped_ && !stopped_->rest.empty()) return stopped_->rest.front().target_id;
-    return held_.first().value_or(kNoTarget);
+    if (stopped_ && !stopped_->remainder.empty()) return stopped_->remainder.front().target_id;
+    return pending_.first().value_or(kNoTarget);
 }
 
-rrs::JointPos Planner::standing() const {
-    return holds_back() ? model_->standing_at(position_) : position_;
+rrs::JointPos Planner::standstill_position() const {
+    return buffers_moves() ? model_->end_position_of(position_) : position_;
 }
 
 }  // namespace gsim::motion

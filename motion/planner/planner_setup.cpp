@@ -12,50 +12,48 @@ namespace gsim::motion {
 
 namespace {
 
-using Trouble = std::optional<std::string>;
+using SetupError = std::optional<std::string>;
 
-Trouble check_positive(const std::string& what, double value) {
+SetupError check_positive(const std::string& what, double value) {
     if (value > 0) return std::nullopt;
     return fmt::format("{} is {}; it must be greater than 0 (infinity for no limit).", what, value);
 }
 
-Trouble check_not_negative(const std::string& what, double value) {
+SetupError check_not_negative(const std::string& what, double value) {
     if (value >= 0 && std::isfinite(value)) return std::nullopt;
     return fmt::format("{} is {}; it must be 0 or greater.", what, value);
 }
 
-Trouble check_joint(int index, const JointSetup& joint) {
+SetupError check_joint(int index, const JointSetup& joint) {
     if (!(joint.min <= joint.max)) {
         return fmt::format("The range of joint {} goes from {} to {}; min must not be above max.", index,
                            joint.min, joint.max);
     }
-    if (auto trouble = check_positive(fmt::format("max_speed of joint {}", index), joint.max_speed))
-        return trouble;
-    if (auto trouble =
+    if (auto error = check_positive(fmt::format("max_speed of joint {}", index), joint.max_speed))
+        return error;
+    if (auto error =
             check_positive(fmt::format("max_acceleration of joint {}", index), joint.max_acceleration))
-        return trouble;
-    if (auto trouble =
-            check_positive(fmt::format("max_deceleration of joint {}", index), joint.deceleration()))
-        return trouble;
-    if (auto trouble = check_positive(fmt::format("max_jerk of joint {}", index), joint.max_jerk))
-        return trouble;
-    if (auto trouble = check_positive(fmt::format("max_speed_step of joint {}", index), joint.max_speed_step))
-        return trouble;
+        return error;
+    if (auto error = check_positive(fmt::format("max_deceleration of joint {}", index), joint.deceleration()))
+        return error;
+    if (auto error = check_positive(fmt::format("max_jerk of joint {}", index), joint.max_jerk)) return error;
+    if (auto error = check_positive(fmt::format("max_speed_step of joint {}", index), joint.max_speed_step))
+        return error;
     return check_not_negative(fmt::format("step of joint {}", index), joint.step);
 }
 
-Trouble check_path(const PathLimits& path) {
-    if (auto trouble = check_positive("max_feed_mm_s of the path", path.max_feed_mm_s)) return trouble;
-    if (auto trouble = check_positive("max_rapid_mm_s of the path", path.max_rapid_mm_s)) return trouble;
-    if (auto trouble = check_positive("max_acceleration_mm_s2 of the path", path.max_acceleration_mm_s2))
-        return trouble;
-    if (auto trouble =
+SetupError check_path(const PathLimits& path) {
+    if (auto error = check_positive("max_feed_mm_s of the path", path.max_feed_mm_s)) return error;
+    if (auto error = check_positive("max_rapid_mm_s of the path", path.max_rapid_mm_s)) return error;
+    if (auto error = check_positive("max_acceleration_mm_s2 of the path", path.max_acceleration_mm_s2))
+        return error;
+    if (auto error =
             check_positive("max_rapid_acceleration_mm_s2 of the path", path.max_rapid_acceleration_mm_s2))
-        return trouble;
+        return error;
     return check_positive("max_jerk_mm_s3 of the path", path.max_jerk_mm_s3);
 }
 
-Trouble check_corners(const rrs::ControllerRules& controller) {
+SetupError check_corners(const rrs::ControllerRules& controller) {
     if (controller.look_ahead_blocks < 1) {
         return fmt::format("look_ahead_blocks of the controller is {}; it must be at least 1.",
                            controller.look_ahead_blocks);
@@ -74,14 +72,13 @@ Trouble check_corners(const rrs::ControllerRules& controller) {
         continuous);
 }
 
-Trouble check_controller(const rrs::ControllerRules& controller) {
-    if (auto trouble = check_corners(controller)) return trouble;
-    if (auto trouble = check_positive("speed_step_s of the controller", controller.speed_step_s))
-        return trouble;
+SetupError check_controller(const rrs::ControllerRules& controller) {
+    if (auto error = check_corners(controller)) return error;
+    if (auto error = check_positive("speed_step_s of the controller", controller.speed_step_s)) return error;
     for (const auto& [name, value] : {std::pair{"tcp_tolerance_mm", controller.tcp_tolerance_mm},
                                       std::pair{"in_position_mm", controller.in_position_mm},
                                       std::pair{"in_position_deg", controller.in_position_deg}}) {
-        if (auto trouble = check_positive(fmt::format("{} of the controller", name), value)) return trouble;
+        if (auto error = check_positive(fmt::format("{} of the controller", name), value)) return error;
     }
     const std::pair<const char*, double> not_negative[] = {
         {"junction_deviation_mm", controller.junction_deviation_mm},
@@ -89,18 +86,17 @@ Trouble check_controller(const rrs::ControllerRules& controller) {
         {"arc_resolution_mm", controller.arc_resolution_mm},
         {"square_corner_velocity_mm_s", controller.square_corner_velocity_mm_s},
         {"minimum_cruise_ratio", controller.minimum_cruise_ratio},
-        {"least_feed_mm_min", controller.least_feed_mm_min},
+        {"least_feed_mm_min", controller.min_feed_mm_min},
         {"blend_tolerance_mm", controller.blend_tolerance_mm},
         {"blend_tolerance_deg", controller.blend_tolerance_deg},
         {"settle_s", controller.settle_s},
         {"position_gain_1_s", controller.position_gain_1_s},
-        {"rest_s", controller.rest_s},
+        {"rest_s", controller.dwell_s},
         {"dwell_step_s", controller.dwell_step_s},
         {"servo_period_s", controller.servo_period_s},
     };
     for (const auto& [name, value] : not_negative) {
-        if (auto trouble = check_not_negative(fmt::format("{} of the controller", name), value))
-            return trouble;
+        if (auto error = check_not_negative(fmt::format("{} of the controller", name), value)) return error;
     }
     if (controller.minimum_cruise_ratio >= 1) {
         return fmt::format("minimum_cruise_ratio of the controller is {}; it must be less than 1.",
@@ -109,7 +105,7 @@ Trouble check_controller(const rrs::ControllerRules& controller) {
     return std::nullopt;
 }
 
-Trouble check_position_joints(const PlannerSetup& setup) {
+SetupError check_position_joints(const PlannerSetup& setup) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int joint = setup.position_joints[axis];
         if (joint == -1) continue;
@@ -134,11 +130,11 @@ std::optional<std::string> PlannerSetup::validate() const {
         return fmt::format("There are {} joints; a planner takes 1 to {}.", joints.size(), rrs::kMaxJoints);
     }
     for (int joint = 0; joint < joint_count(); ++joint) {
-        if (auto trouble = check_joint(joint, joints[static_cast<std::size_t>(joint)])) return trouble;
+        if (auto error = check_joint(joint, joints[static_cast<std::size_t>(joint)])) return error;
     }
-    if (auto trouble = check_path(path)) return trouble;
-    if (auto trouble = check_controller(controller)) return trouble;
-    if (auto trouble = check_position_joints(*this)) return trouble;
+    if (auto error = check_path(path)) return error;
+    if (auto error = check_controller(controller)) return error;
+    if (auto error = check_position_joints(*this)) return error;
     if (!kinematics) return "There are no kinematics.";
     if (kinematics->joint_count() != joint_count()) {
         return fmt::format("The kinematics have {} joints, the planner {}.", kinematics->joint_count(),
@@ -149,9 +145,9 @@ std::optional<std::string> PlannerSetup::validate() const {
     if (!controller.interpolated_rapids && std::isfinite(path.max_rapid_mm_s))
         return "max_rapid_mm_s of the path cannot be kept where rapids are not interpolated.";
     if (controller.orientation == rrs::OrientationRule::great_circle) {
-        if (auto trouble = no_great_circles(*this)) return trouble;
+        if (auto error = find_great_circle_error(*this)) return error;
     }
-    if (auto trouble = check_not_negative("arc_tolerance_mm", arc_tolerance_mm)) return trouble;
+    if (auto error = check_not_negative("arc_tolerance_mm", arc_tolerance_mm)) return error;
     if (queue_capacity < 2)
         return fmt::format("queue_capacity is {}; it must be at least 2.", queue_capacity);
     return std::nullopt;

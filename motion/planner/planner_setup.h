@@ -13,7 +13,7 @@
 #include "controller/services/types.h"
 #include "motion/kinematics/kinematics.h"
 #include "motion/planner/override_schedule.h"
-#include "motion/planner/range_notes.h"
+#include "motion/planner/overtravel_log.h"
 
 namespace gsim::motion {
 
@@ -39,7 +39,7 @@ struct JointSetup {
 
     double deceleration() const { return max_deceleration.value_or(max_acceleration); }
     /// Returns the limit of speed changes in both directions.
-    double least_acceleration() const { return std::min(max_acceleration, deceleration()); }
+    double min_acceleration() const { return std::min(max_acceleration, deceleration()); }
 };
 
 /// Limits of the tool path, independent of what the joints could do.
@@ -73,7 +73,7 @@ struct PlannerSetup {
     /// Number of segments that wait before the oldest leaves by itself; at least 2.
     std::size_t queue_capacity = 64;
     /// Optional object that may allow targets past the joint ranges.
-    std::shared_ptr<RangeNotes> range_notes;
+    std::shared_ptr<OvertravelLog> overtravel_log;
     /// Operator overrides, on the planner's clock; null: none.
     std::shared_ptr<const OverrideSchedule> overrides;
     /// Source of the joint accelerations for each move; null: they are as in `joints`.

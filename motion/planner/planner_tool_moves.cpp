@@ -14,9 +14,9 @@ using rrs::Status;
 
 namespace {
 
-Eigen::Vector3d tip_of(const PlannerSetup& setup, const rrs::JointPos& joints,
-                       const Eigen::Vector3d& tip_mm) {
-    return setup.kinematics->forward(joints) * tip_mm;
+Eigen::Vector3d tcp_position(const PlannerSetup& setup, const rrs::JointPos& joints,
+                             const Eigen::Vector3d& tcp_mm) {
+    return setup.kinematics->forward(joints) * tcp_mm;
 }
 
 std::ptrdiff_t slide_count(const PlannerSetup& setup) {
@@ -26,138 +26,143 @@ std::ptrdiff_t slide_count(const PlannerSetup& setup) {
 
 /// Converts an inverse time feed into a speed along the full path.
 void set_speed(const ToolPath& path, MoveRules& rules) {
-    const double asked_s = std::exchange(rules.least_duration_s, 0);
-    if (asked_s <= 0) return;
+    const double requested_s = std::exchange(rules.min_duration_s, 0);
+    if (requested_s <= 0) return;
     if (path.role() == JointRole::rotary) {
-        rules.orientation_speed_rad_s = path.length() / asked_s;
+        rules.orientation_speed_rad_s = path.length() / requested_s;
     } else {
-        rules.programmed_speed_mm_s = path.length() / asked_s;
+        rules.programmed_speed_mm_s = path.length() / requested_s;
     }
 }
 
 /// Returns the point that follows the path, in the frame of the tool centre point.
-Eigen::Vector3d tip_of_move(const Move& move) {
-    if (move.tip_mm) return *move.tip_mm;
+Eigen::Vector3d tcp_of_move(const Move& move) {
+    if (move.tcp_mm) return *move.tcp_mm;
     return move.goal.pose ? Eigen::Vector3d(move.goal.pose->tool.translation()) : Eigen::Vector3d::Zero();
 }
 
 }  // namespace
 
 bool Planner::moves_tool(const Move& move) const {
-    if (move.type == rrs::MotionType::joint || !interpolates(move)) return false;
-    return move.tip_mm || (move.goal.pose && tip_turns(setup_, move.goal.pose->tool.translation()));
+    if (move.type == rrs::MotionType::joint || !is_interpolated(move)) return false;
+    return move.tcp_mm ||
+           (move.goal.pose && rotary_joints_move_tcp(setup_, move.goal.pose->tool.translation()));
 }
 
 /// Returns `via` as a position of the controlled point. It is taken from the pose if joints are `led` on the
 /// path, because the joints that would reach it are known only on the path.
 tl::expected<Eigen::Vector3d, PlanError> Planner::via_point(const Move& move) const {
-    if (move.via->pose && holds_joints()) return Eigen::Vector3d(move.via->pose->pose.translation());
+    if (move.via->pose && has_fixed_joints()) return Eigen::Vector3d(move.via->pose->pose.translation());
     rrs::JointPos via;
-    if (Planned solved = solve(*move.via, via); !solved) return tl::unexpected(std::move(solved.error()));
-    return tip_of(setup_, via, tip_of_move(move));
+    if (PlanResult solved = solve(*move.via, via); !solved) return tl::unexpected(std::move(solved.error()));
+    return tcp_position(setup_, via, tcp_of_move(move));
 }
 
-tl::expected<TipWay, PlanError> Planner::tip_way(const Move& move, const Eigen::Vector3d& from,
-                                                 const Eigen::Vector3d& to) const {
-    TipWay way{.from = from, .to = to};
-    if (move.type == rrs::MotionType::linear) return way;
-    way.kind = SegmentKind::circular;
-    Planned planned;
+tl::expected<TcpPath, PlanError> Planner::make_tcp_path(const Move& move, const Eigen::Vector3d& from,
+                                                        const Eigen::Vector3d& to) const {
+    TcpPath tcp_path{.from = from, .to = to};
+    if (move.type == rrs::MotionType::linear) return tcp_path;
+    tcp_path.kind = SegmentKind::circular;
+    PlanResult planned;
     if (move.circle) {
         planned = arc_about(from, to, move.circle->center_mm, move.circle->axis, move.circle->sweep_rad,
-                            setup_.arc_tolerance_mm, way.arc);
+                            setup_.arc_tolerance_mm, tcp_path.arc);
     } else if (move.via) {
         const auto via = via_point(move);
         if (!via) return tl::unexpected(via.error());
-        planned = arc_through(from, *via, to, way.arc);
+        planned = arc_through(from, *via, to, tcp_path.arc);
     } else {
-        planned = no_via_point();
+        planned = no_via_point_error();
     }
     if (!planned) return tl::unexpected(std::move(planned.error()));
-    return way;
+    return tcp_path;
 }
 
 /// The other joints move in proportion if three slides carry the controlled point. Otherwise, and if the
 /// inverse holds joints, the tool turns evenly.
-tl::expected<std::unique_ptr<ToolPath>, PlanError> Planner::tool_path(const Move& move) const {
-    const bool by_pose = move.goal.pose && (slide_count(setup_) < 3 || holds_joints());
+tl::expected<std::unique_ptr<ToolPath>, PlanError> Planner::make_tool_path(const Move& move) const {
+    const bool is_pose_move = move.goal.pose && (slide_count(setup_) < 3 || has_fixed_joints());
     rrs::JointPos end;
-    if (by_pose) {
+    if (is_pose_move) {
         if (auto checked = kinematics::check_pose(move.goal.pose->pose); !checked)
-            return refused(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
+            return make_plan_error(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
     } else {
-        if (Planned solved = solve(move.goal, end); !solved) return tl::unexpected(std::move(solved.error()));
+        if (PlanResult solved = solve(move.goal, end); !solved)
+            return tl::unexpected(std::move(solved.error()));
     }
-    const Eigen::Vector3d tip = tip_of_move(move);
+    const Eigen::Vector3d tcp = tcp_of_move(move);
     const Eigen::Vector3d to =
-        by_pose ? Eigen::Vector3d(move.goal.pose->pose.translation()) : tip_of(setup_, end, tip);
-    LedWay led = by_pose ? LedWay(setup_, position_, move.goal.pose->led) : LedWay();
-    auto way = tip_way(move, tip_of(setup_, led.as_seen(position_), tip), to);
-    if (!way) return tl::unexpected(std::move(way.error()));
-    if (by_pose)
-        return pose_path(setup_, *std::move(way), move.goal.pose->tool, position_, move.goal.pose->pose,
-                         std::move(led));
-    return tip_path(setup_, *std::move(way), tip, position_, end);
+        is_pose_move ? Eigen::Vector3d(move.goal.pose->pose.translation()) : tcp_position(setup_, end, tcp);
+    GroupPath group_joints =
+        is_pose_move ? GroupPath(setup_, position_, move.goal.pose->group_joints) : GroupPath();
+    auto tcp_path =
+        make_tcp_path(move, tcp_position(setup_, group_joints.with_synchronous_joints(position_), tcp), to);
+    if (!tcp_path) return tl::unexpected(std::move(tcp_path.error()));
+    if (is_pose_move)
+        return make_pose_path(setup_, *std::move(tcp_path), move.goal.pose->tool, position_,
+                              move.goal.pose->pose, std::move(group_joints));
+    return make_slide_compensated_path(setup_, *std::move(tcp_path), tcp, position_, end);
 }
 
-Planned Planner::check_tip_control() const {
+PlanResult Planner::check_tcp_control() const {
     if (slide_count(setup_) >= 3) return {};
-    return refused(Status::RRS_MODE_NOT_SUPPORTED,
-                   "Tool-centre-point control needs three slides, X, Y and Z, which this machine has not.");
+    return make_plan_error(
+        Status::RRS_MODE_NOT_SUPPORTED,
+        "Tool-centre-point control needs three slides, X, Y and Z, which this machine has not.");
 }
 
-Put Planner::put_tool_move(const Move& move) {
-    if (move.tip_mm) {
-        if (Planned checked = check_tip_control(); !checked)
+EnqueueResult Planner::enqueue_tool_move(const Move& move) {
+    if (move.tcp_mm) {
+        if (PlanResult checked = check_tcp_control(); !checked)
             return tl::unexpected(std::move(checked.error()));
     }
-    if (move.terms.rapid && move.type == rrs::MotionType::circular)
-        return tl::unexpected(std::move(circular_allowed(true).error()));
-    auto path = tool_path(move);
+    if (move.move_parameters.rapid && move.type == rrs::MotionType::circular)
+        return tl::unexpected(std::move(check_circular(true).error()));
+    auto path = make_tool_path(move);
     if (!path) return tl::unexpected(std::move(path.error()));
-    auto pieces = cut(**path, setup_, position_);
-    if (!pieces) return tl::unexpected(std::move(pieces.error()));
-    PathMove whole;
-    set_terms(move, whole);
-    whole.merge_tolerance_mm = 0;
-    set_speed(**path, whole.rules);
-    if (Planned added = add_pieces(whole, **path, *pieces); !added)
-        return tl::unexpected(std::move(added.error()));
+    auto sub_segments = cut(**path, setup_, position_);
+    if (!sub_segments) return tl::unexpected(std::move(sub_segments.error()));
+    PathMove full_move;
+    set_parameters(move, full_move);
+    full_move.merge_tolerance_mm = 0;
+    set_speed(**path, full_move.rules);
+    if (PlanResult result = add_sub_segments(full_move, **path, *sub_segments); !result)
+        return tl::unexpected(std::move(result.error()));
     return {};
 }
 
 /// The planner's model takes the sub-segments if it supports them. Otherwise another model takes them, which
 /// stops at the end.
-Planned Planner::add_pieces(const PathMove& whole, const ToolPath& path,
-                            const std::vector<PathPiece>& pieces) {
-    const bool own = setup_.controller.planner == rrs::PlannerKind::look_ahead;
-    if (!own && model_) {
+PlanResult Planner::add_sub_segments(const PathMove& full_move, const ToolPath& path,
+                                     const std::vector<PathSubSegment>& sub_segments) {
+    const bool is_look_ahead = setup_.controller.planner == rrs::PlannerKind::look_ahead;
+    if (!is_look_ahead && model_) {
         end_model();
         model_->clear();
     }
-    if (pieces.empty() && !own) {
-        append_rest(whole.target_id, 0);
+    if (sub_segments.empty() && !is_look_ahead) {
+        append_dwell(full_move.target_id, 0);
         return {};
     }
-    MotionModel& model = own ? *model_ : *tool_model_;
-    const bool held = own && held_.put(whole.target_id);
-    PathMove move = whole;
+    MotionModel& model = is_look_ahead ? *model_ : *tool_model_;
+    const bool is_pending = is_look_ahead && pending_.enqueue(full_move.target_id);
+    PathMove move = full_move;
     move.end = position_;
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const PathPiece& piece = pieces[i];
-        move.start = std::exchange(move.end, piece.end);
-        move.piece = std::make_shared<const ToolPiece>(
-            ToolPiece{path.role(), piece.share * path.length(), piece.bend});
-        move.reaches_target = i + 1 == pieces.size();
-        move.share = piece.share;
-        if (Planned added = model.add(move); !added) {
-            if (held) held_.take_back();
-            if (!own) model.clear();
-            return added;
+    for (std::size_t i = 0; i < sub_segments.size(); ++i) {
+        const PathSubSegment& sub_segment = sub_segments[i];
+        move.start = std::exchange(move.end, sub_segment.end);
+        move.sub_segment = std::make_shared<const ToolSubSegment>(
+            ToolSubSegment{path.role(), sub_segment.share * path.length(), sub_segment.joint_curvature});
+        move.reaches_target = i + 1 == sub_segments.size();
+        move.share = sub_segment.share;
+        if (PlanResult result = model.add(move); !result) {
+            if (is_pending) pending_.retract_last();
+            if (!is_look_ahead) model.clear();
+            return result;
         }
     }
     position_ = move.end;
-    if (!own) model.come_to_rest();
+    if (!is_look_ahead) model.plan_to_standstill();
     return {};
 }
 

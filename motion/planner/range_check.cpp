@@ -8,9 +8,9 @@ namespace {
 
 constexpr double kRangeRounding = 1e-9;  // mm or rad
 
-tl::unexpected<PlanError> out_of_range(const PlannerSetup& setup, const Excursion& excursion,
+tl::unexpected<PlanError> out_of_range(const PlannerSetup& setup, const Overtravel& overtravel,
                                        const char* where) {
-    const auto [joint, value, limit] = excursion;
+    const auto [joint, value, limit] = overtravel;
     const bool prismatic = setup.joints[static_cast<std::size_t>(joint)].kind == rrs::JointKind::prismatic;
     return tl::unexpected(PlanError{
         .status = rrs::Status::RRS_JOINT_LIMIT,
@@ -22,64 +22,67 @@ tl::unexpected<PlanError> out_of_range(const PlannerSetup& setup, const Excursio
         .limit = limit});
 }
 
-Planned judge(const PlannerSetup& setup, const Excursion& excursion, const char* where) {
-    if (setup.range_notes == nullptr || !setup.range_notes->passing())
-        return out_of_range(setup, excursion, where);
-    setup.range_notes->note(excursion);
+PlanResult check_excursion(const PlannerSetup& setup, const Overtravel& overtravel, const char* where) {
+    if (setup.overtravel_log == nullptr || !setup.overtravel_log->accepts_excursions())
+        return out_of_range(setup, overtravel, where);
+    setup.overtravel_log->note(overtravel);
     return {};
 }
 
-bool within(const JointSetup& range, const Range& way) {
-    return way.min >= range.min - kRangeRounding && way.max <= range.max + kRangeRounding;
+bool within(const JointSetup& range, const Range& travel) {
+    return travel.min >= range.min - kRangeRounding && travel.max <= range.max + kRangeRounding;
 }
 
-Planned check_way(const PlannerSetup& setup, int joint, const Range& way, const char* where) {
+PlanResult check_travel(const PlannerSetup& setup, int joint, const Range& travel, const char* where) {
     const JointSetup& range = setup.joints[static_cast<std::size_t>(joint)];
-    if (way.min < range.min - kRangeRounding) {
-        if (Planned judged = judge(setup, {joint, way.min, range.min}, where); !judged) return judged;
+    if (travel.min < range.min - kRangeRounding) {
+        if (PlanResult verdict = check_excursion(setup, {joint, travel.min, range.min}, where); !verdict)
+            return verdict;
     }
-    if (way.max > range.max + kRangeRounding) return judge(setup, {joint, way.max, range.max}, where);
+    if (travel.max > range.max + kRangeRounding)
+        return check_excursion(setup, {joint, travel.max, range.max}, where);
     return {};
 }
 
 }  // namespace
 
-Planned check_target_ranges(const PlannerSetup& setup, const rrs::JointPos& joints) {
+PlanResult check_target_ranges(const PlannerSetup& setup, const rrs::JointPos& joints) {
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
-        const Range way{joints[joint], joints[joint]};
-        if (within(setup.joints[static_cast<std::size_t>(joint)], way)) continue;
-        if (Planned checked = check_way(setup, joint, way, "at the target"); !checked) return checked;
+        const Range travel{joints[joint], joints[joint]};
+        if (within(setup.joints[static_cast<std::size_t>(joint)], travel)) continue;
+        if (PlanResult checked = check_travel(setup, joint, travel, "at the target"); !checked)
+            return checked;
     }
     return {};
 }
 
-Planned check_way_ranges(const PlannerSetup& setup, const Segment& segment) {
-    rrs::JointPos least = segment.start;
-    rrs::JointPos most = segment.start;
+PlanResult check_path_ranges(const PlannerSetup& setup, const Segment& segment) {
+    rrs::JointPos min = segment.start;
+    rrs::JointPos max = segment.start;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
-        const Range way = segment.joint_range(joint);
-        least[joint] = way.min;
-        most[joint] = way.max;
+        const Range travel = segment.joint_range(joint);
+        min[joint] = travel.min;
+        max[joint] = travel.max;
     }
-    Planned checked = check_target_ranges(setup, least);
-    return checked ? check_target_ranges(setup, most) : checked;
+    PlanResult checked = check_target_ranges(setup, min);
+    return checked ? check_target_ranges(setup, max) : checked;
 }
 
-Planned check_arc_ranges(const PlannerSetup& setup, const Arc& arc) {
+PlanResult check_arc_ranges(const PlannerSetup& setup, const Arc& arc) {
     for (int axis = 0; axis < 3; ++axis) {
         const int joint = setup.position_joints[static_cast<std::size_t>(axis)];
         if (joint < 0) continue;
         const JointSetup& range = setup.joints[static_cast<std::size_t>(joint)];
         const Range wide = arc.bounds(axis);
         if (wide.min >= range.min && wide.max <= range.max) continue;
-        Planned checked = check_way(setup, joint, arc.range(axis), "on the way along the arc");
+        PlanResult checked = check_travel(setup, joint, arc.range(axis), "on the way along the arc");
         if (!checked) return checked;
     }
     return {};
 }
 
-Planned check_tilt_range(const PlannerSetup& setup, const OrientationArc& arc) {
-    return check_way(setup, arc.tilt_joint(), arc.tilt_range(), "on the way along the great circle");
+PlanResult check_tilt_range(const PlannerSetup& setup, const OrientationArc& arc) {
+    return check_travel(setup, arc.tilt_joint(), arc.tilt_range(), "on the way along the great circle");
 }
 
 }  // namespace gsim::motion

@@ -81,7 +81,7 @@ class TimeBound {
 
   private:
     /// Limits of something that moves along a path between two positions: the path, or one joint.
-    struct Reach {
+    struct MotionLimits {
         double speed2;
         double acceleration;
         double deceleration;
@@ -92,42 +92,44 @@ class TimeBound {
         double share2_end;
         double gain;      // the largest change of its squared speed in the cell
         double distance;  // its smallest travel
-        Reach reach;
+        MotionLimits motion_limits;
     };
     /// Line or cell of a curve; joint_count entries of joints_ belong to it.
-    struct Piece {
+    struct SubSegment {
         double length;
-        Reach reach;
+        MotionLimits motion_limits;
         double start_speed2;  // the highest that can be had, looking back
         std::size_t joint_count;
     };
     /// Progress of a pass from the end of the window; the part before is not checked yet.
-    struct Backward {
-        std::size_t pieces;
+    struct BackwardPass {
+        std::size_t sub_segments;
         std::size_t joints;
         double speed2;
         double time_s;
     };
 
-    static Reach reach_of(const PathCaps& caps);
-    static double least_s(double length, double start2, double end2, const Reach& reach);
-    double node_speed2(const CurvePoint& point, const Reach& path) const;
+    static MotionLimits curve_reach(const PathCaps& caps);
+    static double min_time_s(double length, double start2, double end2, const MotionLimits& motion_limits);
+    double node_speed2(const CurvePoint& point, const MotionLimits& path) const;
     void add_cell(double length, const CurvePoint& start, const CurvePoint& end, const Curve& curve,
-                  const Reach& path);
+                  const MotionLimits& path);
     bool add_joint_cell(Eigen::Index joint, double length, const CurvePoint& start, const CurvePoint& end,
                         double max_q2);
-    void add_piece(const Piece& piece, double start_cap2, double end_cap2);
-    Backward at_front(double speed2) const { return {pieces_.size(), joints_.size(), speed2, 0}; }
-    void go_back(Backward& pass, std::size_t first) const;
-    void settle_all(double end2);
-    void settle_older_half();
+    void add_sub_segment(const SubSegment& sub_segment, double start_cap2, double end_cap2);
+    BackwardPass start_backward_pass(double speed2) const {
+        return {sub_segments_.size(), joints_.size(), speed2, 0};
+    }
+    void run_backward_pass(BackwardPass& pass, std::size_t first) const;
+    void finalize_all(double end2);
+    void finalize_older_half();
 
     JointLimits limits_;
     TimeBoundGrid grid_;
-    std::vector<Piece> pieces_;      // the window
-    std::vector<JointCell> joints_;  // of its curves, part after part
-    double front_speed2_ = 0;        // the highest at the end of the last part, looking back
-    double settled_s_ = 0;           // the bound for the parts that left the window
+    std::vector<SubSegment> sub_segments_;  // the window
+    std::vector<JointCell> joints_;         // of its curves, part after part
+    double front_speed2_ = 0;               // the highest at the end of the last part, looking back
+    double finalized_s_ = 0;                // the bound for the parts that left the window
 };
 
 }  // namespace gsim::motion

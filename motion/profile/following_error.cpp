@@ -34,12 +34,13 @@ std::array<double, 3> phi(double x) {
 }  // namespace
 
 double lag_after(const TimeLaw& law, double lag, double gain_1_s) {
-    if (law.pieces().empty()) return lag + law.length();  // a jump
-    for (const LawPiece& piece : law.pieces()) {
-        const double t = piece.duration_s;
+    if (law.sections().empty()) return lag + law.length();  // a jump
+    for (const LawSection& section : law.sections()) {
+        const double t = section.duration_s;
         const auto [phi1, phi2, phi3] = phi(gain_1_s * t);
-        const double made = t * (piece.v0 * phi1 + t * (piece.a0 * phi2 + t * piece.jerk * phi3));
-        lag = std::max(lag * std::exp(-gain_1_s * t) + made, 0.0);
+        const double added_error =
+            t * (section.v0 * phi1 + t * (section.a0 * phi2 + t * section.jerk * phi3));
+        lag = std::max(lag * std::exp(-gain_1_s * t) + added_error, 0.0);
     }
     return lag;
 }
@@ -53,9 +54,9 @@ Segment& FollowingError::begin(rrs::TargetId id) {
 void FollowingError::finish() {
     const double gain_1_s = controller_.position_gain_1_s;
     if (gain_1_s > 0) {
-        const double rest_s = std::max(open_->start_s - end_s_, 0.0);
-        lag_ = lag_after(open_->lead, lag_ * std::exp(-gain_1_s * rest_s), gain_1_s);
-        if (open_->beside) lag_ += lag_after(open_->beside->lead, 0, gain_1_s);
+        const double standstill_s = std::max(open_->start_s - end_s_, 0.0);
+        lag_ = lag_after(open_->master, lag_ * std::exp(-gain_1_s * standstill_s), gain_1_s);
+        if (open_->superimposed) lag_ += lag_after(open_->superimposed->master, 0, gain_1_s);
         if (open_->kind == SegmentKind::rest) lag_ *= std::exp(-gain_1_s * open_->duration_s);
         end_s_ = open_->end_s();
     }

@@ -11,7 +11,7 @@ TimeLaw law_until(const TimeLaw& law, double t_s);
 TimeLaw law_from(const TimeLaw& law, double t_s);
 
 /// Returns a law, followed by a standstill until `duration_s`.
-TimeLaw law_and_rest(const TimeLaw& law, double duration_s);
+TimeLaw extend_with_standstill(const TimeLaw& law, double duration_s);
 
 /// Returns the law that slows down from the state of a law at `t_s`, at once and as hard as the limits allow.
 /// It ends at standstill if the remainder of the law is long enough. Otherwise it ends at the law's end with

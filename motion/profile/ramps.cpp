@@ -21,18 +21,18 @@ rrs::JointPos& ProgrammedRamps::of(RampLimit limit) {
     return jerks;
 }
 
-void put_in_force(const ProgrammedRamps& ramps, const PlannerSetup& machine, PlannerSetup& setup) {
+void activate_ramps(const ProgrammedRamps& ramps, const PlannerSetup& machine, PlannerSetup& setup) {
     const bool infinite = ramps.mode == RampMode::infinite;
     for (int joint = 0; joint < machine.joint_count(); ++joint) {
-        const JointSetup& own = machine.joints[static_cast<std::size_t>(joint)];
+        const JointSetup& joint_setup = machine.joints[static_cast<std::size_t>(joint)];
         JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
         limits.max_acceleration =
-            infinite ? kUnlimited : std::min(own.max_acceleration, ramps.accelerations[joint]);
+            infinite ? kUnlimited : std::min(joint_setup.max_acceleration, ramps.accelerations[joint]);
         limits.max_deceleration =
-            infinite ? kUnlimited : std::min(own.deceleration(), ramps.decelerations[joint]);
+            infinite ? kUnlimited : std::min(joint_setup.deceleration(), ramps.decelerations[joint]);
         limits.programmed_acceleration = ramps.accelerations[joint];
         limits.programmed_deceleration = ramps.decelerations[joint];
-        limits.max_jerk = infinite ? kUnlimited : std::min(own.max_jerk, ramps.jerks[joint]);
+        limits.max_jerk = infinite ? kUnlimited : std::min(joint_setup.max_jerk, ramps.jerks[joint]);
     }
     if (infinite) setup.move_limits = nullptr;
     setup.path.max_rapid_acceleration_mm_s2 =

@@ -20,6 +20,6 @@ struct ProgrammedRamps {
 
 /// Activates ramps: sets the limits of joints and path in `setup`, and the flag for its jerk limit, to those
 /// of `machine` as the ramps lower them.
-void put_in_force(const ProgrammedRamps& ramps, const PlannerSetup& machine, PlannerSetup& setup);
+void activate_ramps(const ProgrammedRamps& ramps, const PlannerSetup& machine, PlannerSetup& setup);
 
 }  // namespace gsim::motion

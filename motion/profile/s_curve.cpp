@@ -16,15 +16,15 @@ constexpr double kSameLength = 1 + 1e-12;
 constexpr int kMaxRootSteps = 60;
 
 // One end of a motion: the speed there, and the limit of the ramp between it and the peak.
-struct End {
+struct RampEnd {
     double speed;
     double acceleration;
 };
 
 // Fast end and slow end; the order in time does not matter for lengths.
-struct Ends {
-    End fast;
-    End slow;
+struct RampEnds {
+    RampEnd fast;
+    RampEnd slow;
     double jerk;
 
     double gap() const { return fast.speed - slow.speed; }
@@ -36,7 +36,7 @@ struct Ends {
     }
 };
 
-double trapezoid_excess(double length, const Ends& ends) {
+double trapezoid_excess(double length, const RampEnds& ends) {
     const double slowness = 1 / ends.fast.acceleration + 1 / ends.slow.acceleration;
     return positive_root(2 * ends.fast.speed, 2 * (length - ends.direct_length()) / slowness);
 }
@@ -56,13 +56,13 @@ double rest_to_rest_peak(double length, double acceleration, double deceleration
     return positive_root((low + high) / jerk / slowness, 2 * length / slowness);
 }
 
-struct LengthAt {
+struct LengthAndSlope {
     double length;
     double slope;
 };
 
 // Returns the length of the ramp between an end and a peak x^2 above the fast end, and its derivative by x.
-LengthAt length_at(double x, double gap, const End& end, double jerk) {
+LengthAndSlope length_at(double x, double gap, const RampEnd& end, double jerk) {
     const double change = gap + x * x;
     const RampPhases ramp = ramp_phases(change, end.acceleration, jerk);
     const double mean_speed = end.speed + change / 2;
@@ -71,22 +71,23 @@ LengthAt length_at(double x, double gap, const End& end, double jerk) {
 }
 
 // Each ramp alone must fit, which bounds x from above.
-double highest_root(double length, const Ends& ends) {
-    const double by_fast = std::sqrt(
+double highest_root(double length, const RampEnds& ends) {
+    const double fast_end_bound = std::sqrt(
         ramp_gain(length - ends.direct_length(), ends.fast.speed, ends.fast.acceleration, ends.jerk));
-    const double by_slow = ramp_gain(length, ends.slow.speed, ends.slow.acceleration, ends.jerk) - ends.gap();
-    return by_slow > 0 ? std::min(by_fast, std::sqrt(by_slow)) : by_fast;
+    const double slow_end_bound =
+        ramp_gain(length, ends.slow.speed, ends.slow.acceleration, ends.jerk) - ends.gap();
+    return slow_end_bound > 0 ? std::min(fast_end_bound, std::sqrt(slow_end_bound)) : fast_end_bound;
 }
 
 // Newton's method finds x = sqrt(excess). The length is convex and increasing in x, because each ramp's
 // length is a polynomial with positive coefficients in x or in sqrt(gap + x^2), joined with a continuous
 // slope. So the steps come down from above and never pass the root: the first that does not come down is
 // rounding.
-double s_curve_excess(double length, const Ends& ends) {
+double s_curve_excess(double length, const RampEnds& ends) {
     double x = highest_root(length, ends);
     for (int i = 0; i < kMaxRootSteps && x > 0; ++i) {
-        const LengthAt fast = length_at(x, 0, ends.fast, ends.jerk);
-        const LengthAt slow = length_at(x, ends.gap(), ends.slow, ends.jerk);
+        const LengthAndSlope fast = length_at(x, 0, ends.fast, ends.jerk);
+        const LengthAndSlope slow = length_at(x, ends.gap(), ends.slow, ends.jerk);
         const double next = x - (fast.length + slow.length - length) / (fast.slope + slow.slope);
         if (!(next > 0) || (i > 0 && !(next < x))) break;
         x = next;
@@ -95,7 +96,7 @@ double s_curve_excess(double length, const Ends& ends) {
 }
 
 // Returns how far above the fast end the speed gets without a cap.
-double excess(double length, const Ends& ends) {
+double excess(double length, const RampEnds& ends) {
     if (std::isinf(ends.jerk)) return trapezoid_excess(length, ends);
     if (ends.fast.speed > 0) return s_curve_excess(length, ends);
     return rest_to_rest_peak(length, ends.fast.acceleration, ends.slow.acceleration, ends.jerk);
@@ -103,33 +104,33 @@ double excess(double length, const Ends& ends) {
 
 // Ramps up to a peak of at most `cap` and down again.
 SpeedShape peaked_shape(double length, double start, double end, double cap, const LawLimits& limits) {
-    const End first{start, limits.acceleration};
-    const End last{end, limits.deceleration};
+    const RampEnd first{start, limits.acceleration};
+    const RampEnd last{end, limits.deceleration};
     const bool speeds_up = start <= end;
-    const Ends ends{speeds_up ? last : first, speeds_up ? first : last, limits.jerk};
+    const RampEnds ends{speeds_up ? last : first, speeds_up ? first : last, limits.jerk};
     double above = 0;
     double cruise_length = 0;
     if (length > ends.direct_length() * kSameLength) {
-        const double allowed = cap - ends.fast.speed;
-        const double both = std::isfinite(allowed) ? ends.length(allowed) : length;
-        cruise_length = std::max(length - both, 0.0);
-        above = cruise_length > 0 ? allowed : std::min(excess(length, ends), allowed);
+        const double headroom = cap - ends.fast.speed;
+        const double ramp_length = std::isfinite(headroom) ? ends.length(headroom) : length;
+        cruise_length = std::max(length - ramp_length, 0.0);
+        above = cruise_length > 0 ? headroom : std::min(excess(length, ends), headroom);
     }
-    const double of_slow = ends.gap() + above;
-    return {speeds_up ? of_slow : above, speeds_up ? -above : -of_slow, ends.fast.speed + above,
-            cruise_length};
+    const double slow_end_change = ends.gap() + above;
+    return {speeds_up ? slow_end_change : above, speeds_up ? -above : -slow_end_change,
+            ends.fast.speed + above, cruise_length};
 }
 
 // Returns how far the first of two braking ramps drops. The length is too short to brake to the cap and again
 // to the end, but longer than braking in one. Uses bisection for sqrt(drop), because lengths are smooth in
 // it.
-double split_drop(double length, double start, double end, double most, const LawLimits& limits) {
+double first_speed_drop(double length, double start, double end, double max_drop, const LawLimits& limits) {
     const auto braking_length = [&](double drop) {
         return ramp_length_by(start - drop, drop, limits.deceleration, limits.jerk) +
                ramp_length_by(end, start - end - drop, limits.deceleration, limits.jerk);
     };
     double low = 0;
-    double high = std::sqrt(most);
+    double high = std::sqrt(max_drop);
     for (int i = 0; i < kMaxRootSteps; ++i) {
         const double middle = (low + high) / 2;
         (braking_length(middle * middle) < length ? low : high) = middle;
@@ -140,12 +141,12 @@ double split_drop(double length, double start, double end, double most, const La
 // Handles a start above the cap: down to the cap, along it, and down to the end.
 SpeedShape braking_shape(double length, double start, double end, double cap, const LawLimits& limits) {
     const double drop = start - cap;
-    const double rest = length - ramp_length_by(cap, drop, limits.deceleration, limits.jerk) -
-                        ramp_length_by(end, cap - end, limits.deceleration, limits.jerk);
-    if (rest >= 0) return {-drop, end - cap, cap, rest};
+    const double remainder = length - ramp_length_by(cap, drop, limits.deceleration, limits.jerk) -
+                             ramp_length_by(end, cap - end, limits.deceleration, limits.jerk);
+    if (remainder >= 0) return {-drop, end - cap, cap, remainder};
     const double direct = ramp_length_by(end, start - end, limits.deceleration, limits.jerk);
     if (!(length > direct * kSameLength)) return {0, end - start, start, 0};
-    const double part = split_drop(length, start, end, drop, limits);
+    const double part = first_speed_drop(length, start, end, drop, limits);
     return {-part, end - start + part, start - part, 0};
 }
 

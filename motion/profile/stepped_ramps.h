@@ -18,9 +18,9 @@ struct SteppedBlock {
 };
 
 /// Motion of a block in a time interval.
-struct SteppedPiece {
-    LawPiece law;              ///< From 0 on; mm, s.
-    bool falls_short = false;  ///< Its brakes have ended before the block: it crawls to the end of it.
+struct SteppedSection {
+    LawSection law;            ///< From 0 on; mm, s.
+    bool stops_short = false;  ///< Its brakes have ended before the block: it crawls to the end of it.
 };
 
 /// Ramps of grblHAL with ENABLE_JERK_ACCELERATION (planner.c, stepper.c st_prep_buffer(); core f80fc34 of
@@ -43,19 +43,20 @@ class SteppedRamps {
     static double mean_acceleration_s(double speed, double acceleration, double jerk);
 
     /// Delivers the motion of the block, in order; together its length.
-    void drive(const SteppedBlock& block, const std::function<void(const SteppedPiece&)>& take);
+    void drive(const SteppedBlock& block, const std::function<void(const SteppedSection&)>& on_part);
 
   private:
     enum class Phase { slow_down, up, cruise, down };  // slow_down: to a speed that was turned down
 
     void plan(const SteppedBlock& block);
-    void finish_evenly(const SteppedBlock& block, const std::function<void(const SteppedPiece&)>& take);
-    void take_step(const SteppedBlock& block, const std::function<void(const SteppedPiece&)>& take);
+    void finish_at_constant_speed(const SteppedBlock& block,
+                                  const std::function<void(const SteppedSection&)>& on_part);
+    void advance_step(const SteppedBlock& block, const std::function<void(const SteppedSection&)>& on_part);
     float slow_down(const SteppedBlock& block, float time_min, float step_from_mm);
     float ramp_up(const SteppedBlock& block, float time_min, float step_from_mm);
     float cruise(float time_min);
     float ramp_down(const SteppedBlock& block, float time_min);
-    void change_acceleration(const SteppedBlock& block, float time_min, bool grows);
+    void change_acceleration(const SteppedBlock& block, float time_min, bool increases);
 
     float step_min_;
     // State of the active block; the first three outlive it, as there.
@@ -63,10 +64,10 @@ class SteppedRamps {
     float down_from_mm_ = 0;  ///< Before its end.
     float top_mm_min_ = 0;
     float up_until_mm_ = 0;  ///< Before its end.
-    float left_mm_ = 0;
+    float remaining_mm_ = 0;
     float speed_mm_min_ = 0;
     Phase phase_ = Phase::up;
-    bool falls_short_ = false;
+    bool stops_short_ = false;
 };
 
 }  // namespace gsim::motion

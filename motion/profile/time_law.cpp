@@ -10,16 +10,16 @@ namespace gsim::motion {
 
 namespace {
 
-LawState state_at(const LawPiece& piece, double t) {
-    return {piece.s0 + t * (piece.v0 + t * (piece.a0 / 2 + t * piece.jerk / 6)),
-            piece.v0 + t * (piece.a0 + t * piece.jerk / 2), piece.a0 + t * piece.jerk};
+LawState state_at(const LawSection& section, double t) {
+    return {section.s0 + t * (section.v0 + t * (section.a0 / 2 + t * section.jerk / 6)),
+            section.v0 + t * (section.a0 + t * section.jerk / 2), section.a0 + t * section.jerk};
 }
 
-double peak_speed_of(const LawPiece& piece) {
-    const double ends = std::max(piece.v0, state_at(piece, piece.duration_s).v);
-    const double turn_s = -piece.a0 / piece.jerk;
-    if (!(turn_s > 0 && turn_s < piece.duration_s)) return ends;
-    return std::max(ends, state_at(piece, turn_s).v);
+double peak_speed_of(const LawSection& section) {
+    const double ends = std::max(section.v0, state_at(section, section.duration_s).v);
+    const double turn_s = -section.a0 / section.jerk;
+    if (!(turn_s > 0 && turn_s < section.duration_s)) return ends;
+    return std::max(ends, state_at(section, turn_s).v);
 }
 
 // Returns the cruise speed of a motion from standstill to standstill in a given time. Newton's method finds
@@ -74,7 +74,7 @@ TimeLaw TimeLaw::in_time(double length, double duration_s, const LawLimits& limi
     LawLimits slower = limits;
     slower.max_speed = std::min(cruise_speed(length, duration_s, limits), limits.max_speed);
     TimeLaw law = between(length, 0, 0, slower);
-    law.take(duration_s);
+    law.advance(duration_s);
     return law;
 }
 
@@ -84,9 +84,9 @@ TimeLaw::TimeLaw(double length, double duration_s, double cruise_speed, double a
     double ramp_acceleration = cruise_speed / ramp_s;
     if (!std::isfinite(ramp_acceleration)) ramp_s = ramp_acceleration = 0;  // the rectangle
     const double ramp_length = cruise_speed * ramp_s / 2;
-    add_piece(ramp_s, 0, 0, ramp_acceleration);
-    add_piece(duration_s - 2 * ramp_s, ramp_length, cruise_speed, 0);
-    add_piece(ramp_s, length - ramp_length, cruise_speed, -ramp_acceleration);
+    add_section(ramp_s, 0, 0, ramp_acceleration);
+    add_section(duration_s - 2 * ramp_s, ramp_length, cruise_speed, 0);
+    add_section(ramp_s, length - ramp_length, cruise_speed, -ramp_acceleration);
 }
 
 TimeLaw TimeLaw::between(double length, double start_speed, double end_speed, const LawLimits& limits) {
@@ -101,25 +101,25 @@ TimeLaw TimeLaw::between(double length, double start_speed, double end_speed, co
     law.peak_speed_ = std::max(law.peak_speed_, shape.cruise_speed);
     double s = 0;
     law.add_ramp(start_speed, shape.first_change, shape.cruise_speed, limits, s);
-    law.add_piece(shape.cruise_length / shape.cruise_speed, s, shape.cruise_speed, 0);
+    law.add_section(shape.cruise_length / shape.cruise_speed, s, shape.cruise_speed, 0);
     s += shape.cruise_length;
     law.add_ramp(shape.cruise_speed, shape.second_change, end_speed, limits, s);
     law.fit_length(s);
     return law;
 }
 
-TimeLaw TimeLaw::of_pieces(std::span<const LawPiece> pieces) {
-    assert(pieces.size() <= kMaxPieces);
+TimeLaw TimeLaw::from_sections(std::span<const LawSection> sections) {
+    assert(sections.size() <= kMaxSections);
     TimeLaw law;
-    for (const LawPiece& piece : pieces.first(std::min(pieces.size(), kMaxPieces))) {
-        if (!(piece.duration_s > 0)) continue;
-        law.add_piece(piece.duration_s, piece.s0, piece.v0, piece.a0, piece.jerk);
-        law.start_speed_ = law.pieces_[0].v0;
-        const LawState end = state_at(piece, piece.duration_s);
-        law.duration_s_ += piece.duration_s;
+    for (const LawSection& section : sections.first(std::min(sections.size(), kMaxSections))) {
+        if (!(section.duration_s > 0)) continue;
+        law.add_section(section.duration_s, section.s0, section.v0, section.a0, section.jerk);
+        law.start_speed_ = law.sections_[0].v0;
+        const LawState end = state_at(section, section.duration_s);
+        law.duration_s_ += section.duration_s;
         law.length_ = end.s;
         law.end_speed_ = std::max(end.v, 0.0);
-        law.peak_speed_ = std::max(law.peak_speed_, peak_speed_of(piece));
+        law.peak_speed_ = std::max(law.peak_speed_, peak_speed_of(section));
     }
     return law;
 }
@@ -133,13 +133,13 @@ void TimeLaw::add_ramp(double from_speed, double change, double to_speed, const 
     const RampPhases ramp = ramp_phases(std::abs(change), limit, limits.jerk);
     const double acceleration = sign * ramp.acceleration;
     const double jerk = ramp.jerk_s > 0 ? sign * limits.jerk : 0;
-    const double bend = acceleration * ramp.jerk_s / 2;  // change of speed in a phase of jerk
-    add_piece(ramp.jerk_s, s, from_speed, 0, jerk);
-    s += ramp.jerk_s * (from_speed + bend / 3);
-    add_piece(ramp.constant_s, s, from_speed + bend, acceleration);
-    s += ramp.constant_s * (from_speed + bend + acceleration * ramp.constant_s / 2);
-    add_piece(ramp.jerk_s, s, to_speed - bend, acceleration, -jerk);
-    s += ramp.jerk_s * (to_speed - bend / 3);
+    const double speed_change = acceleration * ramp.jerk_s / 2;  // change of speed in a phase of jerk
+    add_section(ramp.jerk_s, s, from_speed, 0, jerk);
+    s += ramp.jerk_s * (from_speed + speed_change / 3);
+    add_section(ramp.constant_s, s, from_speed + speed_change, acceleration);
+    s += ramp.constant_s * (from_speed + speed_change + acceleration * ramp.constant_s / 2);
+    add_section(ramp.jerk_s, s, to_speed - speed_change, acceleration, -jerk);
+    s += ramp.jerk_s * (to_speed - speed_change / 3);
 }
 
 // Makes parts that reach `reached` reach length_ by running time faster or slower; the speeds are kept.
@@ -150,43 +150,44 @@ void TimeLaw::fit_length(double reached) {
     }
     const double factor = length_ / reached;
     for (std::size_t i = 0; i < count_; ++i) {
-        LawPiece& piece = pieces_[i];
-        piece.duration_s *= factor;
-        piece.s0 *= factor;
-        piece.a0 /= factor;
-        piece.jerk /= factor * factor;
-        duration_s_ += piece.duration_s;
+        LawSection& section = sections_[i];
+        section.duration_s *= factor;
+        section.s0 *= factor;
+        section.a0 /= factor;
+        section.jerk /= factor * factor;
+        duration_s_ += section.duration_s;
     }
 }
 
 // Runs time faster or slower; the length is kept.
-void TimeLaw::take(double duration_s) {
+void TimeLaw::advance(double duration_s) {
     if (!(duration_s_ > 0)) return;
     const double factor = duration_s / duration_s_;
     for (std::size_t i = 0; i < count_; ++i) {
-        LawPiece& piece = pieces_[i];
-        piece.duration_s *= factor;
-        piece.v0 /= factor;
-        piece.a0 /= factor * factor;
-        piece.jerk /= factor * factor * factor;
+        LawSection& section = sections_[i];
+        section.duration_s *= factor;
+        section.v0 /= factor;
+        section.a0 /= factor * factor;
+        section.jerk /= factor * factor * factor;
     }
     peak_speed_ /= factor;
     duration_s_ = duration_s;
 }
 
 bool TimeLaw::jumps() const {
-    constexpr double kSame = 1e-9;  // of the peak speed
+    constexpr double kEqualTolerance = 1e-9;  // of the peak speed
     if (count_ == 0) return start_speed_ != end_speed_;
-    const LawPiece& last = pieces_[count_ - 1];
-    const double start_jump = std::abs(pieces_[0].v0 - start_speed_);
+    const LawSection& last = sections_[count_ - 1];
+    const double start_jump = std::abs(sections_[0].v0 - start_speed_);
     const double end_jump = std::abs(state_at(last, last.duration_s).v - end_speed_);
-    return std::max(start_jump, end_jump) > kSame * peak_speed_;
+    return std::max(start_jump, end_jump) > kEqualTolerance * peak_speed_;
 }
 
 double TimeLaw::peak_acceleration() const {
     double peak = 0;
-    for (const LawPiece& piece : pieces()) {
-        peak = std::max({peak, std::abs(piece.a0), std::abs(piece.a0 + piece.duration_s * piece.jerk)});
+    for (const LawSection& section : sections()) {
+        peak =
+            std::max({peak, std::abs(section.a0), std::abs(section.a0 + section.duration_s * section.jerk)});
     }
     return peak;
 }
@@ -196,12 +197,13 @@ LawState TimeLaw::at(double t_s) const {
     double t = t_s;
     std::size_t index = 0;
     const bool over = t_s >= duration_s_;
-    while (index + 1 < count_ && (over || t > pieces_[index].duration_s)) t -= pieces_[index++].duration_s;
-    const LawPiece& piece = pieces_[index];
+    while (index + 1 < count_ && (over || t > sections_[index].duration_s))
+        t -= sections_[index++].duration_s;
+    const LawSection& section = sections_[index];
     // The last part is counted from the end, so that it stops exactly, however long the others are.
-    if (index + 1 == count_) t = piece.duration_s - (duration_s_ - t_s);
-    t = std::clamp(t, 0.0, piece.duration_s);
-    const LawState state = state_at(piece, t);
+    if (index + 1 == count_) t = section.duration_s - (duration_s_ - t_s);
+    t = std::clamp(t, 0.0, section.duration_s);
+    const LawState state = state_at(section, t);
     // A path is never run backwards: a negative speed at the end is rounding.
     return {over ? length_ : std::clamp(state.s, 0.0, length_), std::max(state.v, 0.0), state.a};
 }

@@ -17,7 +17,7 @@ struct LawState {
 };
 
 /// One polynomial part of a time law: s(t) = s0 + v0 t + a0 t^2/2 + j t^3/6 for t in [0, duration_s].
-struct LawPiece {
+struct LawSection {
     double duration_s;
     double s0;
     double v0;
@@ -59,11 +59,11 @@ class TimeLaw {
     /// costs the limits no more than rounding. A path without length takes no time, for any speeds.
     static TimeLaw between(double length, double start_speed, double end_speed, const LawLimits& limits);
 
-    /// Returns the law made of `pieces`, at most kMaxPieces of them. They must begin at s0 = 0, each at the
+    /// Returns the law made of `pieces`, at most kMaxSections of them. They must begin at s0 = 0, each at the
     /// end of the one before it, and must not run backwards. Parts without duration are left out.
-    static TimeLaw of_pieces(std::span<const LawPiece> pieces);
+    static TimeLaw from_sections(std::span<const LawSection> sections);
 
-    static constexpr std::size_t kMaxPieces =
+    static constexpr std::size_t kMaxSections =
         9;  ///< Two jerk-limited ramps, a cruise and a dwell at each end.
 
     double length() const { return length_; }
@@ -78,21 +78,21 @@ class TimeLaw {
     double end_speed() const { return end_speed_; }
     /// True if the speed jumps at an end, because the acceleration is unlimited.
     bool jumps() const;
-    std::span<const LawPiece> pieces() const { return {pieces_.data(), count_}; }
+    std::span<const LawSection> sections() const { return {sections_.data(), count_}; }
     /// Returns the state at `t_s`, clamped to [0, duration]; the end returns `length` exactly.
     LawState at(double t_s) const;
 
   private:
     TimeLaw(double length, double duration_s, double cruise_speed, double acceleration);
 
-    void add_piece(double duration_s, double s0, double v0, double a0, double jerk = 0) {
-        if (duration_s > 0) pieces_[count_++] = {duration_s, s0, v0, a0, jerk};
+    void add_section(double duration_s, double s0, double v0, double a0, double jerk = 0) {
+        if (duration_s > 0) sections_[count_++] = {duration_s, s0, v0, a0, jerk};
     }
     void add_ramp(double from_speed, double change, double to_speed, const LawLimits& limits, double& s);
     void fit_length(double reached);
-    void take(double duration_s);
+    void advance(double duration_s);
 
-    std::array<LawPiece, kMaxPieces> pieces_;  // only the first count_ hold values
+    std::array<LawSection, kMaxSections> sections_;  // only the first count_ hold values
     std::size_t count_ = 0;
     double length_ = 0;
     double duration_s_ = 0;

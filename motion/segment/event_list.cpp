@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "motion/exact_stop/apart_move.h"
+#include "motion/exact_stop/uncoordinated_move.h"
 
 namespace gsim::motion {
 
@@ -11,44 +11,45 @@ namespace {
 
 constexpr double kPast_s = -std::numeric_limits<double>::infinity();
 
-/// Returns the time at which a segment has covered `way_mm`, by bisection: laws never run back.
-double time_at_way(const Segment& segment, double way_mm) {
-    if (segment.joints_go_apart()) return segment.start_s + apart_time_s(segment, way_mm);
-    const double way = way_mm * segment.lead.length() / segment.length_mm;
+/// Returns the time at which a segment has covered `distance_mm`, by bisection: laws never run back.
+double time_at_distance(const Segment& segment, double distance_mm) {
+    if (segment.is_uncoordinated()) return segment.start_s + uncoordinated_time_s(segment, distance_mm);
+    const double distance = distance_mm * segment.master.length() / segment.length_mm;
     double low = 0;
     double high = segment.duration_s;
     for (int i = 0; i < 60; ++i) {
         const double middle = (low + high) / 2;
-        (segment.lead.at(middle).s < way ? low : high) = middle;
+        (segment.master.at(middle).s < distance ? low : high) = middle;
     }
     return segment.start_s + high;
 }
 
 /// Returns the index of the segment that ends at the target, if it is known. A dwell after it has the same
 /// id.
-std::optional<std::size_t> end_of(rrs::TargetId target, const SegmentQueue& queue) {
+std::optional<std::size_t> find_end_segment(rrs::TargetId target, const SegmentQueue& queue) {
     for (std::size_t i = 0; i < queue.size(); ++i) {
         if (queue[i].target_id == target && queue[i].reaches_target) return i;
     }
     return std::nullopt;
 }
 
-std::optional<double> time_behind(double way_mm, std::size_t index, const SegmentQueue& queue) {
+std::optional<double> time_after_distance(double distance_mm, std::size_t index, const SegmentQueue& queue) {
     for (; index < queue.size(); ++index) {
         const Segment& segment = queue[index];
-        if (segment.length_mm > 0 && way_mm <= segment.length_mm) return time_at_way(segment, way_mm);
-        way_mm -= segment.length_mm;
+        if (segment.length_mm > 0 && distance_mm <= segment.length_mm)
+            return time_at_distance(segment, distance_mm);
+        distance_mm -= segment.length_mm;
     }
     return std::nullopt;
 }
 
 /// Counts back from the end of a segment.
-double time_before(double way_mm, std::size_t index, const SegmentQueue& queue) {
+double time_before_distance(double distance_mm, std::size_t index, const SegmentQueue& queue) {
     for (std::size_t i = index + 1; i-- > 0;) {
         const Segment& segment = queue[i];
-        if (segment.length_mm > 0 && way_mm <= segment.length_mm)
-            return time_at_way(segment, segment.length_mm - way_mm);
-        way_mm -= segment.length_mm;
+        if (segment.length_mm > 0 && distance_mm <= segment.length_mm)
+            return time_at_distance(segment, segment.length_mm - distance_mm);
+        distance_mm -= segment.length_mm;
     }
     return kPast_s;
 }
@@ -66,55 +67,56 @@ bool EventList::cancel(int id) {
 
 void EventList::clear() {
     events_.clear();
-    came_true_.clear();
+    triggered_events_.clear();
 }
 
 void EventList::step(double from_s, double to_s, const SegmentQueue& queue) {
-    came_true_.clear();
+    triggered_events_.clear();
     std::erase_if(events_, [&](const Event& event) {
-        const std::optional<double> at_s = time_of(event, queue);
+        const std::optional<double> at_s = event_time_s(event, queue);
         if (!at_s || *at_s > to_s) return false;
-        came_true_.push_back({event.id, *at_s == kPast_s ? 0 : *at_s - from_s});
+        triggered_events_.push_back({event.id, *at_s == kPast_s ? 0 : *at_s - from_s});
         return true;
     });
-    std::stable_sort(came_true_.begin(), came_true_.end(),
-                     [](const CameTrue& a, const CameTrue& b) { return a.time_s < b.time_s; });
+    std::stable_sort(triggered_events_.begin(), triggered_events_.end(),
+                     [](const TriggeredEvent& a, const TriggeredEvent& b) { return a.time_s < b.time_s; });
 }
 
-std::optional<double> EventList::known_until_s(const HeldTargets& held, const SegmentQueue& queue,
+std::optional<double> EventList::known_until_s(const PendingTargets& pending, const SegmentQueue& queue,
                                                double end_s) const {
     std::optional<double> known_s;
     for (const Event& event : events_) {
         const double offset = event.offset.value;
-        if (offset >= 0 || event.reached_s || !held.has(event.target)) continue;
+        if (offset >= 0 || event.reached_s || !pending.has(event.target)) continue;
         double until_s = end_s + offset;
-        if (event.offset.measure == EventOffset::Measure::way_mm)
-            until_s = queue.empty() ? kPast_s : time_before(-offset, queue.size() - 1, queue);
+        if (event.offset.measure == EventOffset::Measure::distance_mm)
+            until_s = queue.empty() ? kPast_s : time_before_distance(-offset, queue.size() - 1, queue);
         known_s = std::min(known_s.value_or(until_s), until_s);
     }
     return known_s;
 }
 
-std::optional<double> EventList::time_of(const Event& event, const SegmentQueue& queue) {
+std::optional<double> EventList::event_time_s(const Event& event, const SegmentQueue& queue) {
     if (event.at_s) return event.at_s;
     const double offset = event.offset.value;
-    const bool by_time = event.offset.measure == EventOffset::Measure::time_s;
+    const bool over_time = event.offset.measure == EventOffset::Measure::time_s;
     if (event.reached_s) {
-        if (by_time) return *event.reached_s + offset;
-        return offset > 0 ? time_behind(offset, 0, queue) : kPast_s;
+        if (over_time) return *event.reached_s + offset;
+        return offset > 0 ? time_after_distance(offset, 0, queue) : kPast_s;
     }
-    const std::optional<std::size_t> end = end_of(event.target, queue);
+    const std::optional<std::size_t> end = find_end_segment(event.target, queue);
     if (!end) return std::nullopt;
-    if (by_time || offset == 0) return queue[*end].end_s() + offset;
-    return offset < 0 ? time_before(-offset, *end, queue) : time_behind(offset, *end + 1, queue);
+    if (over_time || offset == 0) return queue[*end].end_s() + offset;
+    return offset < 0 ? time_before_distance(-offset, *end, queue)
+                      : time_after_distance(offset, *end + 1, queue);
 }
 
 void EventList::leave(const SegmentQueue& queue) {
     const Segment& segment = queue.front();
     for (Event& event : events_) {
-        const std::optional<double> at_s = time_of(event, queue);
+        const std::optional<double> at_s = event_time_s(event, queue);
         if (at_s && *at_s > kPast_s && *at_s <= segment.end_s()) event.at_s = at_s;
-        if (event.reached_s && event.offset.measure == EventOffset::Measure::way_mm) {
+        if (event.reached_s && event.offset.measure == EventOffset::Measure::distance_mm) {
             event.offset.value -= segment.length_mm;
         } else if (!event.reached_s && event.target == segment.target_id && segment.reaches_target) {
             event.reached_s = segment.end_s();

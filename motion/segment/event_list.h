@@ -4,21 +4,21 @@
 #include <vector>
 
 #include "controller/services/types.h"
-#include "motion/planner/held_targets.h"
+#include "motion/planner/pending_targets.h"
 #include "motion/segment/segment_queue.h"
 
 namespace gsim::motion {
 
 /// Distance between reaching the target and the event; negative: before.
 struct EventOffset {
-    enum class Measure { time_s, way_mm } measure = Measure::time_s;
+    enum class Measure { time_s, distance_mm } measure = Measure::time_s;
     double value = 0;
 };
 
 /// Events that a client has defined, and those that occurred in the last step.
 class EventList {
   public:
-    struct CameTrue {
+    struct TriggeredEvent {
         int id;
         double time_s;  ///< Time since the start of the step; negative if it was before that.
     };
@@ -31,7 +31,7 @@ class EventList {
 
     /// Returns the time until which only known events can occur, if events before targets that are `held`
     /// exist. `end_s` is the end of the queue.
-    std::optional<double> known_until_s(const HeldTargets& held, const SegmentQueue& queue,
+    std::optional<double> known_until_s(const PendingTargets& pending, const SegmentQueue& queue,
                                         double end_s) const;
     /// Finds the events that occur in a step of the clock. `queue` has the segments that are active in it and
     /// those after, as far as they are known. An event that occurred before the step but was not known then
@@ -44,7 +44,7 @@ class EventList {
     void reach(rrs::TargetId target, double at_s);
 
     /// Returns the events of the last step, in the order of time.
-    const std::vector<CameTrue>& came_true() const { return came_true_; }
+    const std::vector<TriggeredEvent>& triggered_events() const { return triggered_events_; }
 
   private:
     struct Event {
@@ -55,10 +55,10 @@ class EventList {
         std::optional<double> at_s;       ///< When it came true, if that has left the queue.
     };
 
-    static std::optional<double> time_of(const Event& event, const SegmentQueue& queue);
+    static std::optional<double> event_time_s(const Event& event, const SegmentQueue& queue);
 
     std::vector<Event> events_;
-    std::vector<CameTrue> came_true_;
+    std::vector<TriggeredEvent> triggered_events_;
 };
 
 }  // namespace gsim::motion

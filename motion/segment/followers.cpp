@@ -3,25 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/profile/rest_law.h"
+#include "motion/profile/rest_to_rest_law.h"
 
 namespace gsim::motion {
 
 Followers::Followers(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
-                     JointRole lead, const OrientationArc* orientation) {
+                     JointRole master, const OrientationArc* orientation) {
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
-        if (is_beside(changes, lead, orientation, joint))
-            add(joint, changes.of(joint), limits_beside(setup, rules, changes, joint));
+        if (moves_outside_path(changes, master, orientation, joint))
+            add(joint, changes.of(joint), other_joint_limits(setup, rules, changes, joint));
     }
 }
 
 void Followers::add(int joint, double change, const LawLimits& limits) {
-    const double fastest_s = fastest_rest_s(std::abs(change), limits);
+    const double fastest_s = min_rest_to_rest_s(std::abs(change), limits);
     moves_[count_++] = {joint, change, limits, fastest_s};
     if (fastest_s <= fastest_s_) return;
     fastest_s_ = fastest_s;
     const auto index = static_cast<std::int8_t>(joint);
-    slowest_ = limit_reached(rest_law(std::abs(change), limits, fastest_s, fastest_s), limits,
+    slowest_ = reached_limit(rest_to_rest_law(std::abs(change), limits, fastest_s, fastest_s), limits,
                              {LimitKind::joint_speed, index}, {LimitKind::acceleration, index},
                              {LimitKind::jerk, index});
 }
@@ -29,18 +29,19 @@ void Followers::add(int joint, double change, const LawLimits& limits) {
 void Followers::write(Segment& segment, double duration_s) const {
     for (const Move& move : std::span(moves_.data(), count_)) {
         segment.add_follower(move.joint, std::copysign(1.0, move.change),
-                             rest_law(std::abs(move.change), move.limits, move.fastest_s, duration_s),
+                             rest_to_rest_law(std::abs(move.change), move.limits, move.fastest_s, duration_s),
                              move.limits);
     }
 }
 
-bool is_beside(const JointChanges& changes, JointRole lead, const OrientationArc* orientation, int joint) {
-    if (changes.of(joint) == 0 || changes.role(joint) == lead) return false;
+bool moves_outside_path(const JointChanges& changes, JointRole master, const OrientationArc* orientation,
+                        int joint) {
+    if (changes.of(joint) == 0 || changes.role(joint) == master) return false;
     return orientation == nullptr || !orientation->moves(joint);
 }
 
-LawLimits limits_beside(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
-                        int joint) {
+LawLimits other_joint_limits(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
+                             int joint) {
     LawLimits limits = law_limits(setup, joint);
     limits.max_speed *= rules.rapid_share;
     if (changes.role(joint) != JointRole::rotary) return limits;
@@ -58,12 +59,12 @@ LawLimits law_limits(const PlannerSetup& setup, int joint) {
             setup.controller.limit_jerk ? limits.max_jerk : kUnlimited};
 }
 
-LimitedBy limit_reached(const TimeLaw& law, const LawLimits& limits, const LimitedBy& speed_limit,
+LimitedBy reached_limit(const TimeLaw& law, const LawLimits& limits, const LimitedBy& speed_limit,
                         const LimitedBy& acceleration_limit, const LimitedBy& jerk_limit) {
-    constexpr double kReached = 1 - 1e-12;
-    if (law.peak_speed() >= limits.max_speed * kReached) return speed_limit;
+    constexpr double kReachedShare = 1 - 1e-12;
+    if (law.peak_speed() >= limits.max_speed * kReachedShare) return speed_limit;
     const double acceleration = std::min(limits.acceleration, limits.deceleration);
-    const bool jerk = std::isfinite(limits.jerk) && law.peak_acceleration() < acceleration * kReached;
+    const bool jerk = std::isfinite(limits.jerk) && law.peak_acceleration() < acceleration * kReachedShare;
     return jerk ? jerk_limit : acceleration_limit;
 }
 

@@ -14,8 +14,8 @@ class Followers {
   public:
     /// Takes all moving joints except those of the role that leads, and of `orientation` if it is not null:
     /// these move with the lead.
-    Followers(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes, JointRole lead,
-              const OrientationArc* orientation);
+    Followers(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
+              JointRole master, const OrientationArc* orientation);
 
     /// Returns the least time in which all of them can cover their paths.
     double fastest_s() const { return fastest_s_; }
@@ -45,15 +45,16 @@ LawLimits law_limits(const PlannerSetup& setup, int joint);
 
 /// Returns the same for a joint outside the tool path: the programmed speed and acceleration of orientation
 /// apply to each rotary joint by its share of the change of orientation.
-LawLimits limits_beside(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
-                        int joint);
+LawLimits other_joint_limits(const PlannerSetup& setup, const MoveRules& rules, const JointChanges& changes,
+                             int joint);
 
 /// True if a joint moves outside the tool path: it is not one of the role that leads, nor of `orientation` if
 /// that is not null, which move with the lead.
-bool is_beside(const JointChanges& changes, JointRole lead, const OrientationArc* orientation, int joint);
+bool moves_outside_path(const JointChanges& changes, JointRole master, const OrientationArc* orientation,
+                        int joint);
 
 /// Returns what keeps a motion within limits from being faster: its speed, its acceleration or its jerk.
-LimitedBy limit_reached(const TimeLaw& law, const LawLimits& limits, const LimitedBy& speed_limit,
+LimitedBy reached_limit(const TimeLaw& law, const LawLimits& limits, const LimitedBy& speed_limit,
                         const LimitedBy& acceleration_limit, const LimitedBy& jerk_limit);
 
 }  // namespace gsim::motion

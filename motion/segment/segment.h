@@ -13,11 +13,11 @@
 
 namespace gsim::motion {
 
-/// See Segment::apart.
+/// See Segment::uncoordinated.
 inline constexpr std::uint32_t kApart = std::uint32_t{1} << 31U;
 
 /// Share of the path below which a joint is at standstill, except for rounding.
-inline constexpr double kNoShare = 1e-9;
+inline constexpr double kMinShare = 1e-9;
 
 enum class SegmentKind {
 #define GSIM_SEGMENT_KIND(name, number, constant) name = (number),
@@ -55,10 +55,10 @@ struct LimitedBy {
 };
 
 /// Deviation of a controller from the programmed path.
-enum class OffWay : std::uint8_t {
+enum class PathDeviation : std::uint8_t {
     no,
     corner,  ///< Rounds a corner of two moves: nowhere farther off than where it passes it (deviation_mm).
-    yes,     ///< Other deviation: a line in place of several, more than two moves at once.
+    other,   ///< Other deviation: a line in place of several, more than two moves at once.
 };
 
 /// One finished part of a trajectory: a path and its time law. It starts and ends at the given joint values.
@@ -75,22 +75,22 @@ struct Segment {
     rrs::JointPos start;
     rrs::JointPos end;
     bool reaches_target = true;  ///< Ends at its target; else another segment leads on to it.
-    OffWay off_way = OffWay::no;
+    PathDeviation path_deviation = PathDeviation::no;
     Arc arc;                                         ///< Arc of a circular segment, in the position joints.
     std::array<int, 3> position_joints{-1, -1, -1};  ///< Joints that carry x, y, z of the arc.
-    TimeLaw lead;           ///< Along the path: of its length in mm, or of the lead joints' norm.
-    LawLimits lead_limits;  ///< Limits that the lead keeps, so far as they limit it; none in a dwell.
+    TimeLaw master;           ///< Along the path: of its length in mm, or of the lead joints' norm.
+    LawLimits master_limits;  ///< Limits that the lead keeps, so far as they limit it; none in a dwell.
     LimitedBy limited_by;
     /// Superimposed motion of the same duration, which adds its path to this one's; null in most segments
     /// (used by parabolic blends).
-    std::shared_ptr<const Segment> beside;
+    std::shared_ptr<const Segment> superimposed;
     /// Path of the joints that turn the tool, run evenly with the lead; null if they move in proportion or
     /// follow.
     std::shared_ptr<const OrientationArc> orientation;
     /// Not 0 if each joint moves by its own limits, and arrives at its own time (rapids that are not
     /// interpolated): one leads, all others that move are followers. Bit j is set if the path of joint j is
     /// part of the tool path. The value of a move without such a path is only kApart.
-    std::uint32_t apart = 0;
+    std::uint32_t uncoordinated = 0;
     /// Distance of the tool from the programmed corner that is rounded here. It is reported once for each
     /// such corner, by a segment of the move that begins there, and is 0 in all others.
     double deviation_mm = 0;
@@ -101,7 +101,7 @@ struct Segment {
     }
     void clear_followers() { followers_.clear(); }
 
-    bool joints_go_apart() const { return apart != 0; }
+    bool is_uncoordinated() const { return uncoordinated != 0; }
     /// True if the path of the joint is part of the tool path.
     bool carries_path(int joint) const;
 
@@ -125,7 +125,7 @@ struct Segment {
     Range joint_range(int joint) const;
     /// True if a quick check proves that the joint stays within `range` on the path, for any rounding of
     /// joint_range(). Arcs are checked by their circle and their chord.
-    bool surely_within(const Range& range, int joint) const;
+    bool is_certainly_within(const Range& range, int joint) const;
 
   private:
     std::vector<Follower> followers_;  // most segments have none; a slot of the queue keeps its memory
@@ -135,7 +135,7 @@ struct Segment {
 class SegmentSink {
   public:
     virtual ~SegmentSink() = default;
-    virtual void take(const Segment& segment) = 0;
+    virtual void on_segment(const Segment& segment) = 0;
 };
 
 }  // namespace gsim::motion

@@ -16,7 +16,7 @@ class SegmentQueue {
 
     bool empty() const { return count_ == 0; }
     /// Returns how many more segments fit.
-    std::size_t room() const { return slots_.size() - count_; }
+    std::size_t free_slots() const { return slots_.size() - count_; }
     const Segment& front() const { return slots_[first_]; }
     std::size_t size() const { return count_; }
     /// Returns a segment by its order, 0 at the front.
@@ -25,7 +25,7 @@ class SegmentQueue {
     /// Returns the free slot after the last segment, with its previous content; it is part of the queue after
     /// push(). The queue grows if it is full.
     Segment& next() {
-        if (room() == 0) grow();
+        if (free_slots() == 0) grow();
         const std::size_t index = first_ + count_;
         return slots_[index < slots_.size() ? index : index - slots_.size()];
     }

@@ -12,20 +12,20 @@ using rrs::Status;
 PlannerShell::PlannerShell(Planner& planner) : planner_(planner) {}
 
 Status PlannerShell::Initialize() {
-    start_over();
+    restart();
     initialized_ = true;
     return Status::RRS_SUCCESS;
 }
 
 Status PlannerShell::Reset() {
     if (!initialized_) return not_initialized();
-    start_over();
+    restart();
     return Status::RRS_SUCCESS;
 }
 
 Status PlannerShell::Terminate() {
     if (!initialized_) return not_initialized();
-    start_over();
+    restart();
     initialized_ = false;
     return Status::RRS_SUCCESS;
 }
@@ -35,8 +35,8 @@ Status PlannerShell::GetMessage(std::string& message) {
     return Status::RRS_SUCCESS;
 }
 
-void PlannerShell::start_over() {
-    planner_.start_over();
+void PlannerShell::restart() {
+    planner_.restart();
     selections_ = {};
     via_.reset();
     frames_before_.clear();
@@ -44,7 +44,7 @@ void PlannerShell::start_over() {
     if (cell_ != nullptr) static_cast<void>(select_frames());
     object_ = ObjectMotion();
     object_frame_.reset();
-    object_free_s_ = 0;
+    object_idle_s_ = 0;
     error_ = {};
 }
 
@@ -59,33 +59,34 @@ Move PlannerShell::move_to(rrs::TargetId id, rrs::MotionType type, Goal goal) co
     move.target_id = id;
     move.type = type;
     move.goal = std::move(goal);
-    move.terms = selections_.terms;
-    move.rest_s = selections_.rest_s;
-    if (type == rrs::MotionType::joint || !selections_.tip_mm) return move;
-    const bool of_frame = move.goal.pose && selections_.frame_names;
-    move.tip_mm = of_frame ? Eigen::Vector3d(move.goal.pose->tool.translation()) : *selections_.tip_mm;
+    move.move_parameters = selections_.move_parameters;
+    move.dwell_s = selections_.dwell_s;
+    if (type == rrs::MotionType::joint || !selections_.tcp_mm) return move;
+    const bool uses_frame_names = move.goal.pose && selections_.frame_names;
+    move.tcp_mm =
+        uses_frame_names ? Eigen::Vector3d(move.goal.pose->tool.translation()) : *selections_.tcp_mm;
     return move;
 }
 
-Status PlannerShell::put(const Move& move) {
-    const Put answer = planner_.put(move);
-    if (!answer) return tell(answer.error());
+Status PlannerShell::enqueue(const Move& move) {
+    const EnqueueResult result = planner_.enqueue(move);
+    if (!result) return to_status(result.error());
     // A time, a dwell and a via point belong to one target in RRS; all other selections stay.
-    selections_.terms.motion_time_s = 0;
-    selections_.rest_s = 0;
+    selections_.move_parameters.motion_time_s = 0;
+    selections_.dwell_s = 0;
     via_.reset();
-    if (!*answer) return Status::RRS_SUCCESS;
-    return tell(time_raised(**answer));
+    if (!*result) return Status::RRS_SUCCESS;
+    return to_status(time_raised(**result));
 }
 
 Status PlannerShell::SetInitialPosition(const rrs::CartPos& cartesian, const rrs::JointPos& joints,
                                         std::string_view) {
     if (!initialized_) return not_initialized();
     if (planner_.is_tracking())
-        return refuse(Status::RRS_INVALID_PARAMETER,
+        return reject(Status::RRS_INVALID_PARAMETER,
                       "The position cannot be set while a conveyor is tracked.");
-    if (Planned stands = planner_.stand_at(goal(cartesian, joints)); !stands)
-        return tell(std::move(stands.error()));
+    if (PlanResult is_stationary = planner_.set_position(goal(cartesian, joints)); !is_stationary)
+        return to_status(std::move(is_stationary.error()));
     via_.reset();
     return Status::RRS_SUCCESS;
 }
@@ -93,16 +94,17 @@ Status PlannerShell::SetInitialPosition(const rrs::CartPos& cartesian, const rrs
 Status PlannerShell::SetNextTarget(rrs::TargetId id, rrs::TargetParam param, const rrs::CartPos& cartesian,
                                    const rrs::JointPos& joints, std::string_view, double param_value) {
     if (!initialized_) return not_initialized();
-    if (Planned ready = planner_.ready_for_move(); !ready) return tell(std::move(ready.error()));
+    if (PlanResult ready = planner_.check_ready_for_move(); !ready)
+        return to_status(std::move(ready.error()));
     if (!std::isfinite(param_value))
-        return refuse(Status::RRS_INVALID_PARAMETER, "The target's parameter is not finite.");
-    if (param == rrs::TargetParam::via) return keep_via(goal(cartesian, joints));
+        return reject(Status::RRS_INVALID_PARAMETER, "The target's parameter is not finite.");
+    if (param == rrs::TargetParam::via) return store_via(goal(cartesian, joints));
     if (param != rrs::TargetParam::end) {
-        return refuse(Status::RRS_INVALID_PARAMETER, "A target is the end of a motion or a via point.");
+        return reject(Status::RRS_INVALID_PARAMETER, "A target is the end of a motion or a via point.");
     }
     Move move = move_to(id, selections_.motion_type, goal(cartesian, joints));
     if (move.type == rrs::MotionType::circular && via_) move.via = Goal{*via_, std::nullopt};
-    return put(move);
+    return enqueue(move);
 }
 
 Status PlannerShell::SetNextNamedTarget(rrs::TargetId id, rrs::TargetParam param,
@@ -125,39 +127,39 @@ Status PlannerShell::SetNextArcTarget(rrs::TargetId id, const Eigen::Vector3d& c
         move.circle->center_mm = selections_.frames.object * center_mm;
         move.circle->axis = selections_.frames.object.linear() * axis;
     }
-    return put(move);
+    return enqueue(move);
 }
 
-Status PlannerShell::keep_via(const Goal& goal) {
+Status PlannerShell::store_via(const Goal& goal) {
     if (selections_.motion_type != rrs::MotionType::circular) {
-        return refuse(Status::RRS_INVALID_PARAMETER,
+        return reject(Status::RRS_INVALID_PARAMETER,
                       "A via point belongs to circular motion; select that motion type first.");
     }
     // The via point is solved now, because the end of the path so far decides which of several solutions is
     // meant.
     rrs::JointPos via;
-    if (Planned solved = planner_.solve(goal, via); !solved) return tell(std::move(solved.error()));
+    if (PlanResult solved = planner_.solve(goal, via); !solved) return to_status(std::move(solved.error()));
     via_ = via;
     return Status::RRS_SUCCESS;
 }
 
-Status PlannerShell::SetNextRest(rrs::TargetId id, double rest_s) {
+Status PlannerShell::SetNextRest(rrs::TargetId id, double dwell_s) {
     if (!initialized_) return not_initialized();
-    return tell(planner_.put_rest(id, rest_s));
+    return to_status(planner_.enqueue_dwell(id, dwell_s));
 }
 
 Status PlannerShell::ComeToRest(rrs::RestReason reason) {
     if (!initialized_) return not_initialized();
     const int number = static_cast<int>(reason);
     if (number < 0 || number > 2) {
-        return refuse(
+        return reject(
             Status::RRS_INVALID_PARAMETER,
             fmt::format("There is no reason {} to come to rest; 0 is a query, 1 a wait, 2 the end.", number));
     }
     if (reason == rrs::RestReason::end) {
-        planner_.come_to_last_rest();
+        planner_.plan_to_final_standstill();
     } else {
-        planner_.come_to_rest(reason == rrs::RestReason::wait);
+        planner_.plan_to_standstill(reason == rrs::RestReason::wait);
     }
     return Status::RRS_SUCCESS;
 }
@@ -165,16 +167,16 @@ Status PlannerShell::ComeToRest(rrs::RestReason reason) {
 Status PlannerShell::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, double& elapsed_s) {
     if (!initialized_) return not_initialized();
     if (!planner_.has_position())
-        return refuse(Status::RRS_NO_INITIAL_POSITION, "There is no position to step from yet.");
+        return reject(Status::RRS_NO_INITIAL_POSITION, "There is no position to step from yet.");
     const double from_s = planner_.step_time_s();
     const Planner::Step step = planner_.step(selections_.interpolation_s);
     joints = step.joints;
-    pose = frames_of_step(from_s).target_of(planner_.setup().kinematics->forward(joints));
+    pose = frames_of_step(from_s).to_target(planner_.setup().kinematics->forward(joints));
     elapsed_s = step.elapsed_s;
     switch (step.end) {
-        case Planner::Step::End::under_way: return Status::RRS_SUCCESS;
-        case Planner::Step::End::target_reached: return Status::RRS_TARGET_REACHED;
-        case Planner::Step::End::at_end: break;
+        case Planner::Step::StepEnd::in_motion: return Status::RRS_SUCCESS;
+        case Planner::Step::StepEnd::target_reached: return Status::RRS_TARGET_REACHED;
+        case Planner::Step::StepEnd::at_end: break;
     }
     return Status::RRS_NEED_MORE_DATA;
 }
@@ -191,25 +193,25 @@ Status PlannerShell::GetCurrentTargetId(rrs::TargetId& id) {
     return Status::RRS_SUCCESS;
 }
 
-Status PlannerShell::tell(PlanError error) {
+Status PlannerShell::to_status(PlanError error) {
     error_ = std::move(error);
     return error_.status;
 }
 
-Status PlannerShell::tell(Planned planned) {
-    return planned ? Status::RRS_SUCCESS : tell(std::move(planned.error()));
+Status PlannerShell::to_status(PlanResult planned) {
+    return planned ? Status::RRS_SUCCESS : to_status(std::move(planned.error()));
 }
 
-Status PlannerShell::refuse(Status status, std::string message) {
-    return tell(PlanError{.status = status, .message = std::move(message)});
+Status PlannerShell::reject(Status status, std::string message) {
+    return to_status(PlanError{.status = status, .message = std::move(message)});
 }
 
 Status PlannerShell::not_initialized() {
-    return refuse(Status::RRS_NOT_INITIALIZED, "The planner is not initialized; call Initialize first.");
+    return reject(Status::RRS_NOT_INITIALIZED, "The planner is not initialized; call Initialize first.");
 }
 
 Status PlannerShell::not_supported(std::string_view service) {
-    return refuse(Status::RRS_SERVICE_NOT_SUPPORTED,
+    return reject(Status::RRS_SERVICE_NOT_SUPPORTED,
                   fmt::format("The default planner does not offer the service {}.", service));
 }
 

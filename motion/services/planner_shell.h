@@ -37,12 +37,14 @@ class PlannerShell : public rrs::Shell {
     /// Sets the cell of the robot. It must outlive the planner; the run's time is on the planner's clock.
     void set_cell(CellFrames& cell) { cell_ = &cell; }
     /// Sets the operator's overrides that the targets that follow obey; no service sets this.
-    void set_obeyed(const ObeyedOverrides& obeyed) { selections_.terms.obeyed = obeyed; }
+    void set_obeyed_overrides(const EnabledOverrides& enabled_overrides) {
+        selections_.move_parameters.enabled_overrides = enabled_overrides;
+    }
     const Selections& selections() const { return selections_; }
     /// Returns the last result other than plain success, with its values; GetMessage returns its message.
     const PlanError& last_error() const { return error_; }
 
-#define GSIM_RCS_SERVICE(method, opcode, number, rrs_number, input, answers, parameters, arguments) \
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs_number, input, statuses, parameters, arguments) \
     rrs::Status method parameters override;
 #include "controller/module/rcs_services.def"
 
@@ -50,16 +52,16 @@ class PlannerShell : public rrs::Shell {
     rrs::Status not_supported(std::string_view service) override;
 
   private:
-    rrs::Status tell(PlanError error);
-    rrs::Status tell(Planned planned);
-    rrs::Status refuse(rrs::Status status, std::string message);
+    rrs::Status to_status(PlanError error);
+    rrs::Status to_status(PlanResult planned);
+    rrs::Status reject(rrs::Status status, std::string message);
     rrs::Status not_initialized();
-    rrs::Status set_positive(double& value, double wanted, std::string_view what);
+    rrs::Status set_positive(double& value, double requested, std::string_view what);
     rrs::Status set_percent(double& factor, double percent, std::string_view what);
     rrs::Status set_joint_values(rrs::JointPos& values, std::span<const int> joints,
-                                 std::span<const double> wanted, std::string_view what);
-    rrs::Status set_joint_terms(rrs::JointPos JointTerms::*values, std::span<const int> joints,
-                                std::span<const double> wanted, std::string_view what);
+                                 std::span<const double> requested, std::string_view what);
+    rrs::Status set_joint_parameters(rrs::JointPos JointParameters::*values, std::span<const int> joints,
+                                     std::span<const double> requested, std::string_view what);
     ProgrammedRamps ramps() const;
     void set_ramps(const ProgrammedRamps& ramps);
     rrs::Status check_criterion(int criterion);
@@ -69,16 +71,16 @@ class PlannerShell : public rrs::Shell {
     void set_corner_rule(rrs::CornerRule rule);
     rrs::Status define_event(int event_id, rrs::TargetId target, EventOffset offset);
 
-    void start_over();
+    void restart();
     Goal goal(const rrs::CartPos& cartesian, const rrs::JointPos& joints) const;
     Move move_to(rrs::TargetId id, rrs::MotionType type, Goal goal) const;
-    rrs::Status put(const Move& move);
-    rrs::Status keep_via(const Goal& goal);
+    rrs::Status enqueue(const Move& move);
+    rrs::Status store_via(const Goal& goal);
 
-    void keep_frames();
-    Planned select_frames();
+    void store_frames();
+    PlanResult select_frames();
     const WorkFrames& frames_of_step(double from_s);
-    void lead_object(const rrs::CartPos& pose, double duration_s);
+    void move_object(const rrs::CartPos& pose, double duration_s);
 
     Planner& planner_;
     Selections selections_;
@@ -93,7 +95,7 @@ class PlannerShell : public rrs::Shell {
     double machine_moved_s_ = 0;  ///< When one of MachineFrames was changed last.
     ObjectMotion object_;
     std::optional<std::string> object_frame_;  ///< Cell frame that is the object.
-    double object_free_s_ = 0;                 ///< When it is at its last target.
+    double object_idle_s_ = 0;                 ///< When it is at its last target.
     PlanError error_;
     bool initialized_ = false;
 };

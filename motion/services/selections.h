@@ -19,9 +19,9 @@ struct FrameNames {
 struct Selections {
     rrs::TargetType target_type = rrs::TargetType::joint;
     rrs::MotionType motion_type = rrs::MotionType::joint;
-    MoveTerms terms;                        ///< motion_time_s for the next target alone.
-    double rest_s = 0;                      ///< Dwell after only the next target.
-    std::optional<Eigen::Vector3d> tip_mm;  ///< Under tool-centre-point control, in the tool's frame.
+    MoveParameters move_parameters;         ///< motion_time_s for the next target alone.
+    double dwell_s = 0;                     ///< Dwell after only the next target.
+    std::optional<Eigen::Vector3d> tcp_mm;  ///< Under tool-centre-point control, in the tool's frame.
     /// Frames of Cartesian targets: those of these names, else the TCP and the work frame.
     WorkFrames frames;
     std::optional<FrameNames> frame_names;

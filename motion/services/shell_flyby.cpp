@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "motion/path/lead_path.h"
+#include "motion/path/master_path.h"
 #include "motion/path/orientation_path.h"
 #include "motion/services/planner_shell.h"
 
@@ -14,9 +14,9 @@ using rrs::Status;
 namespace {
 
 enum Criterion { kVelocityStep = 1, kJunctionDeviation = 2, kBlendTolerance = 3 };
-enum Accuracy { kNoWait = 0, kSettling = 1 };
+enum Accuracy { kNoSettling = 0, kSettling = 1 };
 
-rrs::CornerRule rule_of(int criterion) {
+rrs::CornerRule corner_rule(int criterion) {
     return criterion == kVelocityStep ? rrs::CornerRule::velocity_step : rrs::CornerRule::junction_deviation;
 }
 
@@ -25,16 +25,17 @@ rrs::CornerRule rule_of(int criterion) {
 /// Changes a rule of the machine for the targets that follow.
 template <typename Change>
 void PlannerShell::change_machine(const Change& change) {
-    PlannerSetup changed = selections_.terms.machine ? *selections_.terms.machine : planner_.machine();
+    PlannerSetup changed =
+        selections_.move_parameters.machine ? *selections_.move_parameters.machine : planner_.machine();
     change(changed);
-    selections_.terms.machine = std::make_shared<const PlannerSetup>(std::move(changed));
-    planner_.use(selections_.terms);
+    selections_.move_parameters.machine = std::make_shared<const PlannerSetup>(std::move(changed));
+    planner_.use(selections_.move_parameters);
 }
 
 Status PlannerShell::check_criterion(int criterion) {
     if (!initialized_) return not_initialized();
     if (criterion < kVelocityStep || criterion > kBlendTolerance) {
-        return refuse(
+        return reject(
             Status::RRS_INVALID_PARAMETER,
             fmt::format("There is no fly-by criterion {}; 1 is the step of the joints' speeds, 2 the "
                         "junction deviation, 3 the tolerance of corners.",
@@ -44,7 +45,7 @@ Status PlannerShell::check_criterion(int criterion) {
     const bool blends = controller.planner == PlannerKind::linuxcnc || is_blend(controller.corner);
     const bool has = criterion == kBlendTolerance ? blends : controller.planner == PlannerKind::look_ahead;
     if (has) return Status::RRS_SUCCESS;
-    return refuse(Status::RRS_MODE_NOT_SUPPORTED,
+    return reject(Status::RRS_MODE_NOT_SUPPORTED,
                   fmt::format("This controller does not pass corners by the criterion {}.", criterion));
 }
 
@@ -52,30 +53,31 @@ Status PlannerShell::SelectFlybyCriteria(int criterion) {
     if (const Status status = check_criterion(criterion); status != Status::RRS_SUCCESS) return status;
     selections_.flyby_criterion = criterion;
     if (criterion == kBlendTolerance) {
-        selections_.terms.tolerance_mm = selections_.blend_tolerance_mm;
+        selections_.move_parameters.tolerance_mm = selections_.blend_tolerance_mm;
     }
-    set_corner_rule(criterion == kBlendTolerance ? planner_.machine().controller.corner : rule_of(criterion));
+    set_corner_rule(criterion == kBlendTolerance ? planner_.machine().controller.corner
+                                                 : corner_rule(criterion));
     return Status::RRS_SUCCESS;
 }
 
 Status PlannerShell::SetFlybyCriteriaParameter(int criterion, int joint, double value) {
     if (const Status status = check_criterion(criterion); status != Status::RRS_SUCCESS) return status;
-    const bool of_joint = criterion == kVelocityStep;
-    if (joint < -1 || joint >= (of_joint ? planner_.setup().joint_count() : 0)) {
-        return refuse(Status::RRS_INVALID_PARAMETER,
+    const bool is_joint_parameter = criterion == kVelocityStep;
+    if (joint < -1 || joint >= (is_joint_parameter ? planner_.setup().joint_count() : 0)) {
+        return reject(Status::RRS_INVALID_PARAMETER,
                       fmt::format("The fly-by criterion {} has no value for joint {}.", criterion, joint));
     }
-    if (!(value >= 0 && value < kUnlimited) || (of_joint && value == 0)) {
-        return refuse(Status::RRS_INVALID_PARAMETER,
+    if (!(value >= 0 && value < kUnlimited) || (is_joint_parameter && value == 0)) {
+        return reject(Status::RRS_INVALID_PARAMETER,
                       fmt::format("{} is no value for the fly-by criterion {}.", value, criterion));
     }
     if (criterion == kJunctionDeviation)
         change_machine([&](PlannerSetup& setup) { setup.controller.junction_deviation_mm = value; });
     if (criterion == kBlendTolerance) {
         selections_.blend_tolerance_mm = value;
-        if (selections_.flyby_criterion == criterion) selections_.terms.tolerance_mm = value;
+        if (selections_.flyby_criterion == criterion) selections_.move_parameters.tolerance_mm = value;
     }
-    if (!of_joint) return Status::RRS_SUCCESS;
+    if (!is_joint_parameter) return Status::RRS_SUCCESS;
     change_machine([&](PlannerSetup& setup) {
         for (int i = 0; i < setup.joint_count(); ++i) {
             if (joint == -1 || joint == i) setup.joints[static_cast<std::size_t>(i)].max_speed_step = value;
@@ -91,26 +93,26 @@ void PlannerShell::set_corner_rule(rrs::CornerRule rule) {
 Status PlannerShell::CancelFlybyCriteria(int criterion) {
     if (const Status status = check_criterion(criterion); status != Status::RRS_SUCCESS) return status;
     if (selections_.flyby_criterion != criterion) {
-        return refuse(Status::RRS_INVALID_PARAMETER,
+        return reject(Status::RRS_INVALID_PARAMETER,
                       fmt::format("The fly-by criterion {} is not in force.", criterion));
     }
     selections_.flyby_criterion = 0;
-    if (criterion == kBlendTolerance) selections_.terms.tolerance_mm = 0;
+    if (criterion == kBlendTolerance) selections_.move_parameters.tolerance_mm = 0;
     set_corner_rule(planner_.machine().controller.corner);
     return Status::RRS_SUCCESS;
 }
 
 Status PlannerShell::check_accuracy(int accuracy_type) {
     if (!initialized_) return not_initialized();
-    if (accuracy_type != kNoWait && accuracy_type != kSettling) {
-        return refuse(Status::RRS_INVALID_PARAMETER,
+    if (accuracy_type != kNoSettling && accuracy_type != kSettling) {
+        return reject(Status::RRS_INVALID_PARAMETER,
                       fmt::format("There is no point accuracy {}; 0 is an exact stop, 1 one that waits until "
                                   "the axes are in position.",
                                   accuracy_type));
     }
-    if (accuracy_type == kNoWait || planner_.setup().controller.planner == PlannerKind::look_ahead)
+    if (accuracy_type == kNoSettling || planner_.setup().controller.planner == PlannerKind::look_ahead)
         return Status::RRS_SUCCESS;
-    return refuse(Status::RRS_MODE_NOT_SUPPORTED,
+    return reject(Status::RRS_MODE_NOT_SUPPORTED,
                   "This controller does not wait at exact stops; a dwell does (SetRestParameter).");
 }
 
@@ -118,21 +120,21 @@ Status PlannerShell::SelectPointAccuracy(int accuracy_type) {
     if (const Status status = check_accuracy(accuracy_type); status != Status::RRS_SUCCESS) return status;
     selections_.settles = accuracy_type == kSettling;
     const bool waits = accuracy_type == kSettling;
-    const rrs::ControllerRules& own = planner_.machine().controller;
+    const rrs::ControllerRules& rules = planner_.machine().controller;
     change_machine([&](PlannerSetup& setup) {
-        setup.controller.settle_s = waits ? selections_.settle_s.value_or(own.settle_s) : 0;
-        setup.controller.in_position_mm = waits ? own.in_position_mm : kUnlimited;
-        setup.controller.in_position_deg = waits ? own.in_position_deg : kUnlimited;
+        setup.controller.settle_s = waits ? selections_.settle_s.value_or(rules.settle_s) : 0;
+        setup.controller.in_position_mm = waits ? rules.in_position_mm : kUnlimited;
+        setup.controller.in_position_deg = waits ? rules.in_position_deg : kUnlimited;
     });
     return Status::RRS_SUCCESS;
 }
 
 Status PlannerShell::SetPointAccuracyParameter(int accuracy_type, double value) {
     if (const Status status = check_accuracy(accuracy_type); status != Status::RRS_SUCCESS) return status;
-    if (accuracy_type != kSettling || !(value >= 0 && value <= kLongest_s)) {
-        return refuse(Status::RRS_INVALID_PARAMETER,
+    if (accuracy_type != kSettling || !(value >= 0 && value <= kMaxDuration_s)) {
+        return reject(Status::RRS_INVALID_PARAMETER,
                       fmt::format("{} is no value for the point accuracy {}; 1 has a time from 0 to {} s.",
-                                  value, accuracy_type, kLongest_s));
+                                  value, accuracy_type, kMaxDuration_s));
     }
     selections_.settle_s = value;
     if (selections_.settles) change_machine([&](PlannerSetup& setup) { setup.controller.settle_s = value; });
@@ -142,14 +144,14 @@ Status PlannerShell::SetPointAccuracyParameter(int accuracy_type, double value) 
 Status PlannerShell::SelectOrientationInterpolationMode(int mode) {
     if (!initialized_) return not_initialized();
     if (mode != 0 && mode != 1) {
-        return refuse(Status::RRS_INVALID_PARAMETER,
+        return reject(Status::RRS_INVALID_PARAMETER,
                       fmt::format("There is no mode {} of orientation; 0 is by the joint angles, 1 along the "
                                   "great circle.",
                                   mode));
     }
     if (mode == 1) {
-        if (auto obstacle = no_great_circles(planner_.setup()))
-            return refuse(Status::RRS_MODE_NOT_SUPPORTED, *std::move(obstacle));
+        if (auto obstacle = find_great_circle_error(planner_.setup()))
+            return reject(Status::RRS_MODE_NOT_SUPPORTED, *std::move(obstacle));
     }
     change_machine([&](PlannerSetup& setup) {
         setup.controller.orientation =

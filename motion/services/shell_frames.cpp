@@ -17,7 +17,7 @@ Status PlannerShell::GetCellFrame(std::string_view frame_name, rrs::CartPos& fra
     if (cell_ == nullptr) return Shell::GetCellFrame(frame_name, frame);
     if (!initialized_) return not_initialized();
     auto found = cell_->frame(frame_name, planner_.time_s());
-    if (!found) return tell(std::move(found.error()));
+    if (!found) return to_status(std::move(found.error()));
     frame = *found;
     return Status::RRS_SUCCESS;
 }
@@ -26,24 +26,24 @@ Status PlannerShell::GetCellFrame(std::string_view frame_name, rrs::CartPos& fra
 Status PlannerShell::ModifyCellFrame(std::string_view frame_name, const rrs::CartPos& frame) {
     if (cell_ == nullptr) return Shell::ModifyCellFrame(frame_name, frame);
     if (!initialized_) return not_initialized();
-    const bool of_machine = MachineFrames::has(frame_name);
-    if (of_machine && (planner_.is_tracking() || planner_.is_stopped())) {
-        return refuse(
+    const bool is_machine_frame = MachineFrames::has(frame_name);
+    if (is_machine_frame && (planner_.is_tracking() || planner_.is_stopped())) {
+        return reject(
             Status::RRS_INVALID_PARAMETER,
             fmt::format("The frame '{}' is the machine's, which cannot change while {}.", frame_name,
                         planner_.is_tracking() ? "a conveyor is tracked" : "a motion is stopped"));
     }
-    planner_.come_to_rest(true);
-    if (Planned moved = cell_->move_frame(frame_name, frame, planner_.time_s()); !moved)
-        return tell(std::move(moved.error()));
-    keep_frames();
-    if (of_machine) machine_moved_s_ = planner_.time_s();
-    if (Planned selected = select_frames(); !selected) return tell(std::move(selected.error()));
+    planner_.plan_to_standstill(true);
+    if (PlanResult moved = cell_->move_frame(frame_name, frame, planner_.time_s()); !moved)
+        return to_status(std::move(moved.error()));
+    store_frames();
+    if (is_machine_frame) machine_moved_s_ = planner_.time_s();
+    if (PlanResult selected = select_frames(); !selected) return to_status(std::move(selected.error()));
     return Status::RRS_SUCCESS;
 }
 
 /// Keeps the frames of motion that waits in the queue: its steps are reported as they were planned.
-void PlannerShell::keep_frames() {
+void PlannerShell::store_frames() {
     while (!frames_before_.empty() && frames_before_.front().until_s <= planner_.step_time_s())
         frames_before_.pop_front();
     const bool kept = !frames_before_.empty() && frames_before_.back().until_s >= planner_.time_s();
@@ -52,7 +52,7 @@ void PlannerShell::keep_frames() {
 }
 
 /// Selects the frames again, with their current values.
-Planned PlannerShell::select_frames() {
+PlanResult PlannerShell::select_frames() {
     const auto& names = selections_.frame_names;
     auto frames =
         names ? cell_->work_frames(names->tool, names->object) : cell_->work_frames(kToolFrame, "work");
@@ -75,9 +75,9 @@ Status PlannerShell::SelectWorkFrames(std::string_view tool_frame, std::string_v
     if (!initialized_) return not_initialized();
     auto before = std::exchange(selections_.frame_names,
                                 FrameNames{std::string(tool_frame), std::string(object_frame)});
-    if (Planned selected = select_frames(); !selected) {
+    if (PlanResult selected = select_frames(); !selected) {
         selections_.frame_names = std::move(before);
-        return tell(std::move(selected.error()));
+        return to_status(std::move(selected.error()));
     }
     return Status::RRS_SUCCESS;
 }
@@ -85,33 +85,34 @@ Status PlannerShell::SelectWorkFrames(std::string_view tool_frame, std::string_v
 Status PlannerShell::SelectObject(std::string_view frame_name) {
     if (cell_ == nullptr) return Shell::SelectObject(frame_name);
     if (!initialized_) return not_initialized();
-    planner_.come_to_rest(true);
-    if (Planned carried = cell_->carry_frame(frame_name); !carried) return tell(std::move(carried.error()));
+    planner_.plan_to_standstill(true);
+    if (PlanResult enabled = cell_->enable_frame_motion(frame_name); !enabled)
+        return to_status(std::move(enabled.error()));
     object_frame_ = frame_name;
-    object_free_s_ = planner_.time_s();
-    object_.stand_at(cell_->frame(frame_name, planner_.time_s()).value());
+    object_idle_s_ = planner_.time_s();
+    object_.set_position(cell_->frame(frame_name, planner_.time_s()).value());
     return Status::RRS_SUCCESS;
 }
 
 /// The object begins at the program's current time, or after its targets so far.
-void PlannerShell::lead_object(const rrs::CartPos& pose, double duration_s) {
+void PlannerShell::move_object(const rrs::CartPos& pose, double duration_s) {
     if (!object_frame_) return;
-    planner_.come_to_rest(true);
-    const double from_s = std::max(planner_.time_s(), object_free_s_);
-    object_free_s_ = from_s + duration_s;
-    cell_->lead_frame(*object_frame_, pose, from_s, object_free_s_);
+    planner_.plan_to_standstill(true);
+    const double from_s = std::max(planner_.time_s(), object_idle_s_);
+    object_idle_s_ = from_s + duration_s;
+    cell_->interpolate_frame(*object_frame_, pose, from_s, object_idle_s_);
 }
 
 Status PlannerShell::SetObjectInitialPosition(const rrs::CartPos& pose) {
     if (!initialized_) return not_initialized();
     if (auto checked = kinematics::check_pose(pose); !checked)
-        return refuse(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
+        return reject(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
     if (object_frame_) {
         const Status moved = ModifyCellFrame(*object_frame_, pose);
         if (moved != Status::RRS_SUCCESS) return moved;
-        object_free_s_ = planner_.time_s();
+        object_idle_s_ = planner_.time_s();
     }
-    object_.stand_at(pose);
+    object_.set_position(pose);
     return Status::RRS_SUCCESS;
 }
 
@@ -121,7 +122,7 @@ Status PlannerShell::SetObjectSpeed(double speed_mm_s) {
     const Status status = set_positive(speed, speed_mm_s, "the object's speed");
     if (status != Status::RRS_SUCCESS) return status;
     if (!std::isfinite(speed))
-        return refuse(Status::RRS_INVALID_PARAMETER, "The object's speed is not finite.");
+        return reject(Status::RRS_INVALID_PARAMETER, "The object's speed is not finite.");
     object_.set_speed(speed);
     return Status::RRS_SUCCESS;
 }
@@ -129,10 +130,10 @@ Status PlannerShell::SetObjectSpeed(double speed_mm_s) {
 Status PlannerShell::SetObjectNextTarget(rrs::TargetId, const rrs::CartPos& pose) {
     if (!initialized_) return not_initialized();
     if (auto checked = kinematics::check_pose(pose); !checked)
-        return refuse(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
+        return reject(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
     auto duration_s = object_.add_target(pose);
-    if (!duration_s) return tell(std::move(duration_s.error()));
-    lead_object(pose, *duration_s);
+    if (!duration_s) return to_status(std::move(duration_s.error()));
+    move_object(pose, *duration_s);
     return Status::RRS_SUCCESS;
 }
 

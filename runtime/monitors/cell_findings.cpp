@@ -7,11 +7,11 @@ namespace gsim::simulation {
 
 namespace {
 
-constexpr std::size_t kMostListed = 100'000;
+constexpr std::size_t kMaxListed = 100'000;
 
 template <typename Entry>
-bool list_in(std::vector<Entry>& entries, Entry entry, std::uint64_t& dropped) {
-    if (entries.size() >= kMostListed) {
+bool append_entry(std::vector<Entry>& entries, Entry entry, std::uint64_t& dropped) {
+    if (entries.size() >= kMaxListed) {
         ++dropped;
         return false;
     }
@@ -22,11 +22,11 @@ bool list_in(std::vector<Entry>& entries, Entry entry, std::uint64_t& dropped) {
 }  // namespace
 
 bool list(CellFindings& findings, Collision collision) {
-    return list_in(findings.collisions, std::move(collision), findings.dropped);
+    return append_entry(findings.collisions, std::move(collision), findings.dropped);
 }
 
 bool list(CellFindings& findings, BlockClearance clearance) {
-    return list_in(findings.clearances, std::move(clearance), findings.dropped);
+    return append_entry(findings.clearances, std::move(clearance), findings.dropped);
 }
 
 void sort_by_time(CellFindings& findings) {

@@ -14,7 +14,7 @@ bool list(CellFindings& findings, BlockClearance clearance);
 /// Sorts stably: entries of one instant stay in their order.
 void sort_by_time(CellFindings& findings);
 
-inline std::array<double, 3> array_of(const Eigen::Vector3d& point) {
+inline std::array<double, 3> to_array(const Eigen::Vector3d& point) {
     return {point.x(), point.y(), point.z()};
 }
 

@@ -7,9 +7,9 @@
 
 #include "motion/dynamics/servo_motion.h"
 #include "runtime/monitors/following_setup.h"
-#include "runtime/monitors/part_tip.h"
-#include "runtime/monitors/program_way.h"
-#include "runtime/monitors/set_point_way.h"
+#include "runtime/monitors/programmed_path.h"
+#include "runtime/monitors/set_point_path.h"
+#include "runtime/monitors/workpiece_tcp.h"
 #include "runtime/simulator/move.h"
 
 namespace gsim::simulation {
@@ -25,58 +25,58 @@ std::vector<dynamics::ServoLoop> servo_loops(const machine::Machine& machine);
 struct FollowingInstant {
     double t_s = 0;
     rrs::JointPos errors;    ///< Set point minus position, mm or rad.
-    Eigen::Vector3d tip_mm;  ///< Real TCP on the part.
+    Eigen::Vector3d tcp_mm;  ///< Real TCP on the part.
     /// Distance of that from the path of its set points; nullopt from a tool change, which turns about the
     /// part, until the axes are in their bands.
-    std::optional<double> contour_mm;
+    std::optional<double> contour_error_mm;
     /// The same from the programmed path, if that is known. It may be unknown while something else moves the
     /// axes at the same time (a belt, an axis group). This lasts until they are in their bands after that.
-    std::optional<double> program_mm;
+    std::optional<double> program_deviation_mm;
 };
 
 /// Tracker of the axes and the TCP of a machine along its segments.
 class FollowingMotion {
   public:
     /// Callback with the start and the end of each step.
-    using Look = std::function<void(double from_s, double to_s)>;
+    using StepHandler = std::function<void(double from_s, double to_s)>;
 
     explicit FollowingMotion(const FollowingSetup& setup, double step_s = dynamics::ServoMotion::kStep_s);
 
     /// Adds, before all else, the distance of the TCP from this path to each instant. The path outlives this.
-    void follow_program(ProgramWay& program) { program_ = &program; }
+    void set_programmed_path(ProgrammedPath& program) { program_ = &program; }
     void begin(const rrs::JointPos& start);
     /// As in ServoMotion.
-    void enter(const motion::Segment& segment, const MoveInfo& info, const Look& look = {});
-    void go_to(double t_s, const Look& look = {});
-    void leave(const Look& look = {});
+    void enter(const motion::Segment& segment, const MoveInfo& info, const StepHandler& on_step = {});
+    void go_to(double t_s, const StepHandler& on_step = {});
+    void leave(const StepHandler& on_step = {});
     double now_s() const { return servos_.now_s(); }
 
     /// Returns the state at an instant of the last three steps.
     FollowingInstant at(double t_s);
     rrs::JointPos errors(double t_s) const;
     /// Ignores the TCP.
-    bool in_bands(const rrs::JointPos& errors) const;
+    bool is_in_position(const rrs::JointPos& errors) const;
     /// Returns the time after which a remainder of an error is below 1e-8 of it.
-    double longest_s() const { return memory_s_; }
+    double longest_s() const { return settling_time_s_; }
 
   private:
-    void take(const dynamics::SetPointStep& step, const Look& look);
-    void enter_program(const motion::Segment& segment);
+    void on_set_point_step(const dynamics::SetPointStep& step, const StepHandler& on_step);
+    void enter_programmed_path(const motion::Segment& segment);
     std::optional<double> program_distance_mm(const FollowingInstant& instant);
-    void change_tip(std::uint16_t tip);
-    SetPointWay::End end_of(const motion::JointState& state, double duration_s) const;
+    void change_tcp(std::uint16_t tcp);
+    SetPointPath::EndPoint end_state(const motion::JointState& state, double duration_s) const;
 
     FollowingSetup setup_;
     dynamics::ServoMotion servos_;
-    PartTip tip_;
-    std::uint16_t tip_number_ = 0;
-    double memory_s_ = 0;
-    SetPointWay way_;
-    ProgramWay* program_ = nullptr;
+    WorkpieceTcp tcp_;
+    std::uint16_t tcp_index_ = 0;
+    double settling_time_s_ = 0;
+    SetPointPath set_point_path_;
+    ProgrammedPath* program_ = nullptr;
     bool program_settling_ = false;
-    bool turning_ = false;      // the TCP, in this segment
-    bool lines_begun_ = false;  // the last part of the path is a line of this segment
-    bool settling_ = false;     // after a change of the TCP
+    bool tcp_rotates_ = false;   // the TCP, in this segment
+    bool extends_line_ = false;  // the last part of the path is a line of this segment
+    bool settling_ = false;      // after a change of the TCP
 };
 
 }  // namespace gsim::simulation

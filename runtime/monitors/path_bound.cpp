@@ -16,7 +16,7 @@ using rrs::JointPos;
 
 namespace {
 
-constexpr double kNoChange = 1e-9;  // mm or rad: rounding of frames, which planners pass over
+constexpr double kChangeTolerance = 1e-9;  // mm or rad: rounding of frames, which planners pass over
 constexpr double kLimitRounding = 1 + 1e-9;
 
 motion::JointLimits limits_of(const machine::Machine& machine) {
@@ -34,10 +34,10 @@ motion::JointLimits limits_of(const machine::Machine& machine) {
 }
 
 /// Returns the travel of each joint that moves in proportion to the path.
-JointPos changes_of(const Segment& segment) {
+JointPos joint_changes(const Segment& segment) {
     JointPos changes = segment.end - segment.start;
     for (double& change : changes) {
-        if (std::abs(change) <= kNoChange) change = 0;
+        if (std::abs(change) <= kChangeTolerance) change = 0;
     }
     for (const motion::Follower& follower : segment.followers()) changes[follower.joint] = 0;
     if (segment.orientation)  // leaving joints out keeps the bound a bound
@@ -59,10 +59,10 @@ void lower(double& cap, double other) {
     cap = std::min(cap, other);
 }
 
-void lower_by_joints(const motion::JointLimits& limits, const JointPos& q1, PathCaps& caps) {
+void apply_joint_limits(const motion::JointLimits& limits, const JointPos& q1, PathCaps& caps) {
     for (Eigen::Index joint = 0; joint < q1.size(); ++joint) {
         const double share = std::abs(q1[joint]);
-        if (share < motion::kNoShare) continue;
+        if (share < motion::kMinShare) continue;
         lower(caps.max_speed, limits.max_speed[joint] / share);
         lower(caps.max_acceleration, limits.max_acceleration[joint] / share);
         lower(caps.max_deceleration, limits.max_acceleration[joint] / share);
@@ -70,12 +70,12 @@ void lower_by_joints(const motion::JointLimits& limits, const JointPos& q1, Path
 }
 
 /// Uses a fact of all points of any curve: the tangent has length 1, so the joints together are no slower.
-void lower_by_norms(const motion::JointLimits& limits, const Segment& segment, PathCaps& caps) {
+void apply_norm_limits(const motion::JointLimits& limits, const Segment& segment, PathCaps& caps) {
     double speed2 = 0;
     double acceleration2 = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int joint = segment.position_joints[axis];
-        if (joint < 0 || segment.arc.max_share(static_cast<int>(axis)) < motion::kNoShare) continue;
+        if (joint < 0 || segment.arc.max_share(static_cast<int>(axis)) < motion::kMinShare) continue;
         speed2 += limits.max_speed[joint] * limits.max_speed[joint];
         acceleration2 += limits.max_acceleration[joint] * limits.max_acceleration[joint];
     }
@@ -85,7 +85,7 @@ void lower_by_norms(const motion::JointLimits& limits, const Segment& segment, P
 }
 
 /// Returns caps that the motion keeps: an override can raise the feed, and some controllers exceed limits.
-PathCaps raised_to(const PathCaps& caps, const motion::TimeLaw& law, double length) {
+PathCaps raise_caps(const PathCaps& caps, const motion::TimeLaw& law, double length) {
     const double scale = length / law.length();
     const double acceleration =
         law.jumps() ? std::numeric_limits<double>::infinity() : law.peak_acceleration() * scale;
@@ -94,7 +94,7 @@ PathCaps raised_to(const PathCaps& caps, const motion::TimeLaw& law, double leng
 }
 
 /// Returns the joints on an arc: those of the position along its shape, the others in proportion.
-motion::Curve curve_of(const Segment& segment, double length, const JointPos& q1) {
+motion::Curve make_curve(const Segment& segment, double length, const JointPos& q1) {
     const auto in_plane = [&](Eigen::Index axis) {
         return std::hypot(segment.arc.u[axis], segment.arc.v[axis]);
     };
@@ -128,111 +128,114 @@ motion::Curve curve_of(const Segment& segment, double length, const JointPos& q1
 PathBound::PathBound(const machine::Machine& machine)
     : machine_(machine), limits_(limits_of(machine)), bound_(limits_) {}
 
-void PathBound::take(const Segment& segment, const MoveInfo& info) {
-    if (segment.kind == SegmentKind::rest) return rest(segment, info);
-    if (segment.beside) {
+void PathBound::on_segment(const Segment& segment, const MoveInfo& info) {
+    if (segment.kind == SegmentKind::rest) return standstill(segment, info);
+    if (segment.superimposed) {
         bound_.change_measure();
         measure_.reset();
-        at_rest_ = false;
+        at_standstill_ = false;
         return;
     }
-    if (!(segment.duration_s > 0) || !(segment.lead.length() > 0)) return;
-    const Way way = way_of(segment);
-    go_on_by(way.measure);
-    const PathCaps caps = caps_of(segment, info, way);
+    if (!(segment.duration_s > 0) || !(segment.master.length() > 0)) return;
+    const SegmentPath path = segment_path(segment);
+    continue_measure(path.measure);
+    const PathCaps caps = path_caps(segment, info, path);
     if (segment.kind == SegmentKind::circular) {
-        add_arc(segment, way, caps);
+        add_arc(segment, path, caps);
     } else {
-        add_line(way, caps, segment.lead);
+        add_line(path, caps, segment.master);
     }
 }
 
-void PathBound::rest(const Segment& segment, const MoveInfo& info) {
+void PathBound::standstill(const Segment& segment, const MoveInfo& info) {
     bound_.stop();
-    at_rest_ = true;
+    at_standstill_ = true;
     if (info.kind == MoveKind::dwell) dwells_.add(segment.duration_s);
 }
 
-void PathBound::go_on_by(Measure measure) {
-    const bool same = measure_ == measure && measure != Measure::own;
-    if (!at_rest_ && !same) bound_.change_measure();
+void PathBound::continue_measure(Measure measure) {
+    const bool same = measure_ == measure && measure != Measure::separate;
+    if (!at_standstill_ && !same) bound_.change_measure();
     measure_ = measure;
-    at_rest_ = false;
+    at_standstill_ = false;
 }
 
-PathBound::Way PathBound::way_of(const Segment& segment) const {
-    const JointPos changes = changes_of(segment);
+PathBound::SegmentPath PathBound::segment_path(const Segment& segment) const {
+    const JointPos changes = joint_changes(segment);
     if (segment.kind == SegmentKind::joint)
-        return {Measure::own, segment.lead.length(), changes / segment.lead.length()};
+        return {Measure::separate, segment.master.length(), changes / segment.master.length()};
     if (segment.length_mm > 0) {
         const Measure measure = moves_position(segment, changes) ? Measure::position : Measure::secondary;
         return {measure, segment.length_mm, changes / segment.length_mm};
     }
-    return {segment.orientation ? Measure::direction : Measure::rotary, segment.lead.length(),
-            changes / segment.lead.length()};
+    return {segment.orientation ? Measure::direction : Measure::rotary, segment.master.length(),
+            changes / segment.master.length()};
 }
 
 /// Returns the caps that the program and the machine's path limits set, whatever the joints could do.
-PathCaps PathBound::caps_of(const Segment& segment, const MoveInfo& info, const Way& way) const {
-    const bool queued_by_a_client = !info.timed && !(info.feed_per_min > 0) && info.kind != MoveKind::rapid;
-    if (way.measure == Measure::own || queued_by_a_client) return {};
-    const bool along_tool = segment.length_mm > 0;
+PathCaps PathBound::path_caps(const Segment& segment, const MoveInfo& info, const SegmentPath& path) const {
+    const bool is_client_target = !info.timed && !(info.feed_per_min > 0) && info.kind != MoveKind::rapid;
+    if (path.measure == Measure::separate || is_client_target) return {};
+    const bool moves_tcp = segment.length_mm > 0;
     PathCaps caps;
     if (info.kind == MoveKind::rapid) {
-        if (along_tool) {
+        if (moves_tcp) {
             caps.max_speed = machine_.path.max_rapid_mm_s;
             caps.max_acceleration = caps.max_deceleration = machine_.path.max_rapid_acceleration_mm_s2;
         }
         return caps;
     }
-    if (along_tool) {
+    if (moves_tcp) {
         caps.max_speed = machine_.path.max_feed_mm_s;
         caps.max_acceleration = caps.max_deceleration = machine_.path.max_acceleration_mm_s2;
     }
-    const double unit = along_tool ? 1 : kRadPerDeg;
+    const double unit = moves_tcp ? 1 : kRadPerDeg;
     if (!info.timed) lower(caps.max_speed, info.feed_per_min / kSecondsPerMinute * unit);
     return caps;
 }
 
-void PathBound::add_line(const Way& way, PathCaps caps, const motion::TimeLaw& law) {
-    lower_by_joints(limits_, way.q1, caps);
-    bound_.add_line(way.length, raised_to(caps, law, way.length));
+void PathBound::add_line(const SegmentPath& path, PathCaps caps, const motion::TimeLaw& law) {
+    apply_joint_limits(limits_, path.q1, caps);
+    bound_.add_line(path.length, raise_caps(caps, law, path.length));
 }
 
-void PathBound::add_arc(const Segment& segment, const Way& way, const PathCaps& caps) {
-    if (keeps_limits(segment, way)) {
-        bound_.add_curve(curve_of(segment, way.length, way.q1), raised_to(caps, segment.lead, way.length));
+void PathBound::add_arc(const Segment& segment, const SegmentPath& path, const PathCaps& caps) {
+    if (is_within_limits(segment, path)) {
+        bound_.add_curve(make_curve(segment, path.length, path.q1),
+                         raise_caps(caps, segment.master, path.length));
         return;
     }
-    PathCaps anywhere = caps;
-    lower_by_norms(limits_, segment, anywhere);
-    add_line(way, anywhere, segment.lead);
+    PathCaps relaxed_caps = caps;
+    apply_norm_limits(limits_, segment, relaxed_caps);
+    add_line(path, relaxed_caps, segment.master);
 }
 
 /// Returns true if no joint can have got more speed or acceleration than it has. Peak speed and peak
 /// acceleration are assumed to meet at the largest share of the joint in the path.
-bool PathBound::keeps_limits(const Segment& segment, const Way& way) const {
-    if (segment.lead.jumps()) return false;
-    const double speed = segment.lead.peak_speed();
-    const double acceleration = segment.lead.peak_acceleration();
+bool PathBound::is_within_limits(const Segment& segment, const SegmentPath& path) const {
+    if (segment.master.jumps()) return false;
+    const double speed = segment.master.peak_speed();
+    const double acceleration = segment.master.peak_acceleration();
     const double centripetal = segment.peak_centripetal_mm_s2();
-    const auto keeps = [&](Eigen::Index joint, double in_plane, double straight, double pace) {
-        const double most_speed = speed * (in_plane * pace + straight);
-        const double most_acceleration =
-            in_plane * std::hypot(pace * acceleration, centripetal) + straight * acceleration;
-        return most_speed <= limits_.max_speed[joint] * kLimitRounding &&
-               most_acceleration <= limits_.max_acceleration[joint] * kLimitRounding;
+    const auto is_within_limit = [&](Eigen::Index joint, double in_plane, double straight,
+                                     double in_plane_share) {
+        const double joint_speed_bound = speed * (in_plane * in_plane_share + straight);
+        const double max_joint_acceleration =
+            in_plane * std::hypot(in_plane_share * acceleration, centripetal) + straight * acceleration;
+        return joint_speed_bound <= limits_.max_speed[joint] * kLimitRounding &&
+               max_joint_acceleration <= limits_.max_acceleration[joint] * kLimitRounding;
     };
-    for (Eigen::Index joint = 0; joint < way.q1.size(); ++joint) {
-        if (!keeps(joint, 0, std::abs(way.q1[joint]), 0)) return false;
+    for (Eigen::Index joint = 0; joint < path.q1.size(); ++joint) {
+        if (!is_within_limit(joint, 0, std::abs(path.q1[joint]), 0)) return false;
     }
-    const Eigen::Vector3d climb = segment.arc.lift / way.length;
-    const double pace = std::sqrt(std::max(0.0, 1 - climb.squaredNorm()));
+    const Eigen::Vector3d ascent = segment.arc.lift / path.length;
+    const double in_plane_share = std::sqrt(std::max(0.0, 1 - ascent.squaredNorm()));
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int joint = segment.position_joints[axis];
         const auto index = static_cast<Eigen::Index>(axis);
         const double in_plane = std::hypot(segment.arc.u[index], segment.arc.v[index]);
-        if (joint >= 0 && !keeps(joint, in_plane, std::abs(climb[index]), pace)) return false;
+        if (joint >= 0 && !is_within_limit(joint, in_plane, std::abs(ascent[index]), in_plane_share))
+            return false;
     }
     return true;
 }

@@ -4,7 +4,7 @@
 
 #include "machine/model/machine.h"
 #include "motion/planner/time_bound.h"
-#include "runtime/monitors/exact_sum.h"
+#include "runtime/monitors/compensated_sum.h"
 #include "runtime/outputs/run_output.h"
 
 namespace gsim::simulation {
@@ -20,8 +20,7 @@ class PathBound : public RunOutput {
     /// `machine` must outlive this.
     explicit PathBound(const machine::Machine& machine);
 
-    using RunOutput::take;
-    void take(const motion::Segment& segment, const MoveInfo& info) override;
+    void on_segment(const motion::Segment& segment, const MoveInfo& info) override;
 
     /// Returns the bound for the segments so far, as if the run ended here.
     double bound_s() const { return bound_.bound_s() + dwells_.value(); }
@@ -33,28 +32,29 @@ class PathBound : public RunOutput {
         secondary,  ///< mm of other linear joints.
         rotary,     ///< rad, the norm of the angles.
         direction,  ///< rad of the tool's direction along great circles.
-        own,        ///< For joint motion: a measure that no other move shares.
+        separate,   ///< For joint motion: a measure that no other move shares.
     };
     /// Path of a segment, run in one direction.
-    struct Way {
+    struct SegmentPath {
         Measure measure;
         double length;
         rrs::JointPos q1;  ///< For the joints that move in proportion to it.
     };
 
-    Way way_of(const motion::Segment& segment) const;
-    motion::PathCaps caps_of(const motion::Segment& segment, const MoveInfo& info, const Way& way) const;
-    void go_on_by(Measure measure);
-    void rest(const motion::Segment& segment, const MoveInfo& info);
-    void add_line(const Way& way, motion::PathCaps caps, const motion::TimeLaw& law);
-    void add_arc(const motion::Segment& segment, const Way& way, const motion::PathCaps& caps);
-    bool keeps_limits(const motion::Segment& segment, const Way& way) const;
+    SegmentPath segment_path(const motion::Segment& segment) const;
+    motion::PathCaps path_caps(const motion::Segment& segment, const MoveInfo& info,
+                               const SegmentPath& path) const;
+    void continue_measure(Measure measure);
+    void standstill(const motion::Segment& segment, const MoveInfo& info);
+    void add_line(const SegmentPath& path, motion::PathCaps caps, const motion::TimeLaw& law);
+    void add_arc(const motion::Segment& segment, const SegmentPath& path, const motion::PathCaps& caps);
+    bool is_within_limits(const motion::Segment& segment, const SegmentPath& path) const;
 
     const machine::Machine& machine_;
     motion::JointLimits limits_;
     motion::TimeBound bound_;
-    ExactSum dwells_;
-    bool at_rest_ = true;
+    CompensatedSum dwells_;
+    bool at_standstill_ = true;
     std::optional<Measure> measure_;  // of the segment before; nullopt: its speed has no one measure
 };
 

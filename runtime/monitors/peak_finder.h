@@ -9,47 +9,49 @@ namespace gsim::simulation {
 /// finds a maximum with a corner as well as a smooth one.
 class PeakFinder {
   public:
-    /// Calls `value_of(t_s)` only between the last three samples. Returns true for a new largest value.
+    /// Calls `function(t_s)` only between the last three samples. Returns true for a new largest value.
     template <typename Function>
-    bool add(double t_s, double value, const Function& value_of) {
-        const bool grew = note(t_s, value);
-        const bool is_high = count_ >= 2 && last_ >= before_ && last_ > value;
-        const bool may_hide = is_high && 2 * last_ - std::min(before_, value) > greatest_ * (1 + kWorth);
+    bool add(double t_s, double value, const Function& function) {
+        const bool is_new_peak = note(t_s, value);
+        const bool is_local_peak = count_ >= 2 && last_ >= previous_value_ && last_ > value;
+        const bool may_exceed_peak = is_local_peak && 2 * last_ - std::min(previous_value_, value) >
+                                                          greatest_ * (1 + kMinRelativeGain);
         bool found = false;
-        if (may_hide) found = search(before_s_, t_s, value_of);
-        before_s_ = last_s_;
-        before_ = last_;
+        if (may_exceed_peak) found = search(previous_s_, t_s, function);
+        previous_s_ = last_s_;
+        previous_value_ = last_;
         last_s_ = t_s;
         last_ = value;
         if (count_ < 2) ++count_;
-        return grew || found;
+        return is_new_peak || found;
     }
     /// Marks missing samples: the search skips the range between those before and after.
     void pause() { count_ = 0; }
     bool is_paused() const { return count_ == 0; }
-    double greatest() const { return greatest_; }
+    double max() const { return greatest_; }
     double greatest_s() const { return greatest_s_; }
 
   private:
     /// Min relative gain of a search: on a circle all samples are peaks, by rounding.
-    static constexpr double kWorth = 1e-7;
+    static constexpr double kMinRelativeGain = 1e-7;
     /// Tolerance for equal peaks, by rounding: the first one counts.
-    static constexpr double kTie = 1e-10;
+    static constexpr double kTieTolerance = 1e-10;
 
     bool note(double t_s, double value) {
-        if (!(value > greatest_ * (1 + kTie))) return false;
+        if (!(value > greatest_ * (1 + kTieTolerance))) return false;
         greatest_ = value;
         greatest_s_ = t_s;
         return true;
     }
 
     template <typename Function>
-    bool search(double from_s, double to_s, const Function& value_of) {
-        constexpr double kGolden = 0.6180339887498949;
+    bool search(double from_s, double to_s, const Function& function) {
+        constexpr double kInverseGoldenRatio = 0.6180339887498949;
         constexpr int kParts = 40;
         bool found = false;
-        double a_s = to_s - kGolden * (to_s - from_s), b_s = from_s + kGolden * (to_s - from_s);
-        double at_a = value_of(a_s), at_b = value_of(b_s);
+        double a_s = to_s - kInverseGoldenRatio * (to_s - from_s),
+               b_s = from_s + kInverseGoldenRatio * (to_s - from_s);
+        double at_a = function(a_s), at_b = function(b_s);
         for (int i = 0; i < kParts; ++i) {
             found = note(a_s, at_a) || found;
             found = note(b_s, at_b) || found;
@@ -57,12 +59,12 @@ class PeakFinder {
                 to_s = b_s;
                 b_s = a_s;
                 at_b = at_a;
-                at_a = value_of(a_s = to_s - kGolden * (to_s - from_s));
+                at_a = function(a_s = to_s - kInverseGoldenRatio * (to_s - from_s));
             } else {
                 from_s = a_s;
                 a_s = b_s;
                 at_a = at_b;
-                at_b = value_of(b_s = from_s + kGolden * (to_s - from_s));
+                at_b = function(b_s = from_s + kInverseGoldenRatio * (to_s - from_s));
             }
         }
         return found;
@@ -70,7 +72,7 @@ class PeakFinder {
 
     double greatest_ = 0;
     double greatest_s_ = 0;
-    double before_ = 0, before_s_ = 0;  // the last sample but one
+    double previous_value_ = 0, previous_s_ = 0;  // the last sample but one
     double last_ = 0, last_s_ = 0;
     int count_ = 0;
 };

@@ -7,11 +7,11 @@
 
 namespace gsim::simulation {
 
-std::string remedy_text(const Violations& violations) {
-    if (violations.remedy.empty()) return {};
+std::string suggested_fix_text(const Violations& violations) {
+    if (violations.suggested_fix.empty()) return {};
     std::string shifts;
     std::string_view offset;
-    for (const OffsetShift& shift : violations.remedy) {
+    for (const OffsetShift& shift : violations.suggested_fix) {
         if (!shifts.empty()) shifts += shift.offset == offset ? "," : " and";
         if (!shifts.empty()) shifts += ' ';
         if (shift.offset != offset) shifts += shift.offset + ' ';
@@ -23,8 +23,8 @@ std::string remedy_text(const Violations& violations) {
 
 // Only listed violations need a time: others would wait long if moves have no length (probes that touch).
 void ViolationLog::add_before(rrs::TargetId id, Violation violation) {
-    if (moves_ + waiting_.size() >= kMostViolations) return count(violation);
-    waiting_.push_back({id, std::move(violation)});
+    if (moves_ + pending_violations_.size() >= kMaxViolations) return count(violation);
+    pending_violations_.push_back({id, std::move(violation)});
 }
 
 void ViolationLog::add(Violation violation) {
@@ -34,34 +34,36 @@ void ViolationLog::add(Violation violation) {
 
 void ViolationLog::count(const Violation& violation) {
     ++count_;
-    needs_.add(violation);
+    required_shifts_.add(violation);
 }
 
-void ViolationLog::put(Violation violation, double t_s) {
+void ViolationLog::insert(Violation violation, double t_s) {
     violation.t_s = t_s;
     ++moves_;
     add(std::move(violation));
 }
 
 // A controller may skip a move that is too short for its steps: its time is that of the next one.
-void ViolationLog::take(const RecordedMove& move) {
-    while (!waiting_.empty() && waiting_.front().id <= move.info.target_id) {
-        put(std::move(waiting_.front().violation), move.start_s);
-        waiting_.pop_front();
+void ViolationLog::on_move(const RecordedMove& move) {
+    while (!pending_violations_.empty() && pending_violations_.front().id <= move.info.target_id) {
+        insert(std::move(pending_violations_.front().violation), move.start_s);
+        pending_violations_.pop_front();
     }
 }
 
 void ViolationLog::end(double end_s) {
-    for (Waiting& waiting : waiting_) put(std::move(waiting.violation), end_s);
-    waiting_.clear();
+    for (PendingViolation& pending_violation : pending_violations_)
+        insert(std::move(pending_violation.violation), end_s);
+    pending_violations_.clear();
 }
 
 Violations ViolationLog::release(std::uint64_t further) {
     std::stable_sort(list_.begin(), list_.end(),
                      [](const Violation& a, const Violation& b) { return a.t_s < b.t_s; });
-    if (list_.size() > kMostViolations) list_.resize(kMostViolations);
-    Violations violations{.list = std::move(list_), .count = count_ + further, .shifts = {}, .remedy = {}};
-    if (further == 0) violations.shifts = needs_.shifts();
+    if (list_.size() > kMaxViolations) list_.resize(kMaxViolations);
+    Violations violations{
+        .list = std::move(list_), .count = count_ + further, .shifts = {}, .suggested_fix = {}};
+    if (further == 0) violations.shifts = required_shifts_.shifts();
     return violations;
 }
 

@@ -18,7 +18,7 @@ struct BoxSide {
 };
 
 /// First instant at which a segment does what a box forbids.
-struct BoxOffence {
+struct BoxViolation {
     double t_s = 0;         ///< Since the start of the segment.
     std::size_t axis = 0;   ///< Axis of the passed wall: 0 x, 1 y, 2 z.
     bool upper = false;     ///< True for the upper one.
@@ -26,9 +26,9 @@ struct BoxOffence {
 };
 
 /// Stay of the joints at values that a box does not allow.
-struct BoxStay {
-    BoxOffence began;      ///< In the segment in which it began.
-    double beyond_mm = 0;  ///< Max distance past the wall of `began` of the joint across it.
+struct BoxViolationPeriod {
+    BoxViolation entry;    ///< In the segment in which it began.
+    double excess_mm = 0;  ///< Max distance past the wall of `began` of the joint across it.
     bool has_ended = false;
 };
 
@@ -46,17 +46,18 @@ class ZoneBox {
     /// Returns the first instant of the segment that is not allowed: a root of its path and its time law, to
     /// rounding. Touching a box from outside counts as being in it; touching its walls from inside does not
     /// count as leaving it.
-    std::optional<BoxOffence> first_offence(const motion::Segment& segment) const;
+    std::optional<BoxViolation> first_violation(const motion::Segment& segment) const;
     /// Returns all stays of a segment that the box does not allow, in the order of time. `open` is the one
     /// that continues from the segment before, and is then the first of these; the last may continue after
     /// this one.
-    std::vector<BoxStay> stays(const motion::Segment& segment, const std::optional<BoxStay>& open) const;
+    std::vector<BoxViolationPeriod> violation_periods(const motion::Segment& segment,
+                                                      const std::optional<BoxViolationPeriod>& open) const;
 
   private:
-    bool surely_allowed(const motion::Segment& segment) const;
-    BoxOffence nearest_wall(const rrs::JointPos& joints) const;
+    bool is_certainly_allowed(const motion::Segment& segment) const;
+    BoxViolation nearest_wall(const rrs::JointPos& joints) const;
     bool forbids(const rrs::JointPos& joints) const { return contains(joints) != stay_inside_; }
-    double beyond_mm(const BoxOffence& offence, const rrs::JointPos& joints) const;
+    double excess_mm(const BoxViolation& violation, const rrs::JointPos& joints) const;
 
     std::array<BoxSide, 3> sides_;
     std::size_t count_ = 0;

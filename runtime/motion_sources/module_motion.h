@@ -40,27 +40,27 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     std::optional<motion::WorkFrames> work_frames() const override { return std::nullopt; }
     bool set_overrides(std::shared_ptr<const motion::OverrideSchedule>) override { return false; }
     bool set_move_limits(std::shared_ptr<const motion::MoveLimits>) override { return false; }
-    void set_obeyed(const motion::ObeyedOverrides&) override {}
-    motion::Planned start_at(const rrs::JointPos& joints) override;
-    motion::Planned check_ramps() const override { return {}; }
-    motion::Planned check_tip(const std::optional<Eigen::Vector3d>& tip_mm) override;
-    motion::Put put(const motion::Move& move) override;
+    void set_obeyed_overrides(const motion::EnabledOverrides&) override {}
+    motion::PlanResult start_at(const rrs::JointPos& joints) override;
+    motion::PlanResult check_ramps() const override { return {}; }
+    motion::PlanResult check_tcp(const std::optional<Eigen::Vector3d>& tcp_mm) override;
+    motion::EnqueueResult enqueue(const motion::Move& move) override;
     /// Steps the module until `search` has a result, and then to its stop: it must offer StopMotion and
     /// CancelMotion. The stop is at the end of the step, wherever in it the search wants it.
-    motion::Put put_until(const motion::Move& move, const motion::StopSearch& search) override;
-    motion::Planned put_own(const rrs::JointPos& end) override;
-    double own_end_s() const override { return 0; }
-    motion::Planned put_rest(const AskedRest& rest) override;
-    std::vector<std::string> take_remarks() override { return std::exchange(remarks_, {}); }
-    void come_to_rest(bool waits) override;
+    motion::EnqueueResult enqueue_until(const motion::Move& move, const motion::StopSearch& search) override;
+    motion::PlanResult enqueue_independent(const rrs::JointPos& end) override;
+    double independent_end_s() const override { return 0; }
+    motion::PlanResult enqueue_dwell(const DwellRequest& request) override;
+    std::vector<std::string> drain_remarks() override { return std::exchange(remarks_, {}); }
+    void plan_to_standstill(bool waits) override;
     void end_program() override;
     double time_s() const override { return time_s_; }
     /// Returns infinity, because a step is passed on as it is made.
-    double passed_on_s() const override { return std::numeric_limits<double>::infinity(); }
+    double delivered_until_s() const override { return std::numeric_limits<double>::infinity(); }
     const rrs::JointPos& position() const override { return target_; }
-    bool sampled() const override { return true; }
-    double cpu_beside_s() const override { return cpu_s(); }
-    std::optional<std::string> fault() const override { return RcsShell::fault(); }
+    bool is_sampled() const override { return true; }
+    double external_cpu_s() const override { return cpu_s(); }
+    std::optional<std::string> error() const override { return RcsShell::error(); }
 
     rrs::Status Initialize() override;
     rrs::Status SelectTargetType(rrs::TargetType type) override;
@@ -75,8 +75,8 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     rrs::Status SetNextArcTarget(rrs::TargetId id, const Eigen::Vector3d& center_mm,
                                  const Eigen::Vector3d& axis, double sweep_rad, const rrs::CartPos& cartesian,
                                  const rrs::JointPos& joints) override;
-    rrs::Status SetNextRest(rrs::TargetId id, double rest_s) override;
-    rrs::Status SetRestParameter(double rest_s) override;
+    rrs::Status SetNextRest(rrs::TargetId id, double dwell_s) override;
+    rrs::Status SetRestParameter(double dwell_s) override;
     rrs::Status GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, double& elapsed_s) override;
     rrs::Status SelectMotionType(rrs::MotionType type) override;
     rrs::Status SetRapid(bool on) override;
@@ -85,63 +85,63 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     rrs::Status SetJointSpeeds(std::span<const int> joints, std::span<const double> speeds) override;
 
   protected:
-    void calling() override;
+    void before_call() override;
 
   private:
     /// Modes of the one module that both moves of a program and clients of the services select; nullopt:
     /// unknown.
-    struct Modes {
+    struct SelectedModes {
         std::optional<rrs::TargetType> target_type;
         std::optional<rrs::MotionType> motion_type;
         std::optional<bool> rapid;
         std::optional<double> position_speed_mm_s;
         std::optional<double> orientation_speed_rad_s;
-        bool joints_alone = false;  ///< It accepts no lines of joint values: no joints carry the tool.
+        bool joint_motion_only = false;  ///< It accepts no lines of joint values: no joints carry the tool.
         std::optional<rrs::JointPos> joint_speeds;
     };
 
     /// Runs call() for moves of the program.
     template <typename Call>
-    auto by_program(const Call& call) {
-        struct Side {
-            explicit Side(bool& flag) : flag_(flag), before_(std::exchange(flag, true)) {}
-            Side(const Side&) = delete;
-            Side& operator=(const Side&) = delete;
-            ~Side() { flag_ = before_; }
+    auto run_as_program(const Call& call) {
+        struct ProgramScope {
+            explicit ProgramScope(bool& flag) : flag_(flag), previous_(std::exchange(flag, true)) {}
+            ProgramScope(const ProgramScope&) = delete;
+            ProgramScope& operator=(const ProgramScope&) = delete;
+            ~ProgramScope() { flag_ = previous_; }
 
           private:
             bool& flag_;
-            bool before_;
+            bool previous_;
         };
-        const Side side(by_program_);
+        const ProgramScope side(called_by_program_);
         return call();
     }
-    motion::PlanError refusal(rrs::Status status);
-    motion::Put answer(rrs::Status status);
-    rrs::Status tell(const motion::Move& move);
-    rrs::Status tell_kind(const motion::Move& move);
-    rrs::Status tell_feed(const motion::MoveTerms& terms);
-    rrs::Status tell_joint_speeds(const motion::Move& move);
-    rrs::JointPos joint_speeds_of(const motion::Move& move) const;
-    void tell_passing(const motion::MoveTerms& terms);
-    void tell_ramps(const motion::MoveTerms& terms);
-    rrs::Status put_told(const motion::Move& move);
-    rrs::Status put_until_told(const motion::Move& move, const motion::StopSearch& search);
+    motion::PlanError plan_error(rrs::Status status);
+    motion::EnqueueResult to_put_result(rrs::Status status);
+    rrs::Status send_terms(const motion::Move& move);
+    rrs::Status set_move_kind(const motion::Move& move);
+    rrs::Status set_move_feed(const motion::MoveParameters& move_parameters);
+    rrs::Status set_move_joint_speeds(const motion::Move& move);
+    rrs::JointPos move_joint_speeds(const motion::Move& move) const;
+    void set_move_blending(const motion::MoveParameters& move_parameters);
+    void set_move_ramps(const motion::MoveParameters& move_parameters);
+    rrs::Status enqueue_move(const motion::Move& move);
+    rrs::Status enqueue_move_until(const motion::Move& move, const motion::StopSearch& search);
     template <typename Call>
-    rrs::Status ahead(rrs::RcsAhead what, const Call& call);
+    rrs::Status call_with_prefetch(rrs::RcsPrefetch what, const Call& call);
     template <typename Call>
-    rrs::Status until_room(const Call& call);
-    rrs::Status queued(rrs::Status status, rrs::TargetId id, rrs::TargetParam param,
-                       const rrs::CartPos& cartesian, const rrs::JointPos& joints);
+    rrs::Status retry_until_room(const Call& call);
+    rrs::Status on_queued(rrs::Status status, rrs::TargetId id, rrs::TargetParam param,
+                          const rrs::CartPos& cartesian, const rrs::JointPos& joints);
     rrs::Status step();
     rrs::Status step_to_target();
     rrs::Status stop_here();
     void step_to_end();
     rrs::Status record(rrs::Status status, const rrs::JointPos& joints, double elapsed_s);
-    rrs::Status watch(bool moved, double elapsed_s);
-    rrs::TargetId target_of_step();
+    rrs::Status check_progress(bool moved, double elapsed_s);
+    rrs::TargetId step_target();
     void fill_segment(const rrs::JointPos& joints, double elapsed_s);
-    rrs::JointPos solved(const rrs::CartPos& cartesian, const rrs::JointPos& joints);
+    rrs::JointPos solve_joints(const rrs::CartPos& cartesian, const rrs::JointPos& joints);
 
     motion::PlannerSetup setup_;
     double step_s_;
@@ -151,20 +151,21 @@ class ModuleMotion final : public rrs::RcsShell, public MotionSource {
     rrs::JointPos reached_;    ///< End of the last step.
     rrs::JointPos target_;     ///< The last target.
     rrs::TargetType target_type_ = rrs::TargetType::joint;
-    Modes told_;                 ///< By moves, since a client has called.
-    motion::Selections client_;  ///< Selections of clients, as far as moves select them, too.
+    SelectedModes sent_modes_;              ///< By moves, since a client has called.
+    motion::Selections client_selections_;  ///< Selections of clients, as far as moves select them, too.
     rrs::JointPos client_joint_speeds_;
     motion::Selections no_selections_;
-    bool by_program_ = false;       ///< True if a program calls it.
-    motion::MoveTerms told_terms_;  ///< Sent terms: how moves are passed, and their ramps.
+    bool called_by_program_ = false;     ///< True if a program calls it.
+    motion::MoveParameters sent_terms_;  ///< Sent terms: how moves are passed, and their ramps.
     std::vector<std::string> remarks_;
-    std::deque<rrs::TargetId> waiting_;  ///< Targets not reached yet, if the module does not report them.
-    bool tells_target_ = true;
+    std::deque<rrs::TargetId>
+        pending_targets_;  ///< Targets not reached yet, if the module does not report them.
+    bool reports_target_ = true;
     bool has_position_ = false;
     double time_s_ = 0;
-    double idle_s_ = 0;           ///< Since something moved last.
-    double rests_s_ = 0;          ///< Asked for so far.
-    std::uint64_t standing_ = 0;  ///< Consecutive steps without time.
+    double idle_s_ = 0;                  ///< Since something moved last.
+    double requested_dwell_s_ = 0;       ///< Asked for so far.
+    std::uint64_t zero_time_steps_ = 0;  ///< Consecutive steps without time.
 };
 
 }  // namespace gsim::simulation

@@ -10,22 +10,22 @@ namespace gsim::simulation {
 /// Stored requests of a run to its controller.
 class MotionLog final : public MotionObserver {
   public:
-    void stands_at(const rrs::JointPos& joints) override { start_ = joints; }
-    void asked(const MotionAsk& ask) override { asks_.push_back(ask); }
-    void untold(std::string_view why) override {
-        if (gap_.empty()) gap_ = why;
+    void on_start_position(const rrs::JointPos& joints) override { start_ = joints; }
+    void on_request(const MotionRequest& request) override { requests_.push_back(request); }
+    void on_unrecordable(std::string_view reason) override {
+        if (incomplete_reason_.empty()) incomplete_reason_ = reason;
     }
     void ended() override {}
 
     const rrs::JointPos& start() const { return start_; }
-    const std::vector<MotionAsk>& asks() const { return asks_; }
+    const std::vector<MotionRequest>& requests() const { return requests_; }
     /// Returns why this is not everything that the motion depends on; empty: it is.
-    const std::string& gap() const { return gap_; }
+    const std::string& incomplete_reason() const { return incomplete_reason_; }
 
   private:
     rrs::JointPos start_;
-    std::vector<MotionAsk> asks_;
-    std::string gap_;
+    std::vector<MotionRequest> requests_;
+    std::string incomplete_reason_;
 };
 
 }  // namespace gsim::simulation

@@ -12,25 +12,26 @@ namespace gsim::simulation {
 namespace {
 
 /// Recorder of when moves begin and end.
-class Times final : public motion::SegmentSink {
+class SegmentTimes final : public motion::SegmentSink {
   public:
-    explicit Times(const MotionLog& log) {
-        for (const MotionAsk& ask : log.asks()) {
-            if (const auto* rest = std::get_if<AskedRest>(&ask); rest != nullptr)
-                (rest->time_key.empty() ? dwells_ : words_).insert(rest->target_id);
+    explicit SegmentTimes(const MotionLog& log) {
+        for (const MotionRequest& request : log.requests()) {
+            if (const auto* standstill = std::get_if<DwellRequest>(&request); standstill != nullptr)
+                (standstill->time_key.empty() ? dwells_ : words_).insert(standstill->target_id);
         }
     }
 
-    void take(const motion::Segment& segment) override {
+    void on_segment(const motion::Segment& segment) override {
         const double end_s = segment.end_s();
         if (!(end_s > segment.start_s)) return;
-        const bool rests = segment.kind == motion::SegmentKind::rest && dwells_.count(segment.target_id) == 0;
+        const bool is_standstill =
+            segment.kind == motion::SegmentKind::rest && dwells_.count(segment.target_id) == 0;
         if (!moves.empty() && moves.back().target_id == segment.target_id) {
             moves.back().end_s = end_s;
-            moves.back().rests = moves.back().rests && rests;
+            moves.back().is_standstill = moves.back().is_standstill && is_standstill;
         } else {
-            const bool of_word = words_.count(segment.target_id) > 0;
-            moves.push_back({segment.target_id, segment.start_s, end_s, rests, of_word});
+            const bool is_for_word = words_.count(segment.target_id) > 0;
+            moves.push_back({segment.target_id, segment.start_s, end_s, is_standstill, is_for_word});
         }
     }
 
@@ -40,45 +41,49 @@ class Times final : public motion::SegmentSink {
     std::set<rrs::TargetId> dwells_, words_;  // requested by the program, and dwells for words
 };
 
-struct Asks {
+struct RequestExecutor {
     const machine::WordTimes& times;
     motion::Planner& planner;
 
-    motion::Planned operator()(const motion::Move& move) const {
-        if (const auto put = planner.put(move); !put) return tl::unexpected(put.error());
+    motion::PlanResult operator()(const motion::Move& move) const {
+        if (const auto enqueue = planner.enqueue(move); !enqueue) return tl::unexpected(enqueue.error());
         return {};
     }
-    motion::Planned operator()(const AskedRest& rest) const {
-        if (rest.time_key.empty()) return planner.put_rest(rest.target_id, rest.rest_s);
-        const double* time_s = machine::time_at(rest.time_key, times);
+    motion::PlanResult operator()(const DwellRequest& standstill) const {
+        if (standstill.time_key.empty())
+            return planner.enqueue_dwell(standstill.target_id, standstill.dwell_s);
+        const double* time_s = machine::word_time(standstill.time_key, times);
         if (time_s == nullptr || *time_s <= 0) return {};
-        return planner.put_rest(rest.target_id, *time_s);
+        return planner.enqueue_dwell(standstill.target_id, *time_s);
     }
-    motion::Planned operator()(const AskedOwn& own) const { return planner.put_own(own.end); }
-    motion::Planned operator()(const AskedStop& stop) const {
-        planner.come_to_rest(stop.waits);
+    motion::PlanResult operator()(const IndependentMoveRequest& joint_request) const {
+        return planner.enqueue_independent(joint_request.end);
+    }
+    motion::PlanResult operator()(const StopRequest& stop) const {
+        planner.plan_to_standstill(stop.waits);
         return {};
     }
 };
 
 }  // namespace
 
-motion::Planned ask_again(const MotionAsk& ask, const machine::WordTimes& times, motion::Planner& planner) {
-    return std::visit(Asks{times, planner}, ask);
+motion::PlanResult replay_request(const MotionRequest& request, const machine::WordTimes& times,
+                                  motion::Planner& planner) {
+    return std::visit(RequestExecutor{times, planner}, request);
 }
 
 tl::expected<std::vector<ReplayedMove>, std::string> replay(const MotionLog& log,
                                                             const motion::PlannerSetup& machine,
-                                                            const machine::WordTimes& times_of_words) {
-    Times times(log);
+                                                            const machine::WordTimes& word_times) {
+    SegmentTimes times(log);
     motion::Planner planner(machine, &times);
-    if (const auto stands = planner.stand_at({log.start(), std::nullopt}); !stands)
-        return tl::unexpected(stands.error().message);
-    for (std::size_t i = 0; i < log.asks().size(); ++i) {
-        if (const auto put = ask_again(log.asks()[i], times_of_words, planner); !put)
-            return tl::unexpected(fmt::format("move {}: {}", i + 1, put.error().message));
+    if (const auto started = planner.set_position({log.start(), std::nullopt}); !started)
+        return tl::unexpected(started.error().message);
+    for (std::size_t i = 0; i < log.requests().size(); ++i) {
+        if (const auto enqueue = replay_request(log.requests()[i], word_times, planner); !enqueue)
+            return tl::unexpected(fmt::format("move {}: {}", i + 1, enqueue.error().message));
     }
-    planner.come_to_last_rest();
+    planner.plan_to_final_standstill();
     planner.flush();
     return std::move(times.moves);
 }

@@ -14,15 +14,16 @@ namespace gsim::simulation {
 /// Repeats a run's request to its controller with a planner, on a machine with these times of words. A word
 /// without a time gets no dwell. The keys of dwells are those of the machine of the run: this one names the
 /// same codes in [times].
-motion::Planned ask_again(const MotionAsk& ask, const machine::WordTimes& times, motion::Planner& planner);
+motion::PlanResult replay_request(const MotionRequest& request, const machine::WordTimes& times,
+                                  motion::Planner& planner);
 
 /// Time of a move or a dwell of a log, s.
 struct ReplayedMove {
     rrs::TargetId target_id = 0;
     double start_s = 0;
     double end_s = 0;
-    bool rests = false;    ///< Standstill, no programmed dwell: for a word, or the controller itself.
-    bool of_word = false;  ///< Then: for a word.
+    bool is_standstill = false;  ///< Standstill, no programmed dwell: for a word, or the controller itself.
+    bool is_for_word = false;    ///< Then: for a word.
 };
 
 /// Replays a log without a gap, on a machine that differs from its own in parameters only, with our planner.

@@ -38,40 +38,41 @@ class MotionSource {
     /// controller does not accept it.
     virtual bool set_move_limits(std::shared_ptr<const motion::MoveLimits> limits) = 0;
     /// Sets which of them the following targets of clients obey.
-    virtual void set_obeyed(const motion::ObeyedOverrides& obeyed) = 0;
+    virtual void set_obeyed_overrides(const motion::EnabledOverrides& enabled_overrides) = 0;
 
     /// Sets the machine's position at the start of the run. The controller is ready then.
-    virtual motion::Planned start_at(const rrs::JointPos& joints) = 0;
+    virtual motion::PlanResult start_at(const rrs::JointPos& joints) = 0;
     /// Checks that moves may have other ramps than the machine's, and TCP control (nullopt: again without
     /// it). RRS_MODE_NOT_SUPPORTED, RRS_SERVICE_NOT_SUPPORTED.
-    virtual motion::Planned check_ramps() const = 0;
-    virtual motion::Planned check_tip(const std::optional<Eigen::Vector3d>& tip_mm) = 0;
+    virtual motion::PlanResult check_ramps() const = 0;
+    virtual motion::PlanResult check_tcp(const std::optional<Eigen::Vector3d>& tcp_mm) = 0;
     /// As the functions of motion::Planner.
-    virtual motion::Put put(const motion::Move& move) = 0;
-    virtual motion::Put put_until(const motion::Move& move, const motion::StopSearch& search) = 0;
-    virtual motion::Planned put_own(const rrs::JointPos& end) = 0;
-    virtual double own_end_s() const = 0;
-    virtual motion::Planned put_rest(const AskedRest& rest) = 0;
+    virtual motion::EnqueueResult enqueue(const motion::Move& move) = 0;
+    virtual motion::EnqueueResult enqueue_until(const motion::Move& move,
+                                                const motion::StopSearch& search) = 0;
+    virtual motion::PlanResult enqueue_independent(const rrs::JointPos& end) = 0;
+    virtual double independent_end_s() const = 0;
+    virtual motion::PlanResult enqueue_dwell(const DwellRequest& request) = 0;
     /// Returns messages on settings of moves that the controller has not accepted since the last call, and
     /// replaces by its own.
-    virtual std::vector<std::string> take_remarks() = 0;
+    virtual std::vector<std::string> drain_remarks() = 0;
     /// Ends the planned motion at standstill; `waits`: the controller waits for its program.
-    virtual void come_to_rest(bool waits) = 0;
+    virtual void plan_to_standstill(bool waits) = 0;
     /// Ends the moves: all segments are passed to the sink.
     virtual void end_program() = 0;
 
     /// Returns the end of the planned motion; for a module the end of the stepped motion.
     virtual double time_s() const = 0;
     /// Returns the time up to which the sink has all motion; infinite if it has all existing motion.
-    virtual double passed_on_s() const = 0;
+    virtual double delivered_until_s() const = 0;
     /// Returns joint values at the last target.
     virtual const rrs::JointPos& position() const = 0;
     /// Returns true if segments are samples of a motion, not the motion itself.
-    virtual bool sampled() const = 0;
+    virtual bool is_sampled() const = 0;
     /// Returns the processor time that this used outside the thread of the run.
-    virtual double cpu_beside_s() const { return 0; }
+    virtual double external_cpu_s() const { return 0; }
     /// Returns a message about an error that makes the run worthless.
-    virtual std::optional<std::string> fault() const = 0;
+    virtual std::optional<std::string> error() const = 0;
 };
 
 }  // namespace gsim::simulation

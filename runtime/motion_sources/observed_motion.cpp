@@ -6,53 +6,54 @@ namespace gsim::simulation {
 
 ObservedMotion::ObservedMotion(std::unique_ptr<MotionSource> motion, MotionObserver& observer)
     : motion_(std::move(motion)), observer_(observer) {
-    observer_.stands_at(motion_->position());
-    if (motion_->sampled()) observer_.untold("its controller is a module");
+    observer_.on_start_position(motion_->position());
+    if (motion_->is_sampled()) observer_.on_unrecordable("its controller is a module");
 }
 
 rrs::Shell& ObservedMotion::shell() {
-    observer_.untold("it calls services of the controller");
+    observer_.on_unrecordable("it calls services of the controller");
     return motion_->shell();
 }
 
 bool ObservedMotion::set_overrides(std::shared_ptr<const motion::OverrideSchedule> overrides) {
-    observer_.untold("overrides are turned");
+    observer_.on_unrecordable("overrides are turned");
     return motion_->set_overrides(std::move(overrides));
 }
 
-motion::Planned ObservedMotion::start_at(const rrs::JointPos& joints) {
-    auto stands = motion_->start_at(joints);
-    observer_.stands_at(motion_->position());
-    return stands;
+motion::PlanResult ObservedMotion::start_at(const rrs::JointPos& joints) {
+    auto started = motion_->start_at(joints);
+    observer_.on_start_position(motion_->position());
+    return started;
 }
 
-motion::Put ObservedMotion::put(const motion::Move& move) {
-    if (move.terms.machine) observer_.untold("it changes rules of the controller");
-    auto put = motion_->put(move);
-    if (put) observer_.asked(move);
-    return put;
+motion::EnqueueResult ObservedMotion::enqueue(const motion::Move& move) {
+    if (move.move_parameters.machine) observer_.on_unrecordable("it changes rules of the controller");
+    auto enqueue = motion_->enqueue(move);
+    if (enqueue) observer_.on_request(move);
+    return enqueue;
 }
 
-motion::Put ObservedMotion::put_until(const motion::Move& move, const motion::StopSearch& search) {
-    observer_.untold("it probes");
-    return motion_->put_until(move, search);
+motion::EnqueueResult ObservedMotion::enqueue_until(const motion::Move& move,
+                                                    const motion::StopSearch& search) {
+    observer_.on_unrecordable("it probes");
+    return motion_->enqueue_until(move, search);
 }
 
-motion::Planned ObservedMotion::put_own(const rrs::JointPos& end) {
-    auto put = motion_->put_own(end);
-    if (put) observer_.asked(AskedOwn{end});
-    return put;
+motion::PlanResult ObservedMotion::enqueue_independent(const rrs::JointPos& end) {
+    auto enqueue = motion_->enqueue_independent(end);
+    if (enqueue) observer_.on_request(IndependentMoveRequest{end});
+    return enqueue;
 }
 
-motion::Planned ObservedMotion::put_rest(const AskedRest& rest) {
-    auto put = motion_->put_rest(rest);
-    if (put) observer_.asked(rest);
-    return put;
+motion::PlanResult ObservedMotion::enqueue_dwell(const DwellRequest& request) {
+    auto enqueue = motion_->enqueue_dwell(request);
+    if (enqueue) observer_.on_request(request);
+    return enqueue;
 }
 
-void ObservedMotion::come_to_rest(bool waits) {
-    observer_.asked(AskedStop{waits});
-    motion_->come_to_rest(waits);
+void ObservedMotion::plan_to_standstill(bool waits) {
+    observer_.on_request(StopRequest{waits});
+    motion_->plan_to_standstill(waits);
 }
 
 void ObservedMotion::end_program() {

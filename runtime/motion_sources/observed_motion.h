@@ -22,28 +22,30 @@ class ObservedMotion final : public MotionSource {
     bool set_move_limits(std::shared_ptr<const motion::MoveLimits> limits) override {
         return motion_->set_move_limits(std::move(limits));
     }
-    void set_obeyed(const motion::ObeyedOverrides& obeyed) override { motion_->set_obeyed(obeyed); }
-
-    motion::Planned start_at(const rrs::JointPos& joints) override;
-    motion::Planned check_ramps() const override { return motion_->check_ramps(); }
-    motion::Planned check_tip(const std::optional<Eigen::Vector3d>& tip_mm) override {
-        return motion_->check_tip(tip_mm);
+    void set_obeyed_overrides(const motion::EnabledOverrides& enabled_overrides) override {
+        motion_->set_obeyed_overrides(enabled_overrides);
     }
-    motion::Put put(const motion::Move& move) override;
-    motion::Put put_until(const motion::Move& move, const motion::StopSearch& search) override;
-    motion::Planned put_own(const rrs::JointPos& end) override;
-    double own_end_s() const override { return motion_->own_end_s(); }
-    motion::Planned put_rest(const AskedRest& rest) override;
-    std::vector<std::string> take_remarks() override { return motion_->take_remarks(); }
-    void come_to_rest(bool waits) override;
+
+    motion::PlanResult start_at(const rrs::JointPos& joints) override;
+    motion::PlanResult check_ramps() const override { return motion_->check_ramps(); }
+    motion::PlanResult check_tcp(const std::optional<Eigen::Vector3d>& tcp_mm) override {
+        return motion_->check_tcp(tcp_mm);
+    }
+    motion::EnqueueResult enqueue(const motion::Move& move) override;
+    motion::EnqueueResult enqueue_until(const motion::Move& move, const motion::StopSearch& search) override;
+    motion::PlanResult enqueue_independent(const rrs::JointPos& end) override;
+    double independent_end_s() const override { return motion_->independent_end_s(); }
+    motion::PlanResult enqueue_dwell(const DwellRequest& request) override;
+    std::vector<std::string> drain_remarks() override { return motion_->drain_remarks(); }
+    void plan_to_standstill(bool waits) override;
     void end_program() override;
 
     double time_s() const override { return motion_->time_s(); }
-    double passed_on_s() const override { return motion_->passed_on_s(); }
+    double delivered_until_s() const override { return motion_->delivered_until_s(); }
     const rrs::JointPos& position() const override { return motion_->position(); }
-    bool sampled() const override { return motion_->sampled(); }
-    double cpu_beside_s() const override { return motion_->cpu_beside_s(); }
-    std::optional<std::string> fault() const override { return motion_->fault(); }
+    bool is_sampled() const override { return motion_->is_sampled(); }
+    double external_cpu_s() const override { return motion_->external_cpu_s(); }
+    std::optional<std::string> error() const override { return motion_->error(); }
 
   private:
     std::unique_ptr<MotionSource> motion_;

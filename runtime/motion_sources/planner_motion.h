@@ -11,9 +11,9 @@ namespace gsim::simulation {
 class PlannerMotion final : public MotionSource {
   public:
     /// `sink` and `ways` must outlive this. Throws std::invalid_argument as motion::Planner does.
-    PlannerMotion(motion::PlannerSetup setup, motion::SegmentSink& sink, motion::WaySink& ways)
+    PlannerMotion(motion::PlannerSetup setup, motion::SegmentSink& sink, motion::PathSink& ways)
         : planner_(std::move(setup), &sink), shell_(planner_) {
-        planner_.tell_ways(ways);
+        planner_.set_path_sink(ways);
     }
 
     rrs::Shell& shell() override { return shell_; }
@@ -33,37 +33,41 @@ class PlannerMotion final : public MotionSource {
         planner_.set_move_limits(std::move(limits));
         return true;
     }
-    void set_obeyed(const motion::ObeyedOverrides& obeyed) override { shell_.set_obeyed(obeyed); }
+    void set_obeyed_overrides(const motion::EnabledOverrides& enabled_overrides) override {
+        shell_.set_obeyed_overrides(enabled_overrides);
+    }
 
-    motion::Planned start_at(const rrs::JointPos& joints) override {
+    motion::PlanResult start_at(const rrs::JointPos& joints) override {
         shell_.Initialize();
-        return planner_.stand_at({joints, std::nullopt});
+        return planner_.set_position({joints, std::nullopt});
     }
-    motion::Planned check_ramps() const override { return planner_.check_ramps(); }
-    motion::Planned check_tip(const std::optional<Eigen::Vector3d>& tip_mm) override {
-        return tip_mm ? planner_.check_tip_control() : motion::Planned();
+    motion::PlanResult check_ramps() const override { return planner_.check_ramps(); }
+    motion::PlanResult check_tcp(const std::optional<Eigen::Vector3d>& tcp_mm) override {
+        return tcp_mm ? planner_.check_tcp_control() : motion::PlanResult();
     }
-    motion::Put put(const motion::Move& move) override { return planner_.put(move); }
-    motion::Put put_until(const motion::Move& move, const motion::StopSearch& search) override {
-        return planner_.put_until(move, search);
+    motion::EnqueueResult enqueue(const motion::Move& move) override { return planner_.enqueue(move); }
+    motion::EnqueueResult enqueue_until(const motion::Move& move, const motion::StopSearch& search) override {
+        return planner_.enqueue_until(move, search);
     }
-    motion::Planned put_own(const rrs::JointPos& end) override { return planner_.put_own(end); }
-    double own_end_s() const override { return planner_.own_end_s(); }
-    motion::Planned put_rest(const AskedRest& rest) override {
-        return planner_.put_rest(rest.target_id, rest.rest_s);
+    motion::PlanResult enqueue_independent(const rrs::JointPos& end) override {
+        return planner_.enqueue_independent(end);
     }
-    std::vector<std::string> take_remarks() override { return {}; }
-    void come_to_rest(bool waits) override { planner_.come_to_rest(waits); }
+    double independent_end_s() const override { return planner_.independent_end_s(); }
+    motion::PlanResult enqueue_dwell(const DwellRequest& request) override {
+        return planner_.enqueue_dwell(request.target_id, request.dwell_s);
+    }
+    std::vector<std::string> drain_remarks() override { return {}; }
+    void plan_to_standstill(bool waits) override { planner_.plan_to_standstill(waits); }
     void end_program() override {
-        planner_.come_to_last_rest();
+        planner_.plan_to_final_standstill();
         planner_.flush();
     }
 
     double time_s() const override { return planner_.time_s(); }
-    double passed_on_s() const override { return planner_.passed_on_s(); }
+    double delivered_until_s() const override { return planner_.delivered_until_s(); }
     const rrs::JointPos& position() const override { return planner_.position(); }
-    bool sampled() const override { return false; }
-    std::optional<std::string> fault() const override { return std::nullopt; }
+    bool is_sampled() const override { return false; }
+    std::optional<std::string> error() const override { return std::nullopt; }
 
   private:
     motion::Planner planner_;

@@ -27,7 +27,7 @@ class GnuplotScript {
     void gap() { text_ += '\n'; }
     void end_data() { line("EOD"); }
 
-    std::string take() { return std::move(text_); }
+    std::string release() { return std::move(text_); }
 
   private:
     std::string text_;

@@ -30,11 +30,11 @@ MovesWriter::MovesWriter(TextStream& out, const machine::Machine& machine,
                          const std::vector<std::string>& files)
     : out_(out), machine_(machine), files_(files) {}
 
-void MovesWriter::take(const RecordedMove& move) {
+void MovesWriter::on_move(const RecordedMove& move) {
     fmt::memory_buffer& out = out_.buffer();
     const MoveInfo& info = move.info;
     text::append_format(out, R"({{"n":{},"file":{},"line":{},"kind":"{}","to":{{)", move.n,
-                        file_text(info.place.file), info.place.line, name(info.kind));
+                        file_text(info.location.file), info.location.line, name(info.kind));
     append_target(move.end);
     append_text(out, "}");
     if (is_arc(info.kind)) append_arc(move);
@@ -53,7 +53,7 @@ void MovesWriter::take(const RecordedMove& move) {
         append_text(out, R"(,"deviation_mm":)");
         append_number(out, move.deviation_mm);
     }
-    if (info.beyond != 0) append_axes_beyond(info.beyond);
+    if (info.out_of_range != 0) append_axes_out_of_range(info.out_of_range);
     append_text(out, "}");
     out_.end_line();
 }
@@ -120,7 +120,7 @@ void MovesWriter::append_limit(const RecordedMove& move) {
     out.push_back('"');
 }
 
-void MovesWriter::append_axes_beyond(std::uint16_t joints) {
+void MovesWriter::append_axes_out_of_range(std::uint16_t joints) {
     fmt::memory_buffer& out = out_.buffer();
     append_text(out, R"(,"beyond":[)");
     bool first = true;

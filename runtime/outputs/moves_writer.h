@@ -16,8 +16,7 @@ class MovesWriter : public RunOutput {
     /// outlive this.
     MovesWriter(TextStream& out, const machine::Machine& machine, const std::vector<std::string>& files);
 
-    using RunOutput::take;
-    void take(const RecordedMove& move) override;
+    void on_move(const RecordedMove& move) override;
 
   private:
     void append_target(const rrs::JointPos& joints);
@@ -25,7 +24,7 @@ class MovesWriter : public RunOutput {
     void append_center(const RecordedMove& move);
     void append_normal(const Eigen::Vector3d& normal);
     void append_limit(const RecordedMove& move);
-    void append_axes_beyond(std::uint16_t joints);
+    void append_axes_out_of_range(std::uint16_t joints);
     const std::string& file_text(std::size_t file);
 
     TextStream& out_;

@@ -17,11 +17,11 @@ void PathThinner::push(const PathPoint& point) {
         kept_.push_back(point);
         return;
     }
-    const bool other_style = last_ && last_->style != point.style;
-    if (other_style && (last_->at_mm - kept_.back().at_mm).norm() > tolerance_mm_) keep_last();
+    const bool style_changes = last_ && last_->style != point.style;
+    if (style_changes && (last_->at_mm - kept_.back().at_mm).norm() > tolerance_mm_) keep_last();
     if (last_ && direction_ && !continues_line(point.at_mm)) keep_last();
-    const Vector2d way = point.at_mm - kept_.back().at_mm;
-    if (!direction_ && way.norm() > tolerance_mm_) direction_ = way.normalized();
+    const Vector2d displacement = point.at_mm - kept_.back().at_mm;
+    if (!direction_ && displacement.norm() > tolerance_mm_) direction_ = displacement.normalized();
     last_ = point;
 }
 
@@ -32,11 +32,11 @@ void PathThinner::keep_last() {
 }
 
 bool PathThinner::continues_line(const Vector2d& at_mm) const {
-    const Vector2d way = at_mm - kept_.back().at_mm;
-    const Vector2d last_way = last_->at_mm - kept_.back().at_mm;
-    const double aside = way.x() * direction_->y() - way.y() * direction_->x();
-    return std::abs(aside) <= tolerance_mm_ &&
-           way.dot(*direction_) >= last_way.dot(*direction_) - tolerance_mm_;
+    const Vector2d displacement = at_mm - kept_.back().at_mm;
+    const Vector2d last_offset = last_->at_mm - kept_.back().at_mm;
+    const double lateral = displacement.x() * direction_->y() - displacement.y() * direction_->x();
+    return std::abs(lateral) <= tolerance_mm_ &&
+           displacement.dot(*direction_) >= last_offset.dot(*direction_) - tolerance_mm_;
 }
 
 void PathThinner::coarsen() {

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "motion/exact_stop/apart_move.h"
+#include "motion/exact_stop/uncoordinated_move.h"
 
 namespace gsim::simulation {
 
@@ -23,7 +23,7 @@ constexpr int kMinSpeedSteps = 8;
 constexpr int kMaxSpeedSteps = 512;
 
 int path_steps(const Segment& segment) {
-    if (segment.beside) return kJointSteps;
+    if (segment.superimposed) return kJointSteps;
     switch (segment.kind) {
         case SegmentKind::circular:
             return static_cast<int>(
@@ -51,7 +51,7 @@ double acceleration_along_path(const Segment& segment, double t_s) {
     return speed2 > 0 ? along / std::sqrt(speed2) : 0;
 }
 
-std::array<char, 2> axes_of_view(Plane plane) {
+std::array<char, 2> view_axes(Plane plane) {
     switch (plane) {
         case Plane::xy: return {'X', 'Y'};
         case Plane::zx: return {'X', 'Z'};
@@ -60,20 +60,20 @@ std::array<char, 2> axes_of_view(Plane plane) {
     return {'Y', 'Z'};
 }
 
-PathStyle style_over_time(const MoveInfo& info) {
+PathStyle time_plot_style(const MoveInfo& info) {
     if (info.kind == MoveKind::rapid) return PathStyle::rapid;
-    return info.jet_on ? PathStyle::jet : PathStyle::feed;
+    return info.process_on ? PathStyle::jet : PathStyle::feed;
 }
 
-PathStyle style_of(const MoveInfo& info) {
-    return info.beyond != 0 ? PathStyle::beyond : style_over_time(info);
+PathStyle path_plot_style(const MoveInfo& info) {
+    return info.out_of_range != 0 ? PathStyle::out_of_range : time_plot_style(info);
 }
 
 }  // namespace
 
 PlotData::PlotData(const machine::Machine& machine, Plane plane) : machine_(machine) {
     const std::size_t last = machine.axes.empty() ? 0 : machine.axes.size() - 1;
-    const auto [across, upwards] = axes_of_view(plane);
+    const auto [across, upwards] = view_axes(plane);
     axes_ = {machine.find(across).value_or(0),
              machine.find(upwards).value_or(std::min<std::size_t>(1, last))};
     for (std::size_t i = 0; i < 2 && !machine.axes.empty(); ++i) {
@@ -83,8 +83,8 @@ PlotData::PlotData(const machine::Machine& machine, Plane plane) : machine_(mach
     }
 }
 
-std::optional<std::string> PlotData::lacks_axes(const machine::Machine& machine, Plane plane) {
-    const auto [across, upwards] = axes_of_view(plane);
+std::optional<std::string> PlotData::missing_axes_error(const machine::Machine& machine, Plane plane) {
+    const auto [across, upwards] = view_axes(plane);
     if (plane == Plane::xy || (machine.find(across) && machine.find(upwards))) return std::nullopt;
     return fmt::format("--plot-plane {} needs the axes {} and {}, which the machine '{}' has not",
                        name(plane), across, upwards, machine.name);
@@ -95,7 +95,7 @@ void PlotData::add_efforts(const dynamics::Dynamics& dynamics) {
     efforts_.resize(machine_.axes.size());
 }
 
-void PlotData::add_efforts_of(const Segment& segment) {
+void PlotData::add_segment_efforts(const Segment& segment) {
     for (const dynamics::EffortSample& sample : motors_->samples(segment)) {
         for (std::size_t axis = 0; axis < efforts_.size(); ++axis) {
             efforts_[axis].add({.t_s = segment.start_s + sample.t_s,
@@ -116,23 +116,23 @@ void PlotData::add_following_at(double t_s) {
         const bool linear = machine_.axes[axis].kind == machine::AxisKind::linear;
         following_[axis].add({.t_s = t_s, .value = linear ? error : error * kDegPerRad});
     }
-    if (instant.contour_mm) contour_.add({.t_s = t_s, .value = *instant.contour_mm});
+    if (instant.contour_error_mm) contour_.add({.t_s = t_s, .value = *instant.contour_error_mm});
 }
 
 void PlotData::begin(const rrs::JointPos& start) {
     at_ = start;
     if (servos_) servos_->begin(start);
-    path_.add(seen(start), PathStyle::rapid);
+    path_.add(project(start), PathStyle::rapid);
 }
 
-void PlotData::take(const Segment& segment, const MoveInfo& info) {
-    const PathStyle style = style_over_time(info);
-    mark_pierce(segment, info.jet_on);
-    add_path(segment, style_of(info));
+void PlotData::on_segment(const Segment& segment, const MoveInfo& info) {
+    const PathStyle style = time_plot_style(info);
+    mark_pierce(segment, info.process_on);
+    add_path(segment, path_plot_style(info));
     add_speed(segment, style);
     add_acceleration(segment, style);
     add_feed(segment, info);
-    if (motors_) add_efforts_of(segment);
+    if (motors_) add_segment_efforts(segment);
     if (servos_) {
         const auto add = [this](double, double to_s) { add_following_at(to_s); };
         servos_->enter(segment, info, add);
@@ -145,22 +145,22 @@ void PlotData::end(double end_s) {
     if (servos_) servos_->go_to(end_s, [this](double, double to_s) { add_following_at(to_s); });
 }
 
-void PlotData::mark_pierce(const Segment& segment, bool jet_on) {
+void PlotData::mark_pierce(const Segment& segment, bool process_on) {
     const bool spindle = machine_.process && machine_.process->kind == machine::ProcessKind::spindle;
-    if (jet_on && !jet_ && !spindle && marks_.size() < kMostPierces)
-        marks_.push_back({seen(segment.position_at(0)), MarkKind::pierce});
-    jet_ = jet_on;
+    if (process_on && !jet_ && !spindle && marks_.size() < kMaxPierces)
+        marks_.push_back({project(segment.position_at(0)), MarkKind::pierce});
+    jet_ = process_on;
 }
 
 void PlotData::mark_collision(const rrs::JointPos& joints) {
-    marks_.push_back({seen(joints), MarkKind::collision});
+    marks_.push_back({project(joints), MarkKind::collision});
 }
 
 void PlotData::mark_alarm() {
-    marks_.push_back({seen(at_), MarkKind::alarm});
+    marks_.push_back({project(at_), MarkKind::alarm});
 }
 
-Eigen::Vector2d PlotData::seen(const rrs::JointPos& joints) const {
+Eigen::Vector2d PlotData::project(const rrs::JointPos& joints) const {
     const auto value = [&](std::size_t axis) {
         return axis < machine_.axes.size()
                    ? axis_value(machine_.axes[axis], joints[static_cast<Eigen::Index>(axis)])
@@ -170,19 +170,19 @@ Eigen::Vector2d PlotData::seen(const rrs::JointPos& joints) const {
 }
 
 void PlotData::add_path(const Segment& segment, PathStyle style) {
-    if (segment.joints_go_apart()) return add_path_of_joints(segment, style);
+    if (segment.is_uncoordinated()) return add_joint_path(segment, style);
     const int steps = path_steps(segment);
     for (int i = 1; i <= steps; ++i) {
-        path_.add(seen(segment.position_at(segment.duration_s * i / steps)), style);
+        path_.add(project(segment.position_at(segment.duration_s * i / steps)), style);
     }
 }
 
 // Ramps curve the path, and it has a corner at the arrival of a joint.
-void PlotData::add_path_of_joints(const Segment& segment, PathStyle style) {
+void PlotData::add_joint_path(const Segment& segment, PathStyle style) {
     double from_s = 0;
-    for (const double to_s : motion::apart_instants_s(segment)) {
+    for (const double to_s : motion::uncoordinated_instants_s(segment)) {
         for (int i = 1; i <= kJointSteps; ++i)
-            path_.add(seen(segment.position_at(from_s + (to_s - from_s) * i / kJointSteps)), style);
+            path_.add(project(segment.position_at(from_s + (to_s - from_s) * i / kJointSteps)), style);
         from_s = to_s;
     }
 }
@@ -198,28 +198,28 @@ void PlotData::add_speed(const Segment& segment, PathStyle style) {
 // The acceleration is a straight line in each part of the law, and jumps between them. Points in between keep
 // a slot with a jump from hiding later values.
 void PlotData::add_acceleration(const Segment& segment, PathStyle style) {
-    if (segment.beside || segment.joints_go_apart()) return add_acceleration_of_joints(segment, style);
-    const double length = segment.lead.length();
+    if (segment.superimposed || segment.is_uncoordinated()) return add_joint_acceleration(segment, style);
+    const double length = segment.master.length();
     const double scale = length > 0 ? segment.length_mm / length : 0;
     double start_s = segment.start_s;
-    for (const motion::LawPiece& piece : segment.lead.pieces()) {
-        const int steps = time_steps(piece.duration_s, acceleration_.width_s());
+    for (const motion::LawSection& section : segment.master.sections()) {
+        const int steps = time_steps(section.duration_s, acceleration_.width_s());
         for (int i = 0; i <= steps; ++i) {
-            const double t_s = piece.duration_s * i / steps;
-            acceleration_.add({start_s + t_s, scale * (piece.a0 + piece.jerk * t_s), style});
+            const double t_s = section.duration_s * i / steps;
+            acceleration_.add({start_s + t_s, scale * (section.a0 + section.jerk * t_s), style});
         }
-        start_s += piece.duration_s;
+        start_s += section.duration_s;
     }
-    if (segment.lead.pieces().empty()) add_rest(segment, style);
+    if (segment.master.sections().empty()) add_standstill(segment, style);
 }
 
-void PlotData::add_rest(const Segment& segment, PathStyle style) {
+void PlotData::add_standstill(const Segment& segment, PathStyle style) {
     const int steps = time_steps(segment.duration_s, acceleration_.width_s());
     for (int i = 0; i <= steps; ++i)
         acceleration_.add({segment.start_s + segment.duration_s * i / steps, 0, style});
 }
 
-void PlotData::add_acceleration_of_joints(const Segment& segment, PathStyle style) {
+void PlotData::add_joint_acceleration(const Segment& segment, PathStyle style) {
     const int steps = std::max(kMinSpeedSteps, time_steps(segment.duration_s, acceleration_.width_s()));
     for (int i = 0; i <= steps; ++i) {
         const double t_s = segment.duration_s * i / steps;

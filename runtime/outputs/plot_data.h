@@ -29,22 +29,21 @@ struct PlotMark {
 /// over time.
 class PlotData : public RunOutput {
   public:
-    static constexpr std::size_t kMostPierces = 10'000;  ///< Max number of marks; later ones are omitted.
+    static constexpr std::size_t kMaxPierces = 10'000;  ///< Max number of marks; later ones are omitted.
 
     /// Selects the axes across and upwards: X Y, X Z and Y Z for the planes xy, zx and yz; for xy a machine's
     /// first two axes if it has no such letters. An axis of the plane that the machine lacks is an error,
-    /// lacks_axes().
+    /// missing_axes_error().
     explicit PlotData(const machine::Machine& machine, Plane plane = Plane::xy);
     /// Adds, before the run, the efforts of the motors to the picture. `dynamics` must outlive this.
     void add_efforts(const dynamics::Dynamics& dynamics);
     /// Adds, before the run, following errors.
     void add_following(const FollowingSetup& setup);
     /// Returns a message if the machine lacks the axes of a side view; nullopt if it has them.
-    static std::optional<std::string> lacks_axes(const machine::Machine& machine, Plane plane);
+    static std::optional<std::string> missing_axes_error(const machine::Machine& machine, Plane plane);
 
-    using RunOutput::take;
     void begin(const rrs::JointPos& start) override;
-    void take(const motion::Segment& segment, const MoveInfo& info) override;
+    void on_segment(const motion::Segment& segment, const MoveInfo& info) override;
     void end(double end_s) override;
 
     /// Marks a contact of bodies of the cell and, after all else, the position at which an alarm ends the
@@ -80,16 +79,16 @@ class PlotData : public RunOutput {
     const std::array<std::string, 2>& labels() const { return labels_; }
 
   private:
-    Eigen::Vector2d seen(const rrs::JointPos& joints) const;
-    void mark_pierce(const motion::Segment& segment, bool jet_on);
+    Eigen::Vector2d project(const rrs::JointPos& joints) const;
+    void mark_pierce(const motion::Segment& segment, bool process_on);
     void add_path(const motion::Segment& segment, PathStyle style);
-    void add_path_of_joints(const motion::Segment& segment, PathStyle style);
+    void add_joint_path(const motion::Segment& segment, PathStyle style);
     void add_speed(const motion::Segment& segment, PathStyle style);
     void add_acceleration(const motion::Segment& segment, PathStyle style);
-    void add_acceleration_of_joints(const motion::Segment& segment, PathStyle style);
-    void add_efforts_of(const motion::Segment& segment);
+    void add_joint_acceleration(const motion::Segment& segment, PathStyle style);
+    void add_segment_efforts(const motion::Segment& segment);
     void add_following_at(double t_s);
-    void add_rest(const motion::Segment& segment, PathStyle style);
+    void add_standstill(const motion::Segment& segment, PathStyle style);
     void add_feed(const motion::Segment& segment, const MoveInfo& info);
 
     const machine::Machine& machine_;

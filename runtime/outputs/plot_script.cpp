@@ -16,12 +16,12 @@ namespace {
 
 constexpr double kWidth_px = 1100;
 constexpr double kTitle_px = 50;
-constexpr double kOverTime_px = 300;  // of each of the panels over time
-constexpr double kMostOverCurve = 2;  // a dashed limit further above the curve would press it flat
-constexpr double kMargin_px = 130;    // of the path panel: labels and legend
+constexpr double kTimePanel_px = 300;   // of each of the panels over time
+constexpr double kMaxLimitToCurve = 2;  // a dashed limit further above the curve would press it flat
+constexpr double kMargin_px = 130;      // of the path panel: labels and legend
 constexpr double kMinPath_px = 200;
 constexpr double kMaxPath_px = 900;
-constexpr std::size_t kLongestTitle = 90;
+constexpr std::size_t kMaxTitleLength = 90;
 
 struct PlotRange {
     double min = 0;
@@ -56,11 +56,11 @@ Extents extents(const std::vector<PathPoint>& path) {
 // Returns a gnuplot string in single quotes, in which only the quote is special.
 std::string quoted_text(std::string_view text) {
     std::string out = "'";
-    for (const char c : text.substr(0, kLongestTitle)) {
+    for (const char c : text.substr(0, kMaxTitleLength)) {
         if (c == '\'') out += '\'';
         out += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
     }
-    return out + (text.size() > kLongestTitle ? "...'" : "'");
+    return out + (text.size() > kMaxTitleLength ? "...'" : "'");
 }
 
 // Writes the polylines of one style; returns true if any exist.
@@ -162,7 +162,7 @@ void add_path_panel(GnuplotScript& script, const PlotData& data, const Extents& 
         curves.push_back(
             fmt::format("$jet with lines linewidth 2 linecolor rgb '#12355b' title '{} on'", data.process()));
     }
-    if (add_path_data(script, "beyond", path, PathStyle::beyond)) {
+    if (add_path_data(script, "beyond", path, PathStyle::out_of_range)) {
         curves.push_back("$beyond with lines linewidth 3 linecolor rgb '#d01c1c' title 'past a limit'");
     }
     add_marks(script, data.marks(), curves);
@@ -178,10 +178,10 @@ bool is_rapid(const TimePoint& point) {
     return point.style == PathStyle::rapid;
 }
 
-PlotRange values(const std::vector<TimePoint>& points, bool of_rapids) {
+PlotRange values(const std::vector<TimePoint>& points, bool rapids_only) {
     PlotRange range;
     for (const TimePoint& point : points) {
-        if (is_rapid(point) == of_rapids) range.include(point.value);
+        if (is_rapid(point) == rapids_only) range.include(point.value);
     }
     return range;
 }
@@ -192,11 +192,11 @@ struct TimeScales {
     explicit TimeScales(const std::vector<TimePoint>& points)
         : cutting(values(points, false)),
           rapids(values(points, true)),
-          two(cutting.size() > 0 && rapids.size() > 0),
+          has_two_scales(cutting.size() > 0 && rapids.size() > 0),
           end_s(points.empty() ? 0 : points.back().t_s) {}
 
     PlotRange cutting, rapids;
-    bool two;
+    bool has_two_scales;
     double end_s;
 
     /// Returns the range on the left.
@@ -206,8 +206,8 @@ struct TimeScales {
 // Sets the zero of both scales to one height.
 void set_time_axes(GnuplotScript& script, TimeScales& scales, std::string_view what, std::string_view unit) {
     PlotRange left = scales.left();
-    if (scales.two && scales.rapids.min < 0) left.include(-left.max);
-    if (scales.two && scales.rapids.max > 0) left.include(-left.min);
+    if (scales.has_two_scales && scales.rapids.min < 0) left.include(-left.max);
+    if (scales.has_two_scales && scales.rapids.max > 0) left.include(-left.min);
     script.line("set size noratio");
     script.line("set xrange [0:{:.9g}]", scales.end_s > 0 ? scales.end_s : 1);
     script.line("set yrange [{:.9g}:{:.9g}]", 1.08 * left.min, left.size() > 0 ? 1.08 * left.max : 1);
@@ -216,7 +216,7 @@ void set_time_axes(GnuplotScript& script, TimeScales& scales, std::string_view w
     script.line("unset y2tics");
     script.line("unset y2label");
     script.line("set ytics nomirror");
-    if (!scales.two) return;
+    if (!scales.has_two_scales) return;
     double factor = scales.rapids.max / left.max;
     if (left.min < 0) factor = std::max(factor, scales.rapids.min / left.min);
     script.line("set y2range [{:.9g}:{:.9g}]", 1.08 * factor * left.min, 1.08 * factor * left.max);
@@ -230,8 +230,8 @@ std::vector<std::string> time_curves(GnuplotScript& script, const std::string& n
     std::vector<std::string> curves;
     if (add_time_data(script, name + "_rapid", points, PathStyle::rapid)) {
         curves.push_back(fmt::format("${}_rapid {} with lines linewidth 1 linecolor rgb '#c0772b' title '{}'",
-                                     name, scales.two ? "axes x1y2" : "axes x1y1",
-                                     scales.two ? "rapid (right)" : "rapid"));
+                                     name, scales.has_two_scales ? "axes x1y2" : "axes x1y1",
+                                     scales.has_two_scales ? "rapid (right)" : "rapid"));
     }
     if (add_time_data(script, name + "_off", points, PathStyle::feed)) {
         curves.push_back(fmt::format(
@@ -259,7 +259,7 @@ void add_speed_panel(GnuplotScript& script, const PlotData& data) {
             "programmed'");
     }
     PlotRange& range = scales.left();
-    range.include(std::min(values(feed, false).max, kMostOverCurve * range.max));
+    range.include(std::min(values(feed, false).max, kMaxLimitToCurve * range.max));
     set_time_axes(script, scales, "speed", "mm/s");
     add_plot_command(script, curves);
 }
@@ -271,7 +271,7 @@ void add_acceleration_panel(GnuplotScript& script, const PlotData& data) {
         time_curves(script, "acceleration", acceleration, scales, data.process());
     PlotRange& range = scales.left();
     const double limit = data.max_acceleration_mm_s2();
-    if (range.size() > 0 && limit <= kMostOverCurve * std::max(range.max, -range.min)) {
+    if (range.size() > 0 && limit <= kMaxLimitToCurve * std::max(range.max, -range.min)) {
         curves.push_back(fmt::format(
             "{0:.9g} with lines linewidth 1.2 dashtype '-' linecolor rgb '#a23b3b' title 'limit of feed "
             "moves', -{0:.9g} with lines linewidth 1.2 dashtype '-' linecolor rgb '#a23b3b' notitle",
@@ -285,8 +285,8 @@ void add_acceleration_panel(GnuplotScript& script, const PlotData& data) {
 
 // Returns the height of the path's axes if they fill the width of the picture.
 double path_height_px(const Extents& extents) {
-    const double wanted_px = (kWidth_px - kMargin_px) * extents.y.size() / extents.x.size();
-    return std::clamp(wanted_px, kMinPath_px, kMaxPath_px);
+    const double required_px = (kWidth_px - kMargin_px) * extents.y.size() / extents.x.size();
+    return std::clamp(required_px, kMinPath_px, kMaxPath_px);
 }
 
 }  // namespace
@@ -296,8 +296,8 @@ std::string plot_script(const PlotData& data, PictureFormat format, std::string_
     const double path_px = path_height_px(path_extents) + kMargin_px;
     const std::size_t efforts = effort_panels(data);
     const std::size_t panels = 2 + efforts + following_panels(data);
-    const double height_px = kTitle_px + path_px + static_cast<double>(panels) * kOverTime_px;
-    const double time_share = kOverTime_px / height_px;
+    const double height_px = kTitle_px + path_px + static_cast<double>(panels) * kTimePanel_px;
+    const double time_share = kTimePanel_px / height_px;
 
     GnuplotScript script;
     const bool svg = format == PictureFormat::svg;
@@ -313,20 +313,20 @@ std::string plot_script(const PlotData& data, PictureFormat format, std::string_
     script.line("set lmargin 10");
     script.line("set rmargin 11");
     script.line("set key outside top center horizontal samplen 3 width 1 textcolor rgb '#333333'");
-    const auto stand = [&](std::size_t above) {
+    const auto set_origin = [&](std::size_t above) {
         script.line("set origin 0, {:.6f}", static_cast<double>(above) * time_share);
     };
-    stand(panels);
+    set_origin(panels);
     script.line("set size 1, {:.6f}", path_px / height_px);
     add_path_panel(script, data, path_extents);
     script.line("unset label 1");
     script.line("set size 1, {:.6f}", time_share);
-    stand(panels - 1);
+    set_origin(panels - 1);
     add_speed_panel(script, data);
-    stand(panels - 2);
+    set_origin(panels - 2);
     add_acceleration_panel(script, data);
     for (std::size_t i = 0; i + 2 < panels; ++i) {
-        stand(panels - 3 - i);
+        set_origin(panels - 3 - i);
         if (i < efforts) {
             add_effort_panel(script, data, i);
         } else {
@@ -334,7 +334,7 @@ std::string plot_script(const PlotData& data, PictureFormat format, std::string_
         }
     }
     script.line("unset multiplot");
-    return script.take();
+    return script.release();
 }
 
 }  // namespace gsim::simulation

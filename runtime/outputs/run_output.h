@@ -30,8 +30,8 @@ class RunOutput {
     virtual ~RunOutput() = default;
     /// Begins, once and before all other calls, with the joint values at time 0.
     virtual void begin(const rrs::JointPos& /*start*/) {}
-    virtual void take(const motion::Segment& /*segment*/, const MoveInfo& /*info*/) {}
-    virtual void take(const RecordedMove& /*move*/) {}
+    virtual void on_segment(const motion::Segment& /*segment*/, const MoveInfo& /*info*/) {}
+    virtual void on_move(const RecordedMove& /*move*/) {}
     /// Ends the run, once and after all other calls.
     virtual void end(double /*end_s*/) {}
 };

@@ -16,31 +16,30 @@ class Sampler : public RunOutput {
     /// which a run ends, only the last instant follows: a single move may take years.
     Sampler(double step_s, double max_time_s);
 
-    using RunOutput::take;
     void begin(const rrs::JointPos& start) override { position_ = start; }
-    void take(const motion::Segment& segment, const MoveInfo& info) override;
+    void on_segment(const motion::Segment& segment, const MoveInfo& info) override;
     void end(double end_s) override;
 
   protected:
-    /// Returns the segment of the current instant; segment_time_s() returns the time since its start. Null
+    /// Returns the segment of the current instant; time_in_segment_s() returns the time since its start. Null
     /// between segments and at the end, when the machine is at standstill.
     const motion::Segment* segment() const { return segment_; }
-    double segment_time_s() const { return segment_time_s_; }
+    double time_in_segment_s() const { return time_in_segment_s_; }
 
   private:
     /// Processes an instant; returns false if no more are wanted.
     virtual bool sample(double t_s, const rrs::JointPos& joints, double speed_mm_s, std::uint32_t line) = 0;
-    bool due(double before_s) const;
+    bool is_due(double before_s) const;
     double next_s() const { return static_cast<double>(next_) * step_s_; }
 
     double step_s_;
     double max_time_s_;
-    bool wanted_ = true;
+    bool accepts_samples_ = true;
     std::uint64_t next_ = 0;  // number of the next sample
     rrs::JointPos position_;  // at the end of the last segment
     std::uint32_t line_ = 0;
     const motion::Segment* segment_ = nullptr;
-    double segment_time_s_ = 0;
+    double time_in_segment_s_ = 0;
 };
 
 }  // namespace gsim::simulation

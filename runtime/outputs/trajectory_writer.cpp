@@ -15,8 +15,8 @@ using text::append_number;
 }  // namespace
 
 TrajectoryWriter::TrajectoryWriter(TextStream& out, const machine::Machine& machine, double step_s,
-                                   double max_time_s, std::uint64_t most_samples)
-    : Sampler(step_s, max_time_s), out_(out), machine_(machine), most_samples_(most_samples) {}
+                                   double max_time_s, std::uint64_t max_samples)
+    : Sampler(step_s, max_time_s), out_(out), machine_(machine), max_samples_(max_samples) {}
 
 void TrajectoryWriter::begin(const rrs::JointPos& start) {
     Sampler::begin(start);
@@ -24,18 +24,18 @@ void TrajectoryWriter::begin(const rrs::JointPos& start) {
     write_header();
 }
 
-void TrajectoryWriter::take(const motion::Segment& segment, const MoveInfo& info) {
+void TrajectoryWriter::on_segment(const motion::Segment& segment, const MoveInfo& info) {
     info_ = info;
-    entered_ = false;
-    Sampler::take(segment, info);
+    has_entered_segment_ = false;
+    Sampler::on_segment(segment, info);
     if (!following_) return;
     enter_segment(segment);
     following_->leave();
 }
 
 void TrajectoryWriter::enter_segment(const motion::Segment& segment) {
-    if (!entered_) following_->enter(segment, info_);
-    entered_ = true;
+    if (!has_entered_segment_) following_->enter(segment, info_);
+    has_entered_segment_ = true;
 }
 
 void TrajectoryWriter::end(double end_s) {
@@ -70,10 +70,10 @@ void TrajectoryWriter::write_header() {
 }
 
 void TrajectoryWriter::write_efforts(const rrs::JointPos& joints) {
-    motion::Segment rest;
-    rest.start = rest.end = joints;
+    motion::Segment standstill;
+    standstill.start = standstill.end = joints;
     const dynamics::EffortSample sample =
-        segment() != nullptr ? efforts_->at(*segment(), segment_time_s()) : efforts_->at(rest, 0);
+        segment() != nullptr ? efforts_->at(*segment(), time_in_segment_s()) : efforts_->at(standstill, 0);
     fmt::memory_buffer& out = out_.buffer();
     for (const double effort : sample.efforts) {
         out.push_back(',');
@@ -89,17 +89,17 @@ void TrajectoryWriter::write_following(double t_s) {
     following_->go_to(t_s);
     const FollowingInstant instant = following_->at(t_s);
     fmt::memory_buffer& out = out_.buffer();
-    const auto put = [&](double value) {
+    const auto append = [&](double value) {
         out.push_back(',');
         append_number(out, value);
     };
     for (std::size_t i = 0; i < machine_.axes.size(); ++i) {
         const double error = instant.errors[static_cast<Eigen::Index>(i)];
-        put(machine_.axes[i].kind == machine::AxisKind::linear ? error : error / kRadPerDeg);
+        append(machine_.axes[i].kind == machine::AxisKind::linear ? error : error / kRadPerDeg);
     }
-    for (const double coordinate : instant.tip_mm) put(coordinate);
-    if (instant.contour_mm) {
-        put(*instant.contour_mm);
+    for (const double coordinate : instant.tcp_mm) append(coordinate);
+    if (instant.contour_error_mm) {
+        append(*instant.contour_error_mm);
     } else {
         out.push_back(',');
     }
@@ -107,8 +107,8 @@ void TrajectoryWriter::write_following(double t_s) {
 
 bool TrajectoryWriter::sample(double t_s, const rrs::JointPos& joints, double speed_mm_s,
                               std::uint32_t line) {
-    cut_short_ = cut_short_ || (!at_end_ && samples_ >= most_samples_);
-    if (cut_short_ && !at_end_) return false;
+    is_truncated_ = is_truncated_ || (!at_end_ && samples_ >= max_samples_);
+    if (is_truncated_ && !at_end_) return false;
     fmt::memory_buffer& out = out_.buffer();
     append_number(out, t_s);
     text::append_format(out, ",{},", line);

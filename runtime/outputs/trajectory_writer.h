@@ -14,12 +14,12 @@ namespace gsim::simulation {
 /// Writer of trajectory samples as CSV (docs/report.md), one line for each.
 class TrajectoryWriter : public Sampler {
   public:
-    /// Sets the step as in Sampler. `out` and `machine` must outlive this. After `most_samples` it writes
+    /// Sets the step as in Sampler. `out` and `machine` must outlive this. After `max_samples` it writes
     /// only the last instant.
     TrajectoryWriter(TextStream& out, const machine::Machine& machine, double step_s, double max_time_s,
-                     std::uint64_t most_samples = kMostSamples);
+                     std::uint64_t max_samples = kMaxSamples);
 
-    static constexpr std::uint64_t kMostSamples = 100'000'000;  ///< Some 5 GB.
+    static constexpr std::uint64_t kMaxSamples = 100'000'000;  ///< Some 5 GB.
 
     /// Adds, before the run, the efforts of the motors and their power to each sample. `dynamics` must
     /// outlive this.
@@ -30,11 +30,10 @@ class TrajectoryWriter : public Sampler {
     void add_following(const FollowingSetup& setup) { following_.emplace(setup); }
 
     /// Returns true if samples are missing, because they would be too many.
-    bool cut_short() const { return cut_short_; }
+    bool is_truncated() const { return is_truncated_; }
 
-    using RunOutput::take;
     void begin(const rrs::JointPos& start) override;
-    void take(const motion::Segment& segment, const MoveInfo& info) override;
+    void on_segment(const motion::Segment& segment, const MoveInfo& info) override;
     void end(double end_s) override;
 
   private:
@@ -48,11 +47,11 @@ class TrajectoryWriter : public Sampler {
     const machine::Machine& machine_;
     std::optional<dynamics::SegmentEfforts> efforts_;
     std::optional<FollowingMotion> following_;
-    MoveInfo info_;         // of the segment that is sampled,
-    bool entered_ = false;  // which following_ knows
-    std::uint64_t most_samples_;
+    MoveInfo info_;                     // of the segment that is sampled,
+    bool has_entered_segment_ = false;  // which following_ knows
+    std::uint64_t max_samples_;
     std::uint64_t samples_ = 0;
-    bool cut_short_ = false;
+    bool is_truncated_ = false;
     bool at_end_ = false;
 };
 

@@ -17,19 +17,19 @@ class Conveyor {
     const Eigen::Vector3d& direction() const { return direction_; }
     double speed_mm_s() const { return speed_mm_s_; }
     /// Returns the travel at a time that is not before the last change of speed.
-    double position_mm(double time_s) const { return position_mm_ + speed_mm_s_ * (time_s - changed_s_); }
+    double position_mm(double time_s) const { return position_mm_ + speed_mm_s_ * (time_s - last_change_s_); }
     /// Sets the speed from `time_s` on, which is not before the last change.
     void set_speed(double speed_mm_s, double time_s);
     /// Returns when it has travelled that far, from `time_s` on, if it keeps its speed: `time_s` if it has
     /// passed there, infinity if it is at standstill elsewhere.
-    double reaches_s(double position_mm, double time_s) const;
+    double arrival_time_s(double position_mm, double time_s) const;
 
   private:
     std::string name_;
     Eigen::Vector3d direction_;
     double speed_mm_s_;
-    double position_mm_ = 0;  ///< At changed_s_.
-    double changed_s_ = 0;
+    double position_mm_ = 0;  ///< At last_change_s_.
+    double last_change_s_ = 0;
 };
 
 }  // namespace gsim::process

@@ -101,7 +101,7 @@ class RobotsReader {
         TomlSection section(error_, table, "[[zone]]", kZoneKeys);
         SharedZone zone;
         zone.name = read_name(section);
-        const os::GivenFiles no_files([](const std::string&) -> std::optional<std::string> { return {}; });
+        const os::CallbackFiles no_files([](const std::string&) -> std::optional<std::string> { return {}; });
         auto form = machine::read_shape(error_, section, table, folder_, no_files);
         if (form && std::holds_alternative<machine::MeshShape>(*form))
             section.fail("shape", "a zone is a box, a cylinder, a sphere or a capsule");
@@ -127,8 +127,9 @@ tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, st
     return file;
 }
 
-tl::expected<RobotsFile, std::string> load_robots(const std::filesystem::path& path, os::NamedBy named_by) {
-    return os::read_text_file(path, named_by).and_then([&](const std::string& text) {
+tl::expected<RobotsFile, std::string> load_robots(const std::filesystem::path& path,
+                                                  os::NameSource name_source) {
+    return os::read_text_file(path, name_source).and_then([&](const std::string& text) {
         return read_robots(text, path.string());
     });
 }

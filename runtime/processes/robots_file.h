@@ -37,6 +37,6 @@ tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, st
 
 /// Reads the same from a file on disk.
 tl::expected<RobotsFile, std::string> load_robots(const std::filesystem::path& path,
-                                                  os::NamedBy named_by = os::NamedBy::a_file);
+                                                  os::NameSource name_source = os::NameSource::in_file);
 
 }  // namespace gsim::process

@@ -29,26 +29,27 @@ bool is_met(const Wait& wait, const Value& value) {
     }
 }
 
-ProcessId Schedule::add(std::string name, bool background, double start_s, const simulation::Place& place) {
+ProcessId Schedule::add(std::string name, bool background, double start_s,
+                        const simulation::SourceLocation& location) {
     processes_.push_back({.name = std::move(name),
                           .background = background,
                           .start_s = start_s,
                           .time_s = start_s,
-                          .place = place});
+                          .location = location});
     return processes_.size() - 1;
 }
 
-std::optional<double> Schedule::due_s(const Process& process) {
+std::optional<double> Schedule::due_time_s(const Process& process) {
     if (process.state == ProcessState::ready) return process.time_s;
     if (process.state == ProcessState::waiting) return process.wait.until_s;
     return std::nullopt;
 }
 
-double Schedule::next_act_s(ProcessId id) const {
-    return due_s(processes_[id]).value_or(std::numeric_limits<double>::infinity());
+double Schedule::next_action_s(ProcessId id) const {
+    return due_time_s(processes_[id]).value_or(std::numeric_limits<double>::infinity());
 }
 
-bool Schedule::unfinished() const {
+bool Schedule::has_unfinished() const {
     return std::any_of(processes_.begin(), processes_.end(), [](const Process& process) {
         return !process.background && process.state != ProcessState::done;
     });
@@ -56,18 +57,18 @@ bool Schedule::unfinished() const {
 
 std::optional<ProcessId> Schedule::next() const {
     std::optional<ProcessId> found;
-    double least_s = 0;
+    double min_s = 0;
     for (ProcessId id = 0; id < processes_.size(); ++id) {
-        const std::optional<double> time_s = due_s(processes_[id]);
-        if (!time_s || (found && *time_s >= least_s)) continue;
+        const std::optional<double> time_s = due_time_s(processes_[id]);
+        if (!time_s || (found && *time_s >= min_s)) continue;
         found = id;
-        least_s = *time_s;
+        min_s = *time_s;
     }
     return found;
 }
 
-std::optional<ProcessId> Schedule::take_next() {
-    if (!unfinished()) return std::nullopt;
+std::optional<ProcessId> Schedule::activate_next() {
+    if (!has_unfinished()) return std::nullopt;
     const std::optional<ProcessId> id = next();
     if (!id) return id;
     Process& process = processes_[*id];
@@ -100,7 +101,7 @@ void Schedule::wake(ProcessId id, double time_s) {
     processes_[id].time_s = std::max(processes_[id].time_s, time_s);
 }
 
-std::vector<ProcessId> Schedule::stuck_from(ProcessId id) const {
+std::vector<ProcessId> Schedule::deadlocked_from(ProcessId id) const {
     std::vector<ProcessId> chain;
     for (ProcessId at = id; chain.size() < processes_.size();) {
         const Process& process = processes_[at];
@@ -113,7 +114,7 @@ std::vector<ProcessId> Schedule::stuck_from(ProcessId id) const {
     return {};
 }
 
-std::optional<ProcessId> Schedule::waits_for_zone_of(ProcessId id) const {
+std::optional<ProcessId> Schedule::find_zone_waiter(ProcessId id) const {
     for (ProcessId at = 0; at < processes_.size(); ++at) {
         const Process& process = processes_[at];
         if (process.state == ProcessState::waiting && process.wait.kind == WaitKind::zone &&
@@ -123,17 +124,17 @@ std::optional<ProcessId> Schedule::waits_for_zone_of(ProcessId id) const {
     return std::nullopt;
 }
 
-bool Schedule::waits_for_zone() const {
+bool Schedule::any_waits_for_zone() const {
     return std::any_of(processes_.begin(), processes_.end(), [](const Process& process) {
         return process.state == ProcessState::waiting && process.wait.kind == WaitKind::zone;
     });
 }
 
-std::string Schedule::text_of_wait(const Wait& wait) const {
+std::string Schedule::wait_text(const Wait& wait) const {
     switch (wait.kind) {
         case WaitKind::on: return fmt::format("'{}' to be on", wait.signal);
         case WaitKind::off: return fmt::format("'{}' to be off", wait.signal);
-        case WaitKind::equals: return fmt::format("'{}' to be {}", wait.signal, text_of(wait.value));
+        case WaitKind::equals: return fmt::format("'{}' to be {}", wait.signal, value_text(wait.value));
         case WaitKind::rises: return fmt::format("'{}' to come on", wait.signal);
         case WaitKind::falls: return fmt::format("'{}' to go off", wait.signal);
         case WaitKind::zone: {
@@ -158,12 +159,12 @@ std::string Schedule::waits(const std::vector<std::string>& files, std::span<con
     std::string list;
     for (const ProcessId id : of) {
         const Process& process = processes_[id];
-        const simulation::Place& place = process.place;
-        const std::string where = place.line > 0 && place.file < files.size()
-                                      ? fmt::format(" ({}:{})", files[place.file], place.line)
+        const simulation::SourceLocation& location = process.location;
+        const std::string where = location.line > 0 && location.file < files.size()
+                                      ? fmt::format(" ({}:{})", files[location.file], location.line)
                                       : "";
         list += fmt::format("{}'{}'{} waits for {}", list.empty() ? "" : ", ", process.name, where,
-                            text_of_wait(process.wait));
+                            wait_text(process.wait));
     }
     return list;
 }

@@ -42,8 +42,8 @@ struct Process {
     double time_s = 0;  ///< Time of its own clock.
     ProcessState state = ProcessState::ready;
     Wait wait = {};
-    bool timed_out = false;        ///< The last wait was.
-    simulation::Place place = {};  ///< Location of its wait, or its last one.
+    bool timed_out = false;                    ///< The last wait was.
+    simulation::SourceLocation location = {};  ///< Location of its wait, or its last one.
 };
 
 /// Order of the processes: conservative simulation of discrete events. A process continues only if no other
@@ -51,23 +51,24 @@ struct Process {
 /// wakes, at its time, those that wait for it.
 class Schedule {
   public:
-    ProcessId add(std::string name, bool background, double start_s, const simulation::Place& place);
+    ProcessId add(std::string name, bool background, double start_s,
+                  const simulation::SourceLocation& location);
 
     Process& process(ProcessId id) { return processes_[id]; }
     const Process& process(ProcessId id) const { return processes_[id]; }
     std::size_t size() const { return processes_.size(); }
 
     /// Returns true if the process, which is ready, may continue at once.
-    bool goes_on(ProcessId id) const { return next() == id; }
+    bool continues(ProcessId id) const { return next() == id; }
     /// Returns the process to continue: nullopt if all but background processes are done, or all of them wait
     /// for something that never comes. A wait that gives up is over then, and its process's clock is at that
     /// time.
-    std::optional<ProcessId> take_next();
+    std::optional<ProcessId> activate_next();
     /// Returns the time before which the process does nothing unless another one wakes it; infinity if it is
     /// done.
-    double next_act_s(ProcessId id) const;
+    double next_action_s(ProcessId id) const;
     /// Returns true if a process that the run waits for has not come to its end.
-    bool unfinished() const;
+    bool has_unfinished() const;
     /// Makes the process wait from its time on; it need not if the signal is already so.
     void wait(ProcessId id, Wait wait);
     /// Reports that a signal has changed at `time_s` from `before`: wakes those that wait for it.
@@ -78,11 +79,11 @@ class Schedule {
 
     /// Returns processes that wait for each other's zones without end, from this one on: in a ring, or up to
     /// a zone of a process that has ended. Empty if another process can release this one.
-    std::vector<ProcessId> stuck_from(ProcessId id) const;
+    std::vector<ProcessId> deadlocked_from(ProcessId id) const;
     /// Returns the first process that waits for a zone of this one.
-    std::optional<ProcessId> waits_for_zone_of(ProcessId id) const;
+    std::optional<ProcessId> find_zone_waiter(ProcessId id) const;
     /// Returns true if one of the waiting processes waits for a zone.
-    bool waits_for_zone() const;
+    bool any_waits_for_zone() const;
     /// Returns what each process that is not done waits for, as a list within a message; locations by
     /// `files`.
     std::string waits(const std::vector<std::string>& files) const;
@@ -91,8 +92,8 @@ class Schedule {
 
   private:
     std::optional<ProcessId> next() const;
-    static std::optional<double> due_s(const Process& process);
-    std::string text_of_wait(const Wait& wait) const;
+    static std::optional<double> due_time_s(const Process& process);
+    std::string wait_text(const Wait& wait) const;
 
     std::deque<Process> processes_;
 };

@@ -19,20 +19,20 @@ std::vector<std::string_view> SharedZones::names() const {
 }
 
 std::optional<std::size_t> SharedZones::note(const Process& process, const std::string& zone) {
-    if (uses_.size() == kMostListed) {
+    if (uses_.size() == kMaxListed) {
         ++dropped_;
         return std::nullopt;
     }
     uses_.push_back({.zone = zone,
                      .process = process.name,
-                     .place = process.place,
-                     .asked_s = process.time_s,
+                     .location = process.location,
+                     .requested_s = process.time_s,
                      .from_s = std::nullopt,
                      .to_s = std::nullopt});
     return uses_.size() - 1;
 }
 
-void SharedZones::give(Zone& zone, const Waiting& to, double time_s) {
+void SharedZones::assign_to(Zone& zone, const ZoneRequest& to, double time_s) {
     zone.holder = to.process;
     zone.use = to.use;
     if (to.use) uses_[*to.use].from_s = time_s;
@@ -41,12 +41,12 @@ void SharedZones::give(Zone& zone, const Waiting& to, double time_s) {
 bool SharedZones::enter(Schedule& schedule, std::size_t index, ProcessId id) {
     Zone& zone = zones_[index];
     const Process& process = schedule.process(id);
-    const Waiting asking{id, note(process, zone.name)};
+    const ZoneRequest request{id, note(process, zone.name)};
     if (!zone.holder) {
-        give(zone, asking, process.time_s);
+        assign_to(zone, request, process.time_s);
         return true;
     }
-    zone.waiting.push_back(asking);
+    zone.pending.push_back(request);
     schedule.wait(id, {.kind = WaitKind::zone, .signal = zone.name, .holder = zone.holder});
     return false;
 }
@@ -57,12 +57,13 @@ std::optional<ProcessId> SharedZones::leave(Schedule& schedule, std::size_t inde
     if (zone.use) uses_[*zone.use].to_s = time_s;
     zone.holder.reset();
     zone.use.reset();
-    if (zone.waiting.empty()) return std::nullopt;
-    const Waiting next = zone.waiting.front();
-    zone.waiting.pop_front();
-    give(zone, next, time_s);
+    if (zone.pending.empty()) return std::nullopt;
+    const ZoneRequest next = zone.pending.front();
+    zone.pending.pop_front();
+    assign_to(zone, next, time_s);
     schedule.wake(next.process, time_s);
-    for (const Waiting& waiting : zone.waiting) schedule.process(waiting.process).wait.holder = next.process;
+    for (const ZoneRequest& pending : zone.pending)
+        schedule.process(pending.process).wait.holder = next.process;
     return next.process;
 }
 

@@ -25,7 +25,7 @@ struct SharedZone {
 class SharedZones {
   public:
     /// Max number of uses in a report; further ones are counted.
-    static constexpr std::size_t kMostListed = 10'000;
+    static constexpr std::size_t kMaxListed = 10'000;
 
     explicit SharedZones(const std::vector<SharedZone>& zones = {}) : zones_(zones.begin(), zones.end()) {}
 
@@ -45,7 +45,7 @@ class SharedZones {
     std::uint64_t dropped() const { return dropped_; }
 
   private:
-    struct Waiting {
+    struct ZoneRequest {
         ProcessId process;
         std::optional<std::size_t> use;  ///< Index in uses_, if it is listed.
     };
@@ -55,11 +55,11 @@ class SharedZones {
         std::string name;
         std::optional<ProcessId> holder = {};
         std::optional<std::size_t> use = {};  ///< Use by the holder.
-        std::deque<Waiting> waiting = {};
+        std::deque<ZoneRequest> pending = {};
     };
 
     std::optional<std::size_t> note(const Process& process, const std::string& zone);
-    void give(Zone& zone, const Waiting& to, double time_s);
+    void assign_to(Zone& zone, const ZoneRequest& to, double time_s);
 
     std::vector<Zone> zones_;
     std::vector<simulation::ZoneUse> uses_;

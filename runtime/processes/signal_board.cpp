@@ -6,7 +6,7 @@ namespace gsim::process {
 
 namespace {
 
-double number_of(const Value& value) {
+double to_number(const Value& value) {
     if (const auto* number = std::get_if<double>(&value)) return *number;
     return std::get<bool>(value) ? 1 : 0;
 }
@@ -14,14 +14,14 @@ double number_of(const Value& value) {
 }  // namespace
 
 bool is_on(const Value& value) {
-    return number_of(value) != 0;
+    return to_number(value) != 0;
 }
 
 bool same(const Value& a, const Value& b) {
-    return number_of(a) == number_of(b);
+    return to_number(a) == to_number(b);
 }
 
-std::string text_of(const Value& value) {
+std::string value_text(const Value& value) {
     if (const auto* number = std::get_if<double>(&value)) return fmt::format("{:.10g}", *number);
     return std::get<bool>(value) ? "true" : "false";
 }
@@ -32,14 +32,14 @@ Value SignalBoard::get(std::string_view name) const {
 }
 
 bool SignalBoard::set(const std::string& name, const Value& value) {
-    Value& held = values_.try_emplace(name, false).first->second;
-    const bool changes = !same(held, value);
-    held = value;
+    Value& current = values_.try_emplace(name, false).first->second;
+    const bool changes = !same(current, value);
+    current = value;
     return changes;
 }
 
 void SignalBoard::note(simulation::SignalChange change) {
-    if (changes_.size() == kMostListed) {
+    if (changes_.size() == kMaxListed) {
         ++dropped_;
         return;
     }

@@ -18,13 +18,13 @@ bool is_on(const Value& value);
 /// Compares numbers and switches: true is 1, false is 0.
 bool same(const Value& a, const Value& b);
 /// Returns the value as scripts write it.
-std::string text_of(const Value& value);
+std::string value_text(const Value& value);
 
 /// Signals by which processes communicate. One that was never set is false.
 class SignalBoard {
   public:
     /// Max number of changes in a report; further ones are counted.
-    static constexpr std::size_t kMostListed = 10'000;
+    static constexpr std::size_t kMaxListed = 10'000;
 
     Value get(std::string_view name) const;
     /// Returns true if it has ever been set.

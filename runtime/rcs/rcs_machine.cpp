@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 #include "controller/module/rcs_values.h"
 #include "machine/file/controller_file.h"
 #include "machine/schema/controller_keys.h"
@@ -35,7 +35,7 @@ gsim_rcs_joint to_rcs(const motion::JointSetup& joint) {
     return result;
 }
 
-void put_row(gsim_rcs_joint& joint, std::size_t row, const kinematics::DhLink& link) {
+void set_dh_row(gsim_rcs_joint& joint, std::size_t row, const kinematics::DhLink& link) {
     joint.row = static_cast<std::int32_t>(row);
     joint.dh_theta_rad = link.theta_rad;
     joint.dh_d_mm = link.d_mm;
@@ -69,11 +69,11 @@ std::optional<std::vector<int>> joints_by_row(const gsim_rcs_machine& machine) {
 
 kinematics::Link link(const gsim_rcs_machine& machine, int index) {
     const gsim_rcs_joint& joint = machine.joints[index];
-    return kinematics::link_of(index, {.kind = kind(joint),
-                                       .theta_rad = joint.dh_theta_rad,
-                                       .d_mm = joint.dh_d_mm,
-                                       .a_mm = joint.dh_a_mm,
-                                       .alpha_rad = joint.dh_alpha_rad});
+    return kinematics::make_link(index, {.kind = kind(joint),
+                                         .theta_rad = joint.dh_theta_rad,
+                                         .d_mm = joint.dh_d_mm,
+                                         .a_mm = joint.dh_a_mm,
+                                         .alpha_rad = joint.dh_alpha_rad});
 }
 
 tl::expected<Kinematics, std::string> read_kinematics(const gsim_rcs_machine& machine) {
@@ -94,7 +94,7 @@ tl::expected<Kinematics, std::string> read_kinematics(const gsim_rcs_machine& ma
     return std::make_shared<kinematics::ChainKinematics>(std::move(chain));
 }
 
-tl::expected<rrs::ControllerRules, std::string> read_rules(const gsim_rcs_machine& machine) {
+tl::expected<rrs::ControllerRules, std::string> read_controller_rules(const gsim_rcs_machine& machine) {
     std::string toml = "[controller]\n";
     for (std::size_t i = 0; i < machine.parameter_count; ++i)
         toml += fmt::format("{} = {}\n", machine.parameters[i].key, machine.parameters[i].value);
@@ -109,7 +109,7 @@ RcsMachine::RcsMachine(const motion::PlannerSetup& setup) {
     machine_.has_inverse = to_rcs(setup.kinematics->inverse_kind());
     for (std::size_t i = 0; i < setup.joints.size(); ++i) machine_.joints[i] = to_rcs(setup.joints[i]);
     for (std::size_t row = 0; row < table.rows.size(); ++row)
-        put_row(machine_.joints[table.joints[row]], row, table.rows[row]);
+        set_dh_row(machine_.joints[table.joints[row]], row, table.rows[row]);
     std::copy(setup.position_joints.begin(), setup.position_joints.end(), machine_.position_joints);
     machine_.queue_capacity = static_cast<std::int32_t>(setup.queue_capacity);
     machine_.base = rrs::to_rcs(table.base);
@@ -123,9 +123,9 @@ RcsMachine::RcsMachine(const motion::PlannerSetup& setup) {
 
 void RcsMachine::add_parameters(const rrs::ControllerRules& rules) {
     constexpr std::string_view kBetween = " = ";
-    base::TomlText toml;
+    base::TomlWriter toml;
     machine::print_controller_keys(toml, rules, rrs::ControllerRules{});
-    std::istringstream lines(toml.take());
+    std::istringstream lines(toml.release());
     for (std::string line; std::getline(lines, line);) {
         const std::size_t split = line.find(kBetween);
         if (split == std::string::npos) continue;
@@ -136,7 +136,7 @@ void RcsMachine::add_parameters(const rrs::ControllerRules& rules) {
     machine_.parameter_count = parameters_.size();
 }
 
-tl::expected<motion::PlannerSetup, std::string> setup_of_rcs_machine(const gsim_rcs_machine& machine) {
+tl::expected<motion::PlannerSetup, std::string> setup_from_rcs_machine(const gsim_rcs_machine& machine) {
     if (machine.joint_count < 1 || machine.joint_count > rrs::kMaxJoints)
         return tl::unexpected(fmt::format("There are {} joints; a planner takes 1 to {}.",
                                           machine.joint_count, rrs::kMaxJoints));
@@ -159,13 +159,13 @@ tl::expected<motion::PlannerSetup, std::string> setup_of_rcs_machine(const gsim_
                   .max_acceleration_mm_s2 = machine.max_acceleration_mm_s2};
     setup.arc_tolerance_mm = machine.arc_tolerance_mm;
     setup.queue_capacity = static_cast<std::size_t>(std::max(0, machine.queue_capacity));
-    auto rules = read_rules(machine);
+    auto rules = read_controller_rules(machine);
     if (!rules) return tl::unexpected(std::move(rules.error()));
     setup.controller = *std::move(rules);
     auto kinematics = read_kinematics(machine);
     if (!kinematics) return tl::unexpected(std::move(kinematics.error()));
     setup.kinematics = *std::move(kinematics);
-    if (auto trouble = setup.validate()) return tl::unexpected(*std::move(trouble));
+    if (auto setup_error = setup.validate()) return tl::unexpected(*std::move(setup_error));
     return setup;
 }
 

@@ -34,6 +34,6 @@ class RcsMachine {
 };
 
 /// Converts it back, for modules with our own planner. The error is a message.
-tl::expected<motion::PlannerSetup, std::string> setup_of_rcs_machine(const gsim_rcs_machine& machine);
+tl::expected<motion::PlannerSetup, std::string> setup_from_rcs_machine(const gsim_rcs_machine& machine);
 
 }  // namespace gsim::rcs

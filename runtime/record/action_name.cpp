@@ -13,13 +13,13 @@ namespace gsim::record {
 
 namespace {
 
-constexpr std::size_t kLongest = 200;
+constexpr std::size_t kMaxNameLength = 200;
 
 // Results of a probe are in the positions after it; a tool table that is read again is as it was.
 constexpr std::array<std::string_view, 2> kNoActions = {"probe", "tool_table"};
 
 // The detail of these events is the word that switches the process here.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kOwnNames = {
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kSpecialNames = {
     {{"jet_on", "waterjet_on"},
      {"jet_off", "waterjet_off"},
      {"plasma_on", "plasma_on"},
@@ -36,14 +36,14 @@ std::string number_text(double value) {
     return text == "-0" ? "0" : text;
 }
 
-std::string plain_name(std::string_view name) {
+std::string sanitized_name(std::string_view name) {
     constexpr std::uint32_t kFirstPrintable = 0x20;
     constexpr std::uint32_t kDelete = 0x7f;
     std::string plain;
     while (!name.empty()) {
         const text::Character first = text::first_character(name);
         const std::size_t bytes = std::max<std::size_t>(first.bytes, 1);
-        if (plain.size() + bytes > kLongest) break;
+        if (plain.size() + bytes > kMaxNameLength) break;
         if (first.bytes == 0) {
             plain += '?';
         } else if (first.code < kFirstPrintable || first.code == kDelete) {
@@ -58,12 +58,12 @@ std::string plain_name(std::string_view name) {
 
 std::optional<std::string> action_name(const simulation::Event& event) {
     if (std::find(kNoActions.begin(), kNoActions.end(), event.kind) != kNoActions.end()) return std::nullopt;
-    for (const auto& [kind, name] : kOwnNames) {
+    for (const auto& [kind, name] : kSpecialNames) {
         if (event.kind == kind) return std::string(name);
     }
     // The detail of an optional stop says whether this run stopped, not what the program requests.
-    if (event.detail.empty() || event.kind == "optional_stop") return plain_name(event.kind);
-    return plain_name(fmt::format("{} {}", event.kind, event.detail));
+    if (event.detail.empty() || event.kind == "optional_stop") return sanitized_name(event.kind);
+    return sanitized_name(fmt::format("{} {}", event.kind, event.detail));
 }
 
 }  // namespace gsim::record

@@ -11,7 +11,7 @@
 #include <tl/expected.hpp>
 
 #include "runtime/record/path_builder.h"
-#include "runtime/record/tool_place.h"
+#include "runtime/record/tool_position.h"
 #include "runtime/simulator/program_observer.h"
 #include "toolpath/model/path.h"
 
@@ -23,21 +23,21 @@ namespace gsim::record {
 class PathRecorder final : public simulation::ProgramObserver {
   public:
     /// `machine` must outlive this.
-    explicit PathRecorder(const machine::Machine& machine) : place_(machine) {}
+    explicit PathRecorder(const machine::Machine& machine) : tool_position_(machine) {}
 
-    std::size_t held_bytes() const override { return builder_.held_bytes(); }
+    std::size_t retained_bytes() const override { return builder_.retained_bytes(); }
     void line(const simulation::AxisVector& from, const simulation::LineMove& move,
-              bool rotary_alone) override;
+              bool is_rotary_only) override;
     void arc(const simulation::AxisVector& from, const simulation::ArcMove& move) override;
     void arc(const simulation::AxisVector& from, const simulation::ViaMove& move) override;
     void dwell(const simulation::AxisVector& at, double seconds) override;
-    void event(const simulation::AxisVector& at, const simulation::Event& event, bool at_rest) override;
+    void event(const simulation::AxisVector& at, const simulation::Event& event, bool at_standstill) override;
     void enter_program(const std::string& name) override;
     void leave_program() override;
-    void untold_motion(std::string_view why) override;
-    void rest(const simulation::AxisVector& at) override;
+    void on_unrecordable_motion(std::string_view reason) override;
+    void standstill(const simulation::AxisVector& at) override;
     void spindle_speed(const simulation::AxisVector& at, double rev_min) override;
-    void path_mode(const simulation::AxisVector& at, const simulation::PathPassing& passing) override;
+    void path_mode(const simulation::AxisVector& at, const simulation::PathModeSettings& settings) override;
     void exact_stop_once(const simulation::AxisVector& at) override;
     void ramps(const simulation::AxisVector& at, rrs::RampMode mode) override;
     void ramp_limit(const simulation::AxisVector& at, rrs::RampLimit limit, const machine::Axis& axis,
@@ -53,9 +53,9 @@ class PathRecorder final : public simulation::ProgramObserver {
 
   private:
     /// Function that gives the axis values after a share, 0 to 1, of a move.
-    using Way = std::function<simulation::AxisVector(double share)>;
+    using AxisPath = std::function<simulation::AxisVector(double share)>;
     /// Active values that have been written in the open path.
-    struct InForce {
+    struct ActiveSettings {
         std::optional<double> feed_mm_min, feed_mm_rev, feed_deg_min;
         std::optional<path::Orientation> orientation;
         std::string work_offset;
@@ -67,34 +67,35 @@ class PathRecorder final : public simulation::ProgramObserver {
     bool is_full();
     void begin(const simulation::AxisVector& at);
     void moves(const simulation::AxisVector& from);
-    void tell_rest(const simulation::AxisVector& at);
-    void act(const simulation::AxisVector& at, std::string action);
+    void record_standstill(const simulation::AxisVector& at);
+    void add_action(const simulation::AxisVector& at, std::string action);
     path::Point point_at(const simulation::AxisVector& axes, path::MotionType motion);
-    void set_feed(path::Point& point, const simulation::Feed& feed, bool rotary_alone);
-    void start_from(const simulation::AxisVector& from);
-    void hold(const simulation::AxisVector& at);
-    void line_or_lines(const simulation::AxisVector& from, const simulation::LineMove& move,
-                       bool rotary_alone);
-    bool arcs(const simulation::AxisVector& from, const simulation::ArcMove& move, const Way& way);
-    bool is_straight(const Way& way, double from, double to) const;
-    bool is_on(const path::Vector& start_mm, const path::Point& arc, const Way& way, double from,
+    void set_feed(path::Point& point, const simulation::Feed& feed, bool is_rotary_only);
+    void depend_on_start(const simulation::AxisVector& from);
+    void add_action_point(const simulation::AxisVector& at);
+    void record_line(const simulation::AxisVector& from, const simulation::LineMove& move,
+                     bool is_rotary_only);
+    bool arcs(const simulation::AxisVector& from, const simulation::ArcMove& move, const AxisPath& axis_path);
+    bool is_straight(const AxisPath& axis_path, double from, double to) const;
+    bool is_on(const path::Vector& start_mm, const path::Point& arc, const AxisPath& axis_path, double from,
                double to) const;
-    void lines(const Way& way, double from, double to, const simulation::Feed& feed, double whole_s,
-               int halvings);
-    Way way_of(const simulation::AxisVector& from, const simulation::ArcMove& move) const;
+    void lines(const AxisPath& axis_path, double from, double to, const simulation::Feed& feed,
+               double total_s, int halvings);
+    AxisPath arc_path(const simulation::AxisVector& from, const simulation::ArcMove& move) const;
 
-    ToolPlace place_;
+    ToolPosition tool_position_;
     PathBuilder builder_;
-    InForce in_force_;
+    ActiveSettings active_settings_;
     std::string work_offset_;  // as the program has selected it
     std::map<std::string, path::WorkOffset, std::less<>> work_offsets_;
-    simulation::PathPassing passing_{rrs::PathMode::continuous, 0, 0};  // in which programs begin
+    simulation::PathModeSettings path_mode_settings_{rrs::PathMode::continuous, 0,
+                                                     0};  // in which programs begin
     std::optional<double> spindle_rev_min_;
-    bool time_has_passed_ = false;  // since the machine has last waited
-    bool rests_ = false;            // before what follows, though no dwell or switch says so
-    simulation::AxisVector rest_at_;
+    bool moved_since_standstill_ = false;  // since the machine has last waited
+    bool standstill_pending_ = false;      // before what follows, though no dwell or switch says so
+    simulation::AxisVector standstill_at_;
     std::set<std::string> notes_;
-    std::string fault_;
+    std::string error_;
 };
 
 }  // namespace gsim::record

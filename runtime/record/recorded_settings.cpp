@@ -19,47 +19,49 @@ constexpr std::array<std::string_view, 3> kRampLimits = {"acceleration", "decele
 }  // namespace
 
 // Records that the next motion begins at standstill, which a dwell or a switch says already.
-void PathRecorder::rest(const AxisVector& at) {
-    rests_ = rests_ || time_has_passed_;
-    rest_at_ = at;
-    time_has_passed_ = false;
+void PathRecorder::standstill(const AxisVector& at) {
+    standstill_pending_ = standstill_pending_ || moved_since_standstill_;
+    standstill_at_ = at;
+    moved_since_standstill_ = false;
 }
 
 void PathRecorder::spindle_speed(const AxisVector& at, double rev_min) {
     if (spindle_rev_min_ == rev_min) return;
     spindle_rev_min_ = rev_min;
-    act(at, fmt::format("speed {}", number_text(rev_min)));
+    add_action(at, fmt::format("speed {}", number_text(rev_min)));
 }
 
-void PathRecorder::path_mode(const AxisVector& at, const simulation::PathPassing& passing) {
-    if (passing == passing_) return;
-    passing_ = passing;
-    switch (passing.mode) {
-        case rrs::PathMode::exact_stop: return act(at, "path_mode exact_stop");
-        case rrs::PathMode::exact_path: return act(at, "path_mode exact_path");
+void PathRecorder::path_mode(const AxisVector& at, const simulation::PathModeSettings& settings) {
+    if (settings == path_mode_settings_) return;
+    path_mode_settings_ = settings;
+    switch (settings.mode) {
+        case rrs::PathMode::exact_stop: return add_action(at, "path_mode exact_stop");
+        case rrs::PathMode::exact_path: return add_action(at, "path_mode exact_path");
         case rrs::PathMode::continuous: break;
     }
-    if (passing.tolerance_mm == 0 && passing.merge_tolerance_mm == 0) return act(at, "path_mode continuous");
-    act(at, fmt::format("path_mode continuous {} {}", number_text(passing.tolerance_mm),
-                        number_text(passing.merge_tolerance_mm)));
+    if (settings.tolerance_mm == 0 && settings.merge_tolerance_mm == 0)
+        return add_action(at, "path_mode continuous");
+    add_action(at, fmt::format("path_mode continuous {} {}", number_text(settings.tolerance_mm),
+                               number_text(settings.merge_tolerance_mm)));
 }
 
 void PathRecorder::exact_stop_once(const AxisVector& at) {
-    act(at, "exact_stop_once");
+    add_action(at, "exact_stop_once");
 }
 
 void PathRecorder::ramps(const AxisVector& at, rrs::RampMode mode) {
-    act(at, fmt::format("ramps {}", kRamps[static_cast<std::size_t>(mode)]));
+    add_action(at, fmt::format("ramps {}", kRamps[static_cast<std::size_t>(mode)]));
 }
 
 void PathRecorder::ramp_limit(const AxisVector& at, rrs::RampLimit limit, const machine::Axis& axis,
                               double value) {
-    act(at, fmt::format("ramp_limit {} {} {} {}", kRampLimits[static_cast<std::size_t>(limit)], axis.letter,
+    add_action(
+        at, fmt::format("ramp_limit {} {} {} {}", kRampLimits[static_cast<std::size_t>(limit)], axis.letter,
                         number_text(value), axis.kind == machine::AxisKind::rotary ? "deg" : "mm"));
 }
 
 void PathRecorder::no_ramp_limits(const AxisVector& at) {
-    act(at, "ramp_limits machine");
+    add_action(at, "ramp_limits machine");
 }
 
 void PathRecorder::work_offset(const simulation::WorkOffset& offset) {

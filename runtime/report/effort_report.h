@@ -16,14 +16,14 @@ struct AxisEffort {
     bool rotary = false;
     double peak = 0;  ///< Largest, in either direction.
     double peak_t_s = 0;
-    Place peak_place = {};
+    SourceLocation peak_location = {};
     double rms = 0;  ///< Root mean square over the full run, standstill included.
     double peak_power_w = 0;
-    double in_j = 0;        ///< Work of the motor at the machine,
-    double back_j = 0;      ///< and of the machine at the motor.
-    double friction_j = 0;  ///< Part of it that axis friction took.
-    double impulse = 0;     ///< The greatest at a jump of speed, N s or Nm s.
-    Place impulse_place = {};
+    double drive_j = 0;        ///< Work of the motor at the machine,
+    double regenerated_j = 0;  ///< and of the machine at the motor.
+    double friction_j = 0;     ///< Part of it that axis friction took.
+    double impulse = 0;        ///< The greatest at a jump of speed, N s or Nm s.
+    SourceLocation impulse_location = {};
     double motor_peak = std::numeric_limits<double>::infinity();
     double motor_continuous = std::numeric_limits<double>::infinity();
 };
@@ -32,14 +32,14 @@ struct AxisEffort {
 struct ProgramEnergy {
     std::string program;  ///< "O2"; empty: the main program.
     double time_s = 0;
-    double in_j = 0;
-    double back_j = 0;
+    double drive_j = 0;
+    double regenerated_j = 0;
 };
 
 /// Effort that exceeds the limit of a motor.
 struct EffortExcess {
     double t_s = 0;
-    Place place = {};
+    SourceLocation location = {};
     char letter = 'X';
     bool rotary = false;
     double effort = 0;  ///< That the move needs, without its sense.
@@ -51,22 +51,22 @@ struct EffortExcess {
 };
 
 /// Max number of forces and torques that a report lists.
-inline constexpr std::size_t kMostExcesses = 1000;
+inline constexpr std::size_t kMaxExcesses = 1000;
 
 /// Efforts of the motors of a run.
 struct EffortReport {
     std::vector<AxisEffort> axes;
-    double in_j = 0;  ///< Over all axes: no energy is passed from one to another.
-    double back_j = 0;
+    double drive_j = 0;  ///< Over all axes: no energy is passed from one to another.
+    double regenerated_j = 0;
     double friction_j = 0;
     double peak_power_w = 0;  ///< Sum over all axes.
     double peak_power_t_s = 0;
-    Place peak_power_place = {};
+    SourceLocation peak_power_location = {};
     /// Time of the same moves with the accelerations of the axes, if the motors' peaks limit them.
-    std::optional<double> time_by_axes_s = std::nullopt;
+    std::optional<double> time_by_axis_accelerations_s = std::nullopt;
     std::uint64_t jumps = 0;              ///< Jumps of speed, for which no force is finite.
     std::vector<ProgramEnergy> programs;  ///< In the order in which they moved first.
-    std::vector<EffortExcess> excesses;   ///< By time, kMostExcesses at most.
+    std::vector<EffortExcess> excesses;   ///< By time, kMaxExcesses at most.
     std::uint64_t excess_count = 0;       ///< Total count.
 };
 

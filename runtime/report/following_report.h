@@ -11,11 +11,11 @@ namespace gsim::simulation {
 struct AxisFollowing {
     char letter = 'X';
     bool rotary = false;
-    double gain_1_s = 0;  ///< Position loop gain; infinite: it follows at once.
-    double behind_s = 0;  ///< By which it is late at a constant speed.
-    double peak = 0;      ///< Largest, in either direction.
+    double gain_1_s = 0;              ///< Position loop gain; infinite: it follows at once.
+    double constant_speed_lag_s = 0;  ///< By which it is late at a constant speed.
+    double peak = 0;                  ///< Largest, in either direction.
     double peak_t_s = 0;
-    Place peak_place = {};
+    SourceLocation peak_location = {};
     double rms = 0;  ///< Root mean square over the full run, standstill included.
     double end = 0;  ///< At the end of the run.
 };
@@ -24,7 +24,7 @@ struct AxisFollowing {
 struct ContourError {
     double error_mm = 0;
     double t_s = 0;
-    Place place = {};  ///< Location of the current move.
+    SourceLocation location = {};  ///< Location of the current move.
 };
 
 /// Real positions of axes and TCP in a run (docs/servo.md).

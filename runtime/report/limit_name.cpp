@@ -18,7 +18,7 @@ std::string of_joint(int joint, const machine::Machine& machine, std::string_vie
     return fmt::format("{} {} {}", rotary ? "rotary" : "joint", axis.letter, what);
 }
 
-std::string_view words_of(LimitKind kind) {
+std::string_view name_words(LimitKind kind) {
     // clang-format off
     switch (kind) {
 #define GSIM_LIMIT_KIND(name, number, words) case LimitKind::name: return words;
@@ -31,10 +31,10 @@ std::string_view words_of(LimitKind kind) {
 }  // namespace
 
 std::string describe(motion::LimitedBy limited_by, const machine::Machine& machine) {
-    const std::string_view words = words_of(limited_by.kind);
-    const bool is_of_axis =
+    const std::string_view words = name_words(limited_by.kind);
+    const bool is_axis_limit =
         limited_by.kind == LimitKind::joint_speed || limited_by.kind == LimitKind::acceleration;
-    return is_of_axis ? of_joint(limited_by.joint, machine, words) : std::string(words);
+    return is_axis_limit ? of_joint(limited_by.joint, machine, words) : std::string(words);
 }
 
 }  // namespace gsim::simulation

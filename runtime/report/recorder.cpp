@@ -18,23 +18,23 @@ double duration_s(const RecordedMove& move) {
 
 }  // namespace
 
-void Recorder::Slowest::add(const RecordedMove& move) {
+void Recorder::SlowestMoves::add(const RecordedMove& move) {
     const auto begin = moves_.begin();
     const bool full = count_ == std::ssize(moves_);
     if (full && duration_s(move) <= duration_s(moves_.back())) return;
     if (!full) ++count_;
     const auto last = begin + count_ - 1;
-    const auto place = std::upper_bound(begin, last, move, [](const RecordedMove& a, const RecordedMove& b) {
-        return duration_s(a) > duration_s(b);
-    });
-    std::move_backward(place, last, last + 1);
-    *place = move;
+    const auto location = std::upper_bound(
+        begin, last, move,
+        [](const RecordedMove& a, const RecordedMove& b) { return duration_s(a) > duration_s(b); });
+    std::move_backward(location, last, last + 1);
+    *location = move;
 }
 
-std::vector<SlowBlock> Recorder::Slowest::list(const machine::Machine& machine) const {
+std::vector<SlowBlock> Recorder::SlowestMoves::list(const machine::Machine& machine) const {
     std::vector<SlowBlock> blocks;
     for (const RecordedMove& move : std::span(moves_.data(), static_cast<std::size_t>(count_))) {
-        blocks.push_back({.place = move.info.place,
+        blocks.push_back({.location = move.info.location,
                           .kind = move.info.kind,
                           .duration_s = duration_s(move),
                           .length_mm = move.length_mm,
@@ -57,28 +57,29 @@ void Recorder::add_output(RunOutput& output) {
     output.begin(start_);
 }
 
-void Recorder::mark_last(std::uint16_t beyond) {
-    (waiting_.empty() ? move_.info : waiting_.back()).beyond = beyond;
+void Recorder::mark_last(std::uint16_t out_of_range) {
+    (pending_moves_.empty() ? move_.info : pending_moves_.back()).out_of_range = out_of_range;
 }
 
 // Returns true for a standstill that the controller itself adds, which is part of no move.
 bool Recorder::is_between_moves(const Segment& segment) const {
     const rrs::TargetId id = segment.target_id;
-    return segment.kind == SegmentKind::rest && !segment.beside && in_move_ && move_.info.target_id != id &&
-           std::none_of(waiting_.begin(), waiting_.end(),
+    return segment.kind == SegmentKind::rest && !segment.superimposed && in_move_ &&
+           move_.info.target_id != id &&
+           std::none_of(pending_moves_.begin(), pending_moves_.end(),
                         [id](const MoveInfo& info) { return info.target_id == id; });
 }
 
-void Recorder::take_between_moves(const Segment& rest) {
-    add_to_sums(rest);
-    end_s_ = rest.end_s();
-    const MoveInfo info{.target_id = rest.target_id, .kind = MoveKind::linear};
-    for (RunOutput* output : outputs_) output->take(rest, info);
+void Recorder::add_between_moves(const Segment& standstill) {
+    add_to_sums(standstill);
+    end_s_ = standstill.end_s();
+    const MoveInfo info{.target_id = standstill.target_id, .kind = MoveKind::linear};
+    for (RunOutput* output : outputs_) output->on_segment(standstill, info);
 }
 
-void Recorder::take(const Segment& segment) {
-    if (is_between_moves(segment)) return take_between_moves(segment);
-    if (!in_move_ || move_.info.target_id != segment.target_id) go_to_move(segment.target_id);
+void Recorder::on_segment(const Segment& segment) {
+    if (is_between_moves(segment)) return add_between_moves(segment);
+    if (!in_move_ || move_.info.target_id != segment.target_id) advance_to_move(segment.target_id);
     add_limit(segment);
     move_.deviation_mm = std::max(move_.deviation_mm, segment.deviation_mm);
     add_to_sums(segment);
@@ -91,27 +92,27 @@ void Recorder::take(const Segment& segment) {
         move_.arc = segment.arc;
         move_.position_joints = segment.position_joints;
     }
-    for (RunOutput* output : outputs_) output->take(segment, move_.info);
+    for (RunOutput* output : outputs_) output->on_segment(segment, move_.info);
 }
 
 // Ends moves that wait in front of the one with this id: they got no segment, so they begin and end at the
 // same position and time.
-void Recorder::go_to_move(rrs::TargetId id) {
+void Recorder::advance_to_move(rrs::TargetId id) {
     end_move();
-    const auto found = std::find_if(waiting_.begin(), waiting_.end(),
+    const auto found = std::find_if(pending_moves_.begin(), pending_moves_.end(),
                                     [id](const MoveInfo& info) { return info.target_id == id; });
-    if (found == waiting_.end()) {
+    if (found == pending_moves_.end()) {
         begin_move({.target_id = id, .kind = MoveKind::linear});
         in_move_ = false;
         return;
     }
-    while (waiting_.front().target_id != id) {
-        begin_move(waiting_.front());
+    while (pending_moves_.front().target_id != id) {
+        begin_move(pending_moves_.front());
         end_move();
-        waiting_.pop_front();
+        pending_moves_.pop_front();
     }
-    begin_move(waiting_.front());
-    waiting_.pop_front();
+    begin_move(pending_moves_.front());
+    pending_moves_.pop_front();
 }
 
 void Recorder::begin_move(const MoveInfo& info) {
@@ -131,7 +132,7 @@ void Recorder::end_move() {
     if (!counts) return;
     move_.n = ++moves_;
     slowest_.add(move_);
-    for (RunOutput* output : outputs_) output->take(move_);
+    for (RunOutput* output : outputs_) output->on_move(move_);
 }
 
 // Limits a move by the limit of its longest segment, because ramps and corners are short ones.
@@ -147,27 +148,27 @@ void Recorder::add_to_sums(const Segment& segment) {
     } else if (move_.info.kind == MoveKind::rapid) {
         rapid_s_.add(segment.duration_s);
         rapid_mm_.add(segment.length_mm);
-        if (!move_.info.obeyed.rapid) rapid_locked_s_.add(segment.duration_s);
+        if (!move_.info.enabled_overrides.rapid) rapid_locked_s_.add(segment.duration_s);
     } else {
         feed_s_.add(segment.duration_s);
         feed_mm_.add(segment.length_mm);
-        if (!move_.info.obeyed.feed) feed_locked_s_.add(segment.duration_s);
-        if (move_.info.follows_spindle && !move_.info.obeyed.spindle)
+        if (!move_.info.enabled_overrides.feed) feed_locked_s_.add(segment.duration_s);
+        if (move_.info.follows_spindle && !move_.info.enabled_overrides.spindle)
             spindle_locked_s_.add(segment.duration_s);
-        if (move_.info.jet_on) jet_on_mm_.add(segment.length_mm);
+        if (move_.info.process_on) jet_on_mm_.add(segment.length_mm);
     }
 }
 
 void Recorder::add_to_bounds(const Segment& segment) {
-    if (segment.kind == SegmentKind::rest && !segment.beside) return;
+    if (segment.kind == SegmentKind::rest && !segment.superimposed) return;
     for (int joint = 0; joint < segment.end.size(); ++joint) {
         motion::Range& range = ranges_[static_cast<std::size_t>(joint)];
         // Almost every segment stays within the range of earlier ones, which is cheaper to check than its
         // travel.
-        if (segment.surely_within(range, joint)) continue;
-        const motion::Range way = segment.joint_range(joint);
-        range.min = std::min(range.min, way.min);
-        range.max = std::max(range.max, way.max);
+        if (segment.is_certainly_within(range, joint)) continue;
+        const motion::Range travel = segment.joint_range(joint);
+        range.min = std::min(range.min, travel.min);
+        range.max = std::max(range.max, travel.max);
     }
 }
 
@@ -189,7 +190,7 @@ std::vector<AxisBounds> Recorder::bounds() const {
 void Recorder::finish(Report& report) {
     move_.end_s = end_s_;
     end_move();
-    waiting_.clear();  // never made: the run ended before
+    pending_moves_.clear();  // never made: the run ended before
     for (RunOutput* output : outputs_) output->end(end_s_);
     report.machine = machine_.name;
     report.cycle_time_s = end_s_;
@@ -198,7 +199,7 @@ void Recorder::finish(Report& report) {
     report.dwell_s = dwell_s_.value();
     report.rapid_mm = rapid_mm_.value();
     report.feed_mm = feed_mm_.value();
-    report.jet_on_mm = jet_on_mm_.value();
+    report.process_on_mm = jet_on_mm_.value();
     report.moves = moves_;
     if (report.overrides) {
         report.overrides->feed_locked_s = feed_locked_s_.value();

@@ -7,7 +7,7 @@
 
 #include "machine/model/machine.h"
 #include "motion/segment/segment.h"
-#include "runtime/monitors/exact_sum.h"
+#include "runtime/monitors/compensated_sum.h"
 #include "runtime/outputs/run_output.h"
 #include "runtime/report/report.h"
 #include "runtime/simulator/move.h"
@@ -31,10 +31,10 @@ class Recorder : public motion::SegmentSink {
     void add_output(RunOutput& output);
 
     /// Announces a move, before its first segment.
-    void expect(const MoveInfo& info) { waiting_.push_back(info); }
-    void take(const motion::Segment& segment) override;
+    void expect(const MoveInfo& info) { pending_moves_.push_back(info); }
+    void on_segment(const motion::Segment& segment) override;
     /// Marks that the move announced last exceeds the ranges of these joints (MoveInfo::beyond).
-    void mark_last(std::uint16_t beyond);
+    void mark_last(std::uint16_t out_of_range);
 
     /// Returns the move with the arriving segments; an unexpected one has only an id.
     const MoveInfo& move() const { return move_.info; }
@@ -47,7 +47,7 @@ class Recorder : public motion::SegmentSink {
 
   private:
     // List with the highest first; of equals the earlier one first.
-    class Slowest {
+    class SlowestMoves {
       public:
         void add(const RecordedMove& move);
         std::vector<SlowBlock> list(const machine::Machine& machine) const;
@@ -58,8 +58,8 @@ class Recorder : public motion::SegmentSink {
     };
 
     bool is_between_moves(const motion::Segment& segment) const;
-    void take_between_moves(const motion::Segment& rest);
-    void go_to_move(rrs::TargetId id);
+    void add_between_moves(const motion::Segment& standstill);
+    void advance_to_move(rrs::TargetId id);
     void begin_move(const MoveInfo& info);
     void end_move();
     void add_limit(const motion::Segment& segment);
@@ -70,16 +70,16 @@ class Recorder : public motion::SegmentSink {
     const machine::Machine& machine_;
     std::vector<RunOutput*> outputs_;
     rrs::JointPos start_;
-    std::deque<MoveInfo> waiting_;
+    std::deque<MoveInfo> pending_moves_;
     RecordedMove move_;     // the one with arriving segments
     double longest_s_ = 0;  // of its segments
     bool in_move_ = false;  // move_ was expected, so that it may count
     double end_s_ = 0;
     std::uint64_t moves_ = 0;
-    ExactSum rapid_s_, feed_s_, dwell_s_, rapid_mm_, feed_mm_, jet_on_mm_;
-    ExactSum feed_locked_s_, rapid_locked_s_, spindle_locked_s_;  // against the operator's overrides
+    CompensatedSum rapid_s_, feed_s_, dwell_s_, rapid_mm_, feed_mm_, jet_on_mm_;
+    CompensatedSum feed_locked_s_, rapid_locked_s_, spindle_locked_s_;  // against the operator's overrides
     std::array<motion::Range, rrs::kMaxJoints> ranges_;  // of joint values; the first joint_count hold them
-    Slowest slowest_;
+    SlowestMoves slowest_;
 };
 
 }  // namespace gsim::simulation

@@ -22,15 +22,15 @@ std::string_view name(RunStatus status);
 
 /// Call of a program that had not ended.
 struct OpenCall {
-    std::string program;  ///< "O2"
-    Place place = {};     ///< Location of the call.
+    std::string program;           ///< "O2"
+    SourceLocation location = {};  ///< Location of the call.
 };
 
 /// Reason why a run did not complete, as a message, and its location.
 struct Alarm {
     text::DiagnosticKind kind = text::DiagnosticKind::script;
     std::string message;
-    Place place = {};
+    SourceLocation location = {};
     std::vector<OpenCall> calls = {};  ///< From the innermost to the first.
     char axis = 0;                     ///< Letter, if one axis is the cause.
     std::optional<double> value;       ///< Value of that axis (mm or deg).
@@ -38,12 +38,12 @@ struct Alarm {
 };
 
 /// Max number of them that a report lists.
-inline constexpr std::size_t kMostViolations = 1000;
+inline constexpr std::size_t kMaxViolations = 1000;
 
 /// Move past the range of an axis, or a tool position that a zone does not allow. The run continues after it.
 struct Violation {
     double t_s = 0;  ///< For an axis: start of the move; for a zone: when the tool passes the wall.
-    Place place = {};
+    SourceLocation location = {};
     std::vector<OpenCall> calls = {};  ///< From the innermost to the first.
     std::string zone = {};             ///< Its name; empty if the range of an axis is passed.
     bool forbidden_zone = false;       ///< The tool is in it, not out of it.
@@ -65,12 +65,12 @@ struct OffsetShift {
 };
 
 struct Violations {
-    std::vector<Violation> list;  ///< The first ones by time, kMostViolations at most.
+    std::vector<Violation> list;  ///< The first ones by time, kMaxViolations at most.
     std::uint64_t count = 0;      ///< Total count, also of those that are not listed.
     /// Shifts that bring back everything outside; what they move outside is unknown.
     std::vector<OffsetShift> shifts;
     /// All of these together, if known to bring the full program within limits and zones. Otherwise empty.
-    std::vector<OffsetShift> remedy;
+    std::vector<OffsetShift> suggested_fix;
 
     /// Returns the time from which times are not those of a machine, which would have stopped; nullopt
     /// without violations.
@@ -81,29 +81,29 @@ struct Violations {
 
 /// Returns "G54 X +12.5 mm would bring the whole program within the limits"; empty if no suggested fix is
 /// known.
-std::string remedy_text(const Violations& violations);
+std::string suggested_fix_text(const Violations& violations);
 
 /// Max number of them that a report lists.
-inline constexpr std::size_t kMostFindings = 1000;
+inline constexpr std::size_t kMaxFindings = 1000;
 
 /// Finding about an action that a program should not do on its machine, though it can ([checks] of the
 /// machine file).
 struct ProcessFinding {
     double t_s = 0;
-    Place place = {};
+    SourceLocation location = {};
     text::DiagnosticKind kind = text::DiagnosticKind::rapid_with_process_on;
     std::string message;  ///< A message without its full stop.
 };
 
 struct ProcessFindings {
-    std::vector<ProcessFinding> list;  ///< By time, kMostFindings at most.
+    std::vector<ProcessFinding> list;  ///< By time, kMaxFindings at most.
     std::uint64_t count = 0;           ///< Total count.
 };
 
 struct Event {
     double t_s = 0;
-    Place place = {};
-    std::string kind;    ///< jet_on, jet_off, abrasive_on, abrasive_off, stop, optional_stop, tool, ...
+    SourceLocation location = {};
+    std::string kind;    ///< process_on, jet_off, abrasive_on, abrasive_off, stop, optional_stop, tool, ...
     std::string detail;  ///< Free text for people; may be empty.
 };
 
@@ -117,21 +117,21 @@ struct AxisBounds {
 /// Max distance of the TCP from the programmed path on the part.
 struct Deviation {
     double deviation_mm = 0;
-    Place place = {};  ///< Location of the move there; the one after a corner.
+    SourceLocation location = {};  ///< Location of the move there; the one after a corner.
 };
 
-/// Deviations of the controller from the programmed path: WayDeviation.
+/// Deviations of the controller from the programmed path: PathDeviationMonitor.
 struct Blends {
     bool measured = true;     ///< False for a controller module.
     std::uint64_t count = 0;  ///< Ends of moves that the TCP does not pass.
     Deviation feed = {};      ///< In corners of feed moves,
     Deviation rapid = {};     ///< and between rapid moves.
 
-    const Deviation& greatest() const { return rapid.deviation_mm > feed.deviation_mm ? rapid : feed; }
+    const Deviation& max() const { return rapid.deviation_mm > feed.deviation_mm ? rapid : feed; }
 };
 
 struct SlowBlock {
-    Place place = {};
+    SourceLocation location = {};
     MoveKind kind = MoveKind::linear;
     double duration_s = 0;
     double length_mm = 0;
@@ -156,7 +156,7 @@ struct Explanation {
 /// without end on the machine.
 struct Passes {
     std::uint64_t count = 0;               ///< That were run.
-    Place place = {};                      ///< Location of the jump back.
+    SourceLocation location = {};          ///< Location of the jump back.
     std::optional<std::int64_t> to_block;  ///< Its number; nullopt: the start.
 };
 
@@ -172,7 +172,7 @@ struct OverrideReport {
 /// Start of contact between two bodies of the cell.
 struct Collision {
     double t_s = 0;
-    Place place = {};
+    SourceLocation location = {};
     std::string first, second;            ///< Names of the bodies.
     std::array<double, 3> point_mm = {};  ///< Position in the world.
     bool penetrating = false;             ///< Else they only touch.
@@ -181,28 +181,28 @@ struct Collision {
 
 /// Smallest distance of a block, if it is below what the cell requires.
 struct BlockClearance {
-    Place place = {};
+    SourceLocation location = {};
     double clearance_mm = 0;
     std::string first, second;
     std::array<double, 3> point_mm = {};  ///< On the second body, in the world.
 };
 
 /// Bodies for which each pair that can meet was checked, on its complete path.
-struct LookedAt {
-    std::size_t of_machine = 0;  ///< Shapes of the machine and of what it carries.
+struct CheckedBodies {
+    std::size_t machine_shapes = 0;  ///< Shapes of the machine and of what it carries.
     std::size_t jets = 0;
     std::size_t objects = 0;
     std::size_t pairs = 0;
-    std::size_t may_touch = 0;    ///< Pairs that were left out, as machine and cell say so.
-    std::size_t replaced = 0;     ///< Shapes of the machine file that the cell replaces by others.
-    std::size_t with_robots = 0;  ///< Pairs of its own bodies and those of other robots.
+    std::size_t allowed_pairs = 0;  ///< Pairs that were left out, as machine and cell say so.
+    std::size_t replaced = 0;       ///< Shapes of the machine file that the cell replaces by others.
+    std::size_t robot_pairs = 0;    ///< Pairs of its own bodies and those of other robots.
 };
 
 /// Findings of a run in its cell.
 struct CellFindings {
     std::string name;
     double clearance_mm = 0;  ///< That is asked for.
-    LookedAt looked_at = {};
+    CheckedBodies checked_bodies = {};
     std::vector<Collision> collisions;
     std::vector<BlockClearance> clearances;
     std::uint64_t dropped = 0;  ///< Entries past the max number that a report lists.
@@ -222,7 +222,7 @@ struct ProcessSummary {
 /// Change of a signal by a process.
 struct SignalChange {
     double t_s = 0;
-    Place place = {};
+    SourceLocation location = {};
     std::string process;
     std::string signal;
     std::string value;  ///< As scripts write it.
@@ -232,8 +232,8 @@ struct SignalChange {
 struct ZoneUse {
     std::string zone;
     std::string process;
-    Place place = {};              ///< Location of its request for the zone.
-    double asked_s = 0;            ///< When it did.
+    SourceLocation location = {};  ///< Location of its request for the zone.
+    double requested_s = 0;        ///< When it did.
     std::optional<double> from_s;  ///< Start of its use of the zone; nullopt: it never had it.
     std::optional<double> to_s;    ///< Nullopt: to the end of the run.
 };
@@ -242,8 +242,8 @@ struct ZoneUse {
 /// Interval that contains the time of a run with a probability of 95 %, as far as the parameters of the
 /// machine are known.
 struct TimeInterval {
-    double least_s = 0;
-    double most_s = 0;
+    double min_s = 0;
+    double max_s = 0;
 };
 
 struct Report {
@@ -259,7 +259,7 @@ struct Report {
     std::optional<TimeInterval> interval;  ///< For cycle_time_s, if the machine file says how it was fitted.
     double rapid_s = 0, feed_s = 0, dwell_s = 0;
     double words_s = 0;  ///< The part of dwell_s that words took by [times] of the machine file.
-    double rapid_mm = 0, feed_mm = 0, jet_on_mm = 0;
+    double rapid_mm = 0, feed_mm = 0, process_on_mm = 0;
     std::uint64_t blocks = 0;
     std::uint64_t moves = 0;
     Blends blends;

@@ -19,7 +19,7 @@ class Collector {
     std::vector<Diagnostic> collect() {
         add_alarm();
         if (report_.passes)
-            add(at(report_.passes->place), Severity::note, DiagnosticKind::passes,
+            add(at(report_.passes->location), Severity::note, DiagnosticKind::passes,
                 "passes: " + to_text(*report_.passes));
         add_violations();
         add_findings();
@@ -32,11 +32,11 @@ class Collector {
   private:
     /// Returns a diagnostic at a source location of the run, or about the complete program if the location is
     /// unknown.
-    Diagnostic at(const Place& place) const {
-        const bool known = place.line > 0 && place.file < report_.files.size();
+    Diagnostic at(const SourceLocation& location) const {
+        const bool known = location.line > 0 && location.file < report_.files.size();
         Diagnostic diagnostic;
-        diagnostic.file = known ? report_.files[place.file] : report_.program;
-        diagnostic.line = known ? place.line : 0;
+        diagnostic.file = known ? report_.files[location.file] : report_.program;
+        diagnostic.line = known ? location.line : 0;
         return diagnostic;
     }
 
@@ -48,20 +48,21 @@ class Collector {
     }
 
     /// Returns true if the alarm is an error of the program's text that kept it from being run.
-    bool is_told(const Alarm& alarm) const {
-        const Diagnostic place = at(alarm.place);
-        return std::any_of(all_.begin(), all_.end(), [&](const Diagnostic& told) {
-            return told.severity == Severity::error && told.kind == alarm.kind && told.file == place.file &&
-                   told.line == place.line;
+    bool is_already_reported(const Alarm& alarm) const {
+        const Diagnostic location = at(alarm.location);
+        return std::any_of(all_.begin(), all_.end(), [&](const Diagnostic& reported) {
+            return reported.severity == Severity::error && reported.kind == alarm.kind &&
+                   reported.file == location.file && reported.line == location.line;
         });
     }
 
     void add_alarm() {
-        if (!report_.alarm || is_told(*report_.alarm)) return;
+        if (!report_.alarm || is_already_reported(*report_.alarm)) return;
         const Alarm& alarm = *report_.alarm;
-        add(at(alarm.place), Severity::error, alarm.kind, alarm.message);
+        add(at(alarm.location), Severity::error, alarm.kind, alarm.message);
         for (const OpenCall& call : alarm.calls)
-            add(at(call.place), Severity::note, alarm.kind, fmt::format("in {}, called here", call.program));
+            add(at(call.location), Severity::note, alarm.kind,
+                fmt::format("in {}, called here", call.program));
     }
 
     void add_violations() {
@@ -69,22 +70,22 @@ class Collector {
         for (const Violation& violation : violations.list) {
             const DiagnosticKind kind =
                 violation.zone.empty() ? DiagnosticKind::axis_limit : DiagnosticKind::zone;
-            add(at(violation.place), Severity::error, kind, violation.message);
+            add(at(violation.location), Severity::error, kind, violation.message);
             for (const OpenCall& call : violation.calls)
-                add(at(call.place), Severity::note, kind, fmt::format("in {}, called here", call.program));
+                add(at(call.location), Severity::note, kind, fmt::format("in {}, called here", call.program));
         }
         if (violations.count > violations.list.size()) {
             add(at({}), Severity::note, DiagnosticKind::axis_limit,
                 fmt::format("{} violations more", violations.count - violations.list.size()));
         }
-        if (std::string remedy = remedy_text(violations); !remedy.empty())
-            add(at({}), Severity::note, DiagnosticKind::axis_limit, std::move(remedy));
+        if (std::string suggested_fix = suggested_fix_text(violations); !suggested_fix.empty())
+            add(at({}), Severity::note, DiagnosticKind::axis_limit, std::move(suggested_fix));
     }
 
     void add_findings() {
         const ProcessFindings& findings = report_.findings;
         for (const ProcessFinding& finding : findings.list)
-            add(at(finding.place), Severity::warning, finding.kind, finding.message);
+            add(at(finding.location), Severity::warning, finding.kind, finding.message);
         if (findings.count > findings.list.size()) {
             add(at({}), Severity::warning, findings.list.back().kind,
                 fmt::format("{} findings more of the process", findings.count - findings.list.size()));
@@ -98,7 +99,7 @@ class Collector {
             if (excess.continuous) {
                 add(at({}), Severity::warning, DiagnosticKind::motor_continuous, excess_text(excess));
             } else {
-                add(at(excess.place), Severity::warning, DiagnosticKind::motor_peak, excess_text(excess));
+                add(at(excess.location), Severity::warning, DiagnosticKind::motor_peak, excess_text(excess));
             }
         }
         if (efforts.excess_count > efforts.excesses.size()) {
@@ -111,13 +112,13 @@ class Collector {
     void add_cell() {
         if (!report_.cell) return;
         for (const Collision& collision : report_.cell->collisions) {
-            add(at(collision.place), Severity::error, DiagnosticKind::collision,
+            add(at(collision.location), Severity::error, DiagnosticKind::collision,
                 fmt::format("collision: '{}' and '{}' at {:.3f} s", collision.first, collision.second,
                             collision.t_s));
         }
         for (const BlockClearance& near : report_.cell->clearances) {
             if (near.clearance_mm <= 0) continue;  // of the pairs that meet, reported above
-            add(at(near.place), Severity::warning, DiagnosticKind::near_miss,
+            add(at(near.location), Severity::warning, DiagnosticKind::near_miss,
                 fmt::format("near miss: '{}' and '{}', {:.3f} mm", near.first, near.second,
                             near.clearance_mm));
         }
@@ -127,8 +128,8 @@ class Collector {
         }
     }
 
-    void add_warning(const std::string& sentence) {
-        Diagnostic diagnostic = text::diagnostic_of(DiagnosticKind::warning, sentence);
+    void add_warning(const std::string& message) {
+        Diagnostic diagnostic = text::to_diagnostic(DiagnosticKind::warning, message);
         diagnostic.severity = Severity::warning;
         if (diagnostic.file.empty()) diagnostic.file = report_.program;
         all_.push_back(std::move(diagnostic));
@@ -140,7 +141,7 @@ class Collector {
 
 }  // namespace
 
-std::vector<Diagnostic> diagnostics_of(const Report& report) {
+std::vector<Diagnostic> report_diagnostics(const Report& report) {
     return Collector(report).collect();
 }
 

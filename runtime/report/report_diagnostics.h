@@ -9,6 +9,6 @@ namespace gsim::simulation {
 /// Returns everything that a report contains, one diagnostic each, in the order: the program's text, the
 /// reason why the run did not complete, limits and zones that were passed, the process, contacts and near
 /// misses in the cell, warnings.
-std::vector<text::Diagnostic> diagnostics_of(const Report& report);
+std::vector<text::Diagnostic> report_diagnostics(const Report& report);
 
 }  // namespace gsim::simulation

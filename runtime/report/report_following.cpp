@@ -12,22 +12,22 @@ namespace gsim::simulation {
 namespace {
 
 constexpr double kMsPerS = 1000;
-constexpr std::size_t kPlaceWidth = 30;
+constexpr std::size_t kLocationWidth = 30;
 
 std::string following_unit(const AxisFollowing& axis) {
     return axis.rotary ? "deg" : "mm";
 }
 
 Json following_axis_json(const Report& report, const AxisFollowing& axis) {
-    const bool lagged = axis.peak != 0;
+    const bool has_lag = axis.peak != 0;
     return {{"axis", letter(axis.letter)},
             {"unit", following_unit(axis)},
             {"position_gain_1_s", number(axis.gain_1_s)},
-            {"behind_s", number(axis.behind_s)},
+            {"behind_s", number(axis.constant_speed_lag_s)},
             {"peak", number(axis.peak)},
             {"t_s", number(axis.peak_t_s)},
-            {"file", lagged ? file(report, axis.peak_place) : Json(nullptr)},
-            {"line", lagged ? line(axis.peak_place) : Json(nullptr)},
+            {"file", has_lag ? file(report, axis.peak_location) : Json(nullptr)},
+            {"line", has_lag ? line(axis.peak_location) : Json(nullptr)},
             {"rms", number(axis.rms)},
             {"end", number(axis.end)}};
 }
@@ -36,13 +36,13 @@ Json contour_json(const Report& report, const ContourError& contour) {
     const bool left = contour.error_mm > 0;
     return {{"error_mm", number(contour.error_mm)},
             {"t_s", number(contour.t_s)},
-            {"file", left ? file(report, contour.place) : Json(nullptr)},
-            {"line", left ? line(contour.place) : Json(nullptr)}};
+            {"file", left ? file(report, contour.location) : Json(nullptr)},
+            {"line", left ? line(contour.location) : Json(nullptr)}};
 }
 
 std::string contour_text(const Report& report, const ContourError& contour) {
     std::string text = fmt::format("{:.4f} mm", contour.error_mm);
-    if (contour.error_mm > 0) text += " at " + place_text(report, contour.place, kPlaceWidth);
+    if (contour.error_mm > 0) text += " at " + location_text(report, contour.location, kLocationWidth);
     return text;
 }
 
@@ -66,9 +66,10 @@ std::string following_text(const Report& report) {
     std::string out = fmt::format("\n{:<15}{:>11}{:>12}{:>14}   {}\n", "following", "peak", "rms",
                                   "behind (ms)", "peak at");
     for (const AxisFollowing& axis : following.axes) {
-        std::string row = fmt::format("{} {:<13}{:>11.4f}{:>12.4f}{:>14.3f}   {}", axis.letter,
-                                      following_unit(axis), axis.peak, axis.rms, kMsPerS * axis.behind_s,
-                                      axis.peak != 0 ? place_text(report, axis.peak_place, kPlaceWidth) : "");
+        std::string row =
+            fmt::format("{} {:<13}{:>11.4f}{:>12.4f}{:>14.3f}   {}", axis.letter, following_unit(axis),
+                        axis.peak, axis.rms, kMsPerS * axis.constant_speed_lag_s,
+                        axis.peak != 0 ? location_text(report, axis.peak_location, kLocationWidth) : "");
         row.erase(row.find_last_not_of(' ') + 1);
         out += row + '\n';
     }

@@ -16,8 +16,9 @@ namespace {
 Json calls(const Report& report, const std::vector<OpenCall>& open) {
     Json list = Json::array();
     for (const OpenCall& call : open) {
-        list.push_back(
-            {{"program", call.program}, {"file", file(report, call.place)}, {"line", line(call.place)}});
+        list.push_back({{"program", call.program},
+                        {"file", file(report, call.location)},
+                        {"line", line(call.location)}});
     }
     return list;
 }
@@ -25,10 +26,10 @@ Json calls(const Report& report, const std::vector<OpenCall>& open) {
 Json alarm(const Report& report) {
     if (!report.alarm) return nullptr;
     const Alarm& alarm = *report.alarm;
-    return {{"code", text::code_of(alarm.kind)},
+    return {{"code", text::diagnostic_code(alarm.kind)},
             {"message", alarm.message},
-            {"file", file(report, alarm.place)},
-            {"line", line(alarm.place)},
+            {"file", file(report, alarm.location)},
+            {"line", line(alarm.location)},
             {"axis", alarm.axis != 0 ? letter(alarm.axis) : Json(nullptr)},
             {"value", number(alarm.value)},
             {"limit", number(alarm.limit)},
@@ -39,8 +40,8 @@ Json violations(const Report& report) {
     Json list = Json::array();
     for (const Violation& violation : report.violations.list) {
         list.push_back({{"t_s", number(violation.t_s)},
-                        {"file", file(report, violation.place)},
-                        {"line", line(violation.place)},
+                        {"file", file(report, violation.location)},
+                        {"line", line(violation.location)},
                         {"axis", letter(violation.axis)},
                         {"unit", violation.rotary ? "deg" : "mm"},
                         {"value", number(violation.value)},
@@ -58,17 +59,17 @@ Json findings(const Report& report) {
     Json list = Json::array();
     for (const ProcessFinding& finding : report.findings.list) {
         list.push_back({{"t_s", number(finding.t_s)},
-                        {"file", file(report, finding.place)},
-                        {"line", line(finding.place)},
-                        {"code", text::code_of(finding.kind)},
+                        {"file", file(report, finding.location)},
+                        {"line", line(finding.location)},
+                        {"code", text::diagnostic_code(finding.kind)},
                         {"message", finding.message}});
     }
     return list;
 }
 
-Json remedy(const Violations& violations) {
+Json suggested_fix(const Violations& violations) {
     Json list = Json::array();
-    for (const OffsetShift& shift : violations.remedy) {
+    for (const OffsetShift& shift : violations.suggested_fix) {
         list.push_back(
             {{"offset", shift.offset}, {"axis", letter(shift.axis)}, {"shift_mm", number(shift.shift_mm)}});
     }
@@ -78,14 +79,14 @@ Json remedy(const Violations& violations) {
 Json deviation(const Report& report, const Deviation& deviation) {
     const bool any = deviation.deviation_mm > 0;
     return {{"max_deviation_mm", number(deviation.deviation_mm)},
-            {"file", any ? file(report, deviation.place) : Json(nullptr)},
-            {"line", any ? line(deviation.place) : Json(nullptr)}};
+            {"file", any ? file(report, deviation.location) : Json(nullptr)},
+            {"line", any ? line(deviation.location) : Json(nullptr)}};
 }
 
 Json blends(const Report& report) {
     if (!report.blends.measured) return nullptr;
     Json blends{{"count", report.blends.count}};
-    blends.update(deviation(report, report.blends.greatest()));
+    blends.update(deviation(report, report.blends.max()));
     blends["feed"] = deviation(report, report.blends.feed);
     blends["rapid"] = deviation(report, report.blends.rapid);
     return blends;
@@ -106,8 +107,8 @@ Json events(const Report& report) {
     Json events = Json::array();
     for (const Event& event : report.events) {
         Json entry = {{"t_s", number(event.t_s)},
-                      {"file", file(report, event.place)},
-                      {"line", line(event.place)},
+                      {"file", file(report, event.location)},
+                      {"line", line(event.location)},
                       {"kind", event.kind}};
         if (!event.detail.empty()) entry["detail"] = event.detail;
         events.push_back(std::move(entry));
@@ -118,8 +119,8 @@ Json events(const Report& report) {
 Json slowest(const Report& report) {
     Json blocks = Json::array();
     for (const SlowBlock& block : report.slowest) {
-        blocks.push_back({{"file", file(report, block.place)},
-                          {"line", line(block.place)},
+        blocks.push_back({{"file", file(report, block.location)},
+                          {"line", line(block.location)},
                           {"kind", std::string(name(block.kind))},
                           {"duration_s", number(block.duration_s)},
                           {"length_mm", number(block.length_mm)},
@@ -140,11 +141,11 @@ Json point(const std::array<double, 3>& point_mm) {
     return Json::array({number(point_mm[0]), number(point_mm[1]), number(point_mm[2])});
 }
 
-Json looked_at(const LookedAt& looked) {
-    Json json{{"of_machine", looked.of_machine}, {"jets", looked.jets},
-              {"objects", looked.objects},       {"pairs", looked.pairs},
-              {"may_touch", looked.may_touch},   {"replaced", looked.replaced}};
-    if (looked.with_robots > 0) json["with_robots"] = looked.with_robots;
+Json checked_bodies(const CheckedBodies& bodies) {
+    Json json{{"of_machine", bodies.machine_shapes}, {"jets", bodies.jets},
+              {"objects", bodies.objects},           {"pairs", bodies.pairs},
+              {"may_touch", bodies.allowed_pairs},   {"replaced", bodies.replaced}};
+    if (bodies.robot_pairs > 0) json["with_robots"] = bodies.robot_pairs;
     return json;
 }
 
@@ -152,8 +153,8 @@ Json collisions(const Report& report) {
     Json list = Json::array();
     for (const Collision& collision : report.cell->collisions) {
         list.push_back({{"t_s", number(collision.t_s)},
-                        {"file", file(report, collision.place)},
-                        {"line", line(collision.place)},
+                        {"file", file(report, collision.location)},
+                        {"line", line(collision.location)},
                         {"pair", Json::array({collision.first, collision.second})},
                         {"point_mm", point(collision.point_mm)},
                         {"kind", collision.penetrating ? "penetrating" : "touching"}});
@@ -164,8 +165,8 @@ Json collisions(const Report& report) {
 Json clearances(const Report& report) {
     Json list = Json::array();
     for (const BlockClearance& block : report.cell->clearances) {
-        list.push_back({{"file", file(report, block.place)},
-                        {"line", line(block.place)},
+        list.push_back({{"file", file(report, block.location)},
+                        {"line", line(block.location)},
                         {"clearance_mm", number(block.clearance_mm)},
                         {"pair", Json::array({block.first, block.second})},
                         {"point_mm", point(block.point_mm)}});
@@ -190,8 +191,8 @@ Json signals(const Report& report) {
     Json signals = Json::array();
     for (const SignalChange& change : report.signals) {
         signals.push_back({{"t_s", number(change.t_s)},
-                           {"file", file(report, change.place)},
-                           {"line", line(change.place)},
+                           {"file", file(report, change.location)},
+                           {"line", line(change.location)},
                            {"process", change.process},
                            {"signal", change.signal},
                            {"value", change.value}});
@@ -204,9 +205,9 @@ Json zone_uses(const Report& report) {
     for (const ZoneUse& use : report.zone_uses) {
         uses.push_back({{"zone", use.zone},
                         {"process", use.process},
-                        {"file", file(report, use.place)},
-                        {"line", line(use.place)},
-                        {"asked_s", number(use.asked_s)},
+                        {"file", file(report, use.location)},
+                        {"line", line(use.location)},
+                        {"asked_s", number(use.requested_s)},
                         {"from_s", use.from_s ? number(*use.from_s) : Json(nullptr)},
                         {"to_s", use.to_s ? number(*use.to_s) : Json(nullptr)}});
     }
@@ -215,8 +216,8 @@ Json zone_uses(const Report& report) {
 
 Json passes(const Report& report) {
     return {{"count", report.passes->count},
-            {"file", file(report, report.passes->place)},
-            {"line", line(report.passes->place)},
+            {"file", file(report, report.passes->location)},
+            {"line", line(report.passes->location)},
             {"to_block", report.passes->to_block ? Json(*report.passes->to_block) : Json(nullptr)}};
 }
 
@@ -257,7 +258,7 @@ Json object(const Report& report) {
         {"alarm", alarm(report)},
         {"violations", violations(report)},
         {"violation_count", report.violations.count},
-        {"remedy", remedy(report.violations)},
+        {"remedy", suggested_fix(report.violations)},
         {"cycle_time_s", number(report.cycle_time_s)},
         {"valid_until_s", number(report.violations.valid_until_s())},
         {"time", times(report)},
@@ -265,14 +266,14 @@ Json object(const Report& report) {
         {"length",
          {{"rapid_mm", number(report.rapid_mm)},
           {"feed_mm", number(report.feed_mm)},
-          {"jet_on_mm", number(report.jet_on_mm)}}},
+          {"jet_on_mm", number(report.process_on_mm)}}},
         {"blocks", report.blocks},
         {"moves", report.moves},
         {"blends", blends(report)},
         {"bounds", bounds(report)},
         {"events", events(report)},
         {"warnings", report.warnings},
-        {"diagnostics", text::to_json(diagnostics_of(report))},
+        {"diagnostics", text::to_json(report_diagnostics(report))},
         {"findings", findings(report)},
         {"slowest", slowest(report)},
     };
@@ -283,13 +284,13 @@ Json object(const Report& report) {
         json["lower_bound_s"] = number(report.explanation->lower_bound_s);
     }
     if (report.interval)
-        json["cycle_time_95_s"] = {number(report.interval->least_s), number(report.interval->most_s)};
+        json["cycle_time_95_s"] = {number(report.interval->min_s), number(report.interval->max_s)};
     if (report.efforts) json["efforts"] = efforts_json(report);
     if (report.following) json["following"] = following_json(report);
     if (report.cell) {
         json["cell"] = {{"name", report.cell->name},
                         {"clearance_mm", number(report.cell->clearance_mm)},
-                        {"looked_at", looked_at(report.cell->looked_at)}};
+                        {"looked_at", checked_bodies(report.cell->checked_bodies)}};
         json["collisions"] = collisions(report);
         json["clearances"] = clearances(report);
     }
@@ -313,16 +314,16 @@ std::string to_json(const Report& report) {
 }
 
 std::string to_json(const RobotsReport& report) {
-    const Report& whole = report.whole;
-    Json json = {{"program", whole.program},
-                 {"status", std::string(name(whole.status))},
-                 {"alarm", alarm(whole)},
-                 {"violation_count", whole.violations.count},
-                 {"cycle_time_s", number(whole.cycle_time_s)},
-                 {"processes", processes(whole.processes)},
-                 {"signals", signals(whole)},
-                 {"zones", zone_uses(whole)},
-                 {"warnings", whole.warnings}};
+    const Report& full = report.full;
+    Json json = {{"program", full.program},
+                 {"status", std::string(name(full.status))},
+                 {"alarm", alarm(full)},
+                 {"violation_count", full.violations.count},
+                 {"cycle_time_s", number(full.cycle_time_s)},
+                 {"processes", processes(full.processes)},
+                 {"signals", signals(full)},
+                 {"zones", zone_uses(full)},
+                 {"warnings", full.warnings}};
     Json robots = Json::array();
     for (const RobotReport& robot : report.robots) {
         Json entry = {{"name", robot.name}, {"idle_s", number(robot.idle_s)}};

@@ -22,12 +22,12 @@ inline Json number(const std::optional<double>& value) {
     return value ? number(*value) : Json(nullptr);
 }
 
-inline Json file(const Report& report, const Place& place) {
-    return place.file < report.files.size() ? Json(report.files[place.file]) : Json(nullptr);
+inline Json file(const Report& report, const SourceLocation& location) {
+    return location.file < report.files.size() ? Json(report.files[location.file]) : Json(nullptr);
 }
 
-inline Json line(const Place& place) {
-    return place.line > 0 ? Json(place.line) : Json(nullptr);
+inline Json line(const SourceLocation& location) {
+    return location.line > 0 ? Json(location.line) : Json(nullptr);
 }
 
 inline Json letter(char axis) {

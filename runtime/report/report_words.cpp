@@ -4,7 +4,7 @@
 
 namespace gsim::simulation {
 
-std::string clean(std::string_view text) {
+std::string sanitized(std::string_view text) {
     std::string out(text);
     for (char& c : out) {
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
@@ -12,15 +12,15 @@ std::string clean(std::string_view text) {
     return out;
 }
 
-std::string shortened(std::string_view text, std::size_t width) {
-    std::string out = clean(text);
+std::string truncated(std::string_view text, std::size_t width) {
+    std::string out = sanitized(text);
     return out.size() <= width ? out : "..." + out.substr(out.size() - width + 3);
 }
 
-std::string place_text(const Report& report, const Place& place, std::size_t width) {
-    const std::string file = place.file < report.files.size() ? report.files[place.file] : "?";
-    const std::string line = place.line > 0 ? fmt::format(":{}", place.line) : "";
-    return shortened(file, width - line.size()) + line;
+std::string location_text(const Report& report, const SourceLocation& location, std::size_t width) {
+    const std::string file = location.file < report.files.size() ? report.files[location.file] : "?";
+    const std::string line = location.line > 0 ? fmt::format(":{}", location.line) : "";
+    return truncated(file, width - line.size()) + line;
 }
 
 }  // namespace gsim::simulation

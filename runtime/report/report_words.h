@@ -14,10 +14,10 @@ inline constexpr std::size_t kLineWidth = 100;
 
 /// Removes what a terminal would take as a command, because names and messages come from files of untrusted
 /// users.
-std::string clean(std::string_view text);
+std::string sanitized(std::string_view text);
 /// Returns the end of a long name, which says more than its beginning.
-std::string shortened(std::string_view text, std::size_t width);
+std::string truncated(std::string_view text, std::size_t width);
 /// "part.nc:12"
-std::string place_text(const Report& report, const Place& place, std::size_t width = 40);
+std::string location_text(const Report& report, const SourceLocation& location, std::size_t width = 40);
 
 }  // namespace gsim::simulation

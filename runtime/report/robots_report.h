@@ -17,13 +17,13 @@ struct RobotReport {
 struct RobotsReport {
     /// Program, status, alarm, cycle time, processes and signals of all together; other values are each
     /// robot's.
-    Report whole;
+    Report full;
     std::vector<RobotReport> robots;  ///< In the order of their file.
 };
 
 /// Combines the reports: the alarm is that of the first robot that has one; the cycle time is the latest end
 /// of a robot or of a process that the run waits for.
-RobotsReport robots_report(Report whole, std::vector<RobotReport> robots);
+RobotsReport robots_report(Report full, std::vector<RobotReport> robots);
 
 std::string to_json(const RobotsReport& report);
 std::string to_text(const RobotsReport& report);

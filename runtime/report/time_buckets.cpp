@@ -12,7 +12,7 @@ void TimeBuckets::add(const TimePoint& point) {
     merge(buckets_[index][static_cast<std::size_t>(point.style)], {point, count_++});
 }
 
-void TimeBuckets::merge(std::optional<Extremes>& into, const Numbered& sample) {
+void TimeBuckets::merge(std::optional<Extremes>& into, const NumberedPoint& sample) {
     if (!into) into = {sample, sample};
     if (sample.point.value < into->low.point.value) into->low = sample;
     if (sample.point.value > into->high.point.value) into->high = sample;
@@ -33,7 +33,7 @@ void TimeBuckets::halve() {
 }
 
 std::vector<TimePoint> TimeBuckets::points() const {
-    std::vector<Numbered> samples;
+    std::vector<NumberedPoint> samples;
     for (const Bucket& bucket : buckets_) {
         for (const std::optional<Extremes>& extremes : bucket) {
             if (!extremes) continue;
@@ -42,10 +42,10 @@ std::vector<TimePoint> TimeBuckets::points() const {
         }
     }
     std::sort(samples.begin(), samples.end(),
-              [](const Numbered& a, const Numbered& b) { return a.number < b.number; });
+              [](const NumberedPoint& a, const NumberedPoint& b) { return a.number < b.number; });
     std::vector<TimePoint> points;
     points.reserve(samples.size());
-    for (const Numbered& sample : samples) points.push_back(sample.point);
+    for (const NumberedPoint& sample : samples) points.push_back(sample.point);
     return points;
 }
 

@@ -34,17 +34,17 @@ class TimeBuckets {
   private:
     // Point with the number of its sample, because the end of a move and the start of the next share an
     // instant.
-    struct Numbered {
+    struct NumberedPoint {
         TimePoint point;
         std::uint64_t number;
     };
     struct Extremes {
-        Numbered low;
-        Numbered high;
+        NumberedPoint low;
+        NumberedPoint high;
     };
     using Bucket = std::array<std::optional<Extremes>, 3>;  // by style
 
-    static void merge(std::optional<Extremes>& into, const Numbered& sample);
+    static void merge(std::optional<Extremes>& into, const NumberedPoint& sample);
     void halve();
 
     double width_s_ = 1e-3;

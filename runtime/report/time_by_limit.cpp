@@ -8,8 +8,8 @@
 
 namespace gsim::simulation {
 
-void TimeByLimit::take(const motion::Segment& segment, const MoveInfo& /*info*/) {
-    if (segment.kind == motion::SegmentKind::rest) return rests_.add(segment.duration_s);
+void TimeByLimit::on_segment(const motion::Segment& segment, const MoveInfo& /*info*/) {
+    if (segment.kind == motion::SegmentKind::rest) return dwell_s_.add(segment.duration_s);
     const auto kind = static_cast<std::size_t>(segment.limited_by.kind);
     limits_[kind][static_cast<std::size_t>(segment.limited_by.joint + 1)].add(segment.duration_s);
 }
@@ -25,7 +25,7 @@ std::vector<LimitTime> TimeByLimit::list(const machine::Machine& machine) const 
             times_s[describe(limited_by, machine)] += time_s;
         }
     }
-    if (rests_.value() > 0) times_s["dwell"] = rests_.value();
+    if (dwell_s_.value() > 0) times_s["dwell"] = dwell_s_.value();
     std::vector<LimitTime> list;
     list.reserve(times_s.size());
     for (const auto& [limited_by, time_s] : times_s) list.push_back({limited_by, time_s});

@@ -26,12 +26,12 @@ struct Feed {
 };
 
 /// Behaviour of the path at the ends of moves.
-struct PathPassing {
+struct PathModeSettings {
     rrs::PathMode mode = rrs::PathMode::exact_stop;
     double tolerance_mm = 0;        ///< Path tolerance; 0: controller's default.
     double merge_tolerance_mm = 0;  ///< Tolerance of merged lines.
 
-    bool operator==(const PathPassing&) const = default;
+    bool operator==(const PathModeSettings&) const = default;
 };
 
 /// Work coordinate system that a program selects.
@@ -47,18 +47,18 @@ struct LineMove {
     MoveKind kind = MoveKind::linear;  ///< Any but an arc or a dwell.
     AxisVector target;
     Feed feed;
-    Place place;
+    SourceLocation location;
 };
 
 /// Arc in any plane, or a helix about the plane's normal.
 struct ArcMove {
     MoveKind kind = MoveKind::arc_cw;                     ///< As seen against the normal.
-    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();    ///< Unit, told_normal(), of X, Y and Z.
+    Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();    ///< Unit, canonical_normal(), of X, Y and Z.
     Eigen::Vector3d center_mm = Eigen::Vector3d::Zero();  ///< Any point of the arc's axis.
     double sweep_rad = 0;                                 ///< > 0
     AxisVector target;
     Feed feed;
-    Place place;
+    SourceLocation location;
 
     /// Returns the unit vector about which the arc runs by the right-hand rule.
     Eigen::Vector3d axis() const;
@@ -74,7 +74,7 @@ struct ViaMove {
     AxisVector via;
     AxisVector target;
     Feed feed;
-    Place place;
+    SourceLocation location;
 };
 
 /// Target of an axis of a group during a move to a pose.
@@ -90,7 +90,7 @@ struct PoseMove {
     rrs::CartPos target;
     std::vector<GroupTarget> groups;
     Feed feed;
-    Place place;
+    SourceLocation location;
 };
 
 }  // namespace gsim::simulation

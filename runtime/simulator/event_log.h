@@ -21,28 +21,28 @@ class EventLog final : public RunOutput {
     /// happens.
     void add_before(rrs::TargetId id, Event event, bool with_motion = false);
 
-    void take(const motion::Segment& segment, const MoveInfo& info) override;
+    void on_segment(const motion::Segment& segment, const MoveInfo& info) override;
     void end(double end_s) override;
 
     /// Ends the machine's motion at this time; later events never happen.
-    void end_early(double end_s);
+    void truncate(double end_s);
 
     std::vector<Event> release() { return std::move(events_); }
     /// Returns the number of events beyond the maximum that a report lists.
     std::uint64_t dropped() const { return dropped_; }
 
   private:
-    struct Waiting {
+    struct PendingEvent {
         rrs::TargetId id;
         std::size_t index;  ///< In events_.
         bool with_motion;
     };
 
-    bool has_room();
-    void erase_later(double end_s);
+    bool can_add();
+    void erase_after(double end_s);
 
     std::vector<Event> events_;
-    std::deque<Waiting> waiting_;  ///< In the order of their ids.
+    std::deque<PendingEvent> pending_events_;  ///< In the order of their ids.
     std::uint64_t dropped_ = 0;
 };
 

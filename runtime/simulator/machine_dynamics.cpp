@@ -18,18 +18,18 @@ namespace {
 
 constexpr double kMetresPerMm = 1e-3;
 
-Eigen::Vector3d metres(const std::array<double, 3>& mm) {
+Eigen::Vector3d to_metres(const std::array<double, 3>& mm) {
     return kMetresPerMm * Eigen::Vector3d(mm[0], mm[1], mm[2]);
 }
 
 RigidBody body_of(const machine::LinkMass& mass) {
     const auto& [xx, yy, zz, xy, yz, zx] = mass.inertia_kg_m2;
-    RigidBody body{.mass_kg = mass.mass_kg, .centre_m = metres(mass.centre_mm)};
+    RigidBody body{.mass_kg = mass.mass_kg, .centre_m = to_metres(mass.centre_mm)};
     body.inertia_kg_m2 << xx, xy, zx, xy, yy, yz, zx, yz, zz;
     return body;
 }
 
-JointDrive drive_of(const machine::Axis& axis) {
+JointDrive make_joint_drive(const machine::Axis& axis) {
     const double speeds = axis.kind == machine::AxisKind::linear ? 1 / kMetresPerMm : kDegPerRad;
     return {.coulomb = axis.drive.coulomb,
             .viscous = axis.drive.viscous * speeds,
@@ -39,7 +39,7 @@ JointDrive drive_of(const machine::Axis& axis) {
 
 /// Returns the link that carries the masses on a joint, the tool or the work. Returns null for a body that is
 /// fixed in the world, because it needs no motor.
-RigidBody* link_of(const machine::Machine& machine, const std::string& on, DynamicsModel& model) {
+RigidBody* make_link(const machine::Machine& machine, const std::string& on, DynamicsModel& model) {
     if (on == "tool") return &model.tool;
     if (on == "work") return &model.work;
     const auto axis = on.size() == 1 ? machine.find(on[0]) : std::nullopt;
@@ -49,9 +49,9 @@ RigidBody* link_of(const machine::Machine& machine, const std::string& on, Dynam
 std::optional<std::string> add_shapes(const machine::Machine& machine, const cell::MeshFiles& files,
                                       DynamicsModel& model) {
     for (const machine::LinkShape& shape : machine.shapes) {
-        RigidBody* link = link_of(machine, shape.on, model);
+        RigidBody* link = make_link(machine, shape.on, model);
         if (shape.density_kg_m3 == 0 || link == nullptr) continue;
-        const auto body = cell::mass_of(shape.form, shape.density_kg_m3, files);
+        const auto body = cell::compute_rigid_body(shape.form, shape.density_kg_m3, files);
         if (!body)
             return fmt::format("the shape '{}' of the machine has no mass: {}", shape.name, body.error());
         Eigen::Isometry3d pose = machine::frame_pose(shape.frame);
@@ -61,11 +61,11 @@ std::optional<std::string> add_shapes(const machine::Machine& machine, const cel
     return std::nullopt;
 }
 
-dynamics::Hose hose_of(const machine::Machine& machine, const machine::HoseTable& table) {
+dynamics::Hose make_hose(const machine::Machine& machine, const machine::HoseTable& table) {
     dynamics::Hose hose{.end = dynamics::HoseEnd::tool,
                         .joint = 0,
-                        .point_m = metres(table.point_mm),
-                        .anchor_m = metres(table.anchor_mm),
+                        .point_m = to_metres(table.point_mm),
+                        .anchor_m = to_metres(table.anchor_mm),
                         .free_length_m = table.free_length_mm * kMetresPerMm,
                         .stiffness_n_per_m = table.stiffness_n_per_mm / kMetresPerMm,
                         .drag_n_s_per_m = table.drag_n_per_mm_s / kMetresPerMm};
@@ -87,7 +87,8 @@ std::optional<std::string> find_massless_axis(const machine::Machine& machine,
         const auto joint = static_cast<Eigen::Index>(i);
         rrs::JointPos unit = rrs::JointPos::Zero(home.size());
         unit[joint] = 1;
-        if (!machine::has_motor(machine.axes[i]) || dynamics.inertial(home, unit)[joint] > 0) continue;
+        if (!machine::has_motor(machine.axes[i]) || dynamics.inertial_efforts(home, unit)[joint] > 0)
+            continue;
         return fmt::format(
             "'limit = \"torque\"' of [dynamics] needs a mass that axis {} moves: no [[mass]], no "
             "density of a [[shape]] and no '{}' gives it one",
@@ -97,7 +98,7 @@ std::optional<std::string> find_massless_axis(const machine::Machine& machine,
     return std::nullopt;
 }
 
-dynamics::Motor motor_of(const machine::Axis& axis) {
+dynamics::Motor make_motor(const machine::Axis& axis) {
     std::vector<double> speeds = axis.drive.curve_speeds;
     if (axis.kind == machine::AxisKind::rotary) {
         for (double& speed : speeds) speed *= kRadPerDeg;
@@ -114,16 +115,16 @@ tl::expected<std::shared_ptr<const dynamics::Dynamics>, std::string> make_dynami
     const auto& [x, y, z] = machine.dynamics->gravity_m_s2;
     model.gravity_m_s2 = {x, y, z};
     model.links.resize(machine.axes.size());
-    for (const machine::Axis& axis : machine.axes) model.drives.push_back(drive_of(axis));
+    for (const machine::Axis& axis : machine.axes) model.drives.push_back(make_joint_drive(axis));
     for (const machine::LinkMass& mass : machine.dynamics->masses) {
-        RigidBody* link = link_of(machine, mass.on, model);
+        RigidBody* link = make_link(machine, mass.on, model);
         if (link != nullptr) *link = joined(*link, body_of(mass));
     }
     for (const machine::HoseTable& hose : machine.dynamics->hoses)
-        model.hoses.push_back(hose_of(machine, hose));
-    if (auto fault = add_shapes(machine, files, model)) return tl::unexpected(*std::move(fault));
+        model.hoses.push_back(make_hose(machine, hose));
+    if (auto error = add_shapes(machine, files, model)) return tl::unexpected(*std::move(error));
     auto dynamics = std::make_shared<const dynamics::Dynamics>(make_kinematics(machine)->chain(), model);
-    if (auto fault = find_massless_axis(machine, *dynamics)) return tl::unexpected(*std::move(fault));
+    if (auto error = find_massless_axis(machine, *dynamics)) return tl::unexpected(*std::move(error));
     return dynamics;
 }
 
@@ -131,7 +132,7 @@ std::shared_ptr<const motion::MoveLimits> make_effort_limits(
     const machine::Machine& machine, std::shared_ptr<const dynamics::Dynamics> dynamics) {
     if (!machine::is_torque_limited(machine) || dynamics == nullptr) return nullptr;
     std::vector<dynamics::Motor> motors;
-    for (const machine::Axis& axis : machine.axes) motors.push_back(motor_of(axis));
+    for (const machine::Axis& axis : machine.axes) motors.push_back(make_motor(axis));
     return std::make_shared<const dynamics::EffortLimits>(std::move(dynamics), std::move(motors));
 }
 

@@ -8,14 +8,14 @@ namespace gsim::simulation {
 
 namespace {
 
-constexpr double kOnAxis = 1e-9;  // rounding error of a unit vector next to an axis
+constexpr double kAxisTolerance = 1e-9;  // rounding error of a unit vector next to an axis
 
 // Returns the axis that a vector lies closest to. If several are equally close, it is the last one, whatever
 // the rounding.
 Eigen::Index closest_axis(const Eigen::Vector3d& vector) {
     Eigen::Index closest = 2;
     for (Eigen::Index axis = 1; axis >= 0; --axis) {
-        if (std::abs(vector[axis]) > std::abs(vector[closest]) + kOnAxis) closest = axis;
+        if (std::abs(vector[axis]) > std::abs(vector[closest]) + kAxisTolerance) closest = axis;
     }
     return closest;
 }
@@ -42,26 +42,26 @@ std::string_view name(RunStatus status) {
     return "";
 }
 
-Eigen::Vector3d normal_of(Plane plane) {
-    return Eigen::Vector3d::Unit(static_cast<Eigen::Index>(axes_of(plane).normal));
+Eigen::Vector3d plane_normal(Plane plane) {
+    return Eigen::Vector3d::Unit(static_cast<Eigen::Index>(plane_axes(plane).normal));
 }
 
 std::optional<Plane> main_plane(const Eigen::Vector3d& normal) {
     const Eigen::Index axis = closest_axis(normal);
-    if (std::abs(std::abs(normal[axis]) - 1) > kOnAxis) return std::nullopt;
+    if (std::abs(std::abs(normal[axis]) - 1) > kAxisTolerance) return std::nullopt;
     for (Eigen::Index other = 0; other < 3; ++other) {
-        if (other != axis && std::abs(normal[other]) > kOnAxis) return std::nullopt;
+        if (other != axis && std::abs(normal[other]) > kAxisTolerance) return std::nullopt;
     }
     return static_cast<Plane>(2 - axis);
 }
 
-Eigen::Vector3d told_normal(const Eigen::Vector3d& axis) {
-    if (const auto plane = main_plane(axis)) return normal_of(*plane);
+Eigen::Vector3d canonical_normal(const Eigen::Vector3d& axis) {
+    if (const auto plane = main_plane(axis)) return plane_normal(*plane);
     return axis[closest_axis(axis)] < 0 ? Eigen::Vector3d(-axis) : axis;
 }
 
 void set_axis(MoveInfo& info, const Eigen::Vector3d& axis) {
-    info.normal = told_normal(axis.normalized());
+    info.normal = canonical_normal(axis.normalized());
     info.kind = info.normal.dot(axis) < 0 ? MoveKind::arc_cw : MoveKind::arc_ccw;
 }
 

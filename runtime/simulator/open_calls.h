@@ -16,29 +16,30 @@ class OpenCalls {
     void enter(OpenCall call, rrs::TargetId next);
     void leave(rrs::TargetId next);
     /// Forgets earlier calls, because no later query is for a target before this one.
-    void forget_before(rrs::TargetId id);
+    void discard_before(rrs::TargetId id);
 
-    bool any() const { return innermost_ != nullptr; }
+    bool any() const { return call_stack_ != nullptr; }
     /// Returns the open calls from the innermost to the first.
     std::vector<OpenCall> now() const;
     std::vector<OpenCall> at(rrs::TargetId id) const;
 
   private:
-    struct Open {
+    struct OpenCallNode {
         OpenCall call;
-        std::shared_ptr<const Open> outer;
+        std::shared_ptr<const OpenCallNode> outer;
     };
-    using Innermost = std::shared_ptr<const Open>;
-    struct Since {
+    using CallStack = std::shared_ptr<const OpenCallNode>;
+    struct StackChange {
         rrs::TargetId from;
-        Innermost innermost;
+        CallStack call_stack;
     };
 
-    void change(Innermost innermost, rrs::TargetId next);
-    static std::vector<OpenCall> list(const Open* innermost);
+    void change(CallStack call_stack, rrs::TargetId next);
+    static std::vector<OpenCall> list(const OpenCallNode* call_stack);
 
-    Innermost innermost_;
-    std::deque<Since> history_;  ///< In the order of their targets; no call is open before the first one.
+    CallStack call_stack_;
+    std::deque<StackChange>
+        history_;  ///< In the order of their targets; no call is open before the first one.
 };
 
 }  // namespace gsim::simulation

@@ -9,13 +9,13 @@
 namespace gsim::simulation {
 
 /// Configuration of what the probes of a run touch.
-struct ProbeFeels {
+struct ProbeSurface {
     enum class Kind : std::uint8_t {
-        surroundings,  ///< The cell or, without a cell, the targets of the moves.
-        nothing,
+        environment,  ///< The cell or, without a cell, the targets of the moves.
+        none,
         plane,
     };
-    Kind kind = Kind::surroundings;
+    Kind kind = Kind::environment;
     std::size_t axis = 0;  ///< Along which the plane lies at at_mm: 0 x, 1 y, 2 z.
     double at_mm = 0;      ///< Machine coordinates of the tool's end, as those of zones.
 };
@@ -23,12 +23,12 @@ struct ProbeFeels {
 /// Straight feed move that a signal ends.
 struct ProbeMove {
     /// Result of a script for the signal.
-    enum class Answer : std::uint8_t { none_given, never, at_part };
+    enum class ProbeResponse : std::uint8_t { unspecified, never, at_fraction };
 
     LineMove line;
     bool away = false;  ///< The signal is that contact is lost, else that it is made.
-    Answer answer = Answer::none_given;
-    double part = 0;  ///< With at_part: share of the path to the target, 0 to 1.
+    ProbeResponse response = ProbeResponse::unspecified;
+    double fraction = 0;  ///< With at_fraction: share of the path to the target, 0 to 1.
 };
 
 /// Result of a probing move.

@@ -17,26 +17,26 @@ class ProgramObserver {
   public:
     virtual ~ProgramObserver() = default;
     /// Returns the approximate memory that it holds for what it has received.
-    virtual std::size_t held_bytes() const { return 0; }
-    /// `rotary_alone`: the feed is that of rotary axes.
-    virtual void line(const AxisVector& /*from*/, const LineMove& /*move*/, bool /*rotary_alone*/) {}
+    virtual std::size_t retained_bytes() const { return 0; }
+    /// `is_rotary_only`: the feed is that of rotary axes.
+    virtual void line(const AxisVector& /*from*/, const LineMove& /*move*/, bool /*is_rotary_only*/) {}
     virtual void arc(const AxisVector& /*from*/, const ArcMove& /*move*/) {}
     virtual void arc(const AxisVector& /*from*/, const ViaMove& /*move*/) {}
     virtual void dwell(const AxisVector& /*at*/, double /*seconds*/) {}
-    /// `event` has no time; `at_rest` is true if the machine stops for it.
-    virtual void event(const AxisVector& /*at*/, const Event& /*event*/, bool /*at_rest*/) {}
+    /// `event` has no time; `at_standstill` is true if the machine stops for it.
+    virtual void event(const AxisVector& /*at*/, const Event& /*event*/, bool /*at_standstill*/) {}
     virtual void enter_program(const std::string& /*name*/) {}
     virtual void leave_program() {}
     /// Notifies of motion that no function above covers, such as a target of the controller's services; `why`
     /// is a message.
-    virtual void untold_motion(std::string_view /*why*/) {}
+    virtual void on_unrecordable_motion(std::string_view /*why*/) {}
 
     // Selections of the program for the moves that follow.
 
     /// The machine comes to a standstill before the next move.
-    virtual void rest(const AxisVector& /*at*/) {}
+    virtual void standstill(const AxisVector& /*at*/) {}
     virtual void spindle_speed(const AxisVector& /*at*/, double /*rev_min*/) {}
-    virtual void path_mode(const AxisVector& /*at*/, const PathPassing& /*passing*/) {}
+    virtual void path_mode(const AxisVector& /*at*/, const PathModeSettings& /*passing*/) {}
     /// The next move alone ends in an exact stop.
     virtual void exact_stop_once(const AxisVector& /*at*/) {}
     virtual void ramps(const AxisVector& /*at*/, rrs::RampMode /*mode*/) {}

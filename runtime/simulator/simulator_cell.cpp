@@ -7,15 +7,15 @@
 
 namespace gsim::simulation {
 
-void Simulator::set_cell(CellWatch& cell) {
+void Simulator::set_cell(CellMonitor& cell) {
     cell_ = &cell;
-    cell.end_by(limits_.cpu);
+    cell.set_time_limit(limits_.cpu);
     controller_has_cell_ = motion_->set_cell(cell);
-    if (cell.use().watched) recorder_.add_output(cell);
+    if (cell.use().monitored) recorder_.add_output(cell);
 }
 
 rrs::Status Simulator::get_cell_frame(std::string_view name, rrs::CartPos& frame) {
-    if (asks_controller()) return shell().GetCellFrame(name, frame);
+    if (uses_controller_frames()) return shell().GetCellFrame(name, frame);
     const auto found = cell_->frame(name, motion_->time_s());
     if (!found) return found.error().status;
     frame = *found;
@@ -23,41 +23,41 @@ rrs::Status Simulator::get_cell_frame(std::string_view name, rrs::CartPos& frame
 }
 
 rrs::Status Simulator::modify_cell_frame(std::string_view name, const rrs::CartPos& frame) {
-    const bool of_machine = motion::MachineFrames::has(name);
-    if (of_machine && !controller_has_cell_ && !kinematics::check_pose(frame))
+    const bool is_machine_frame = motion::MachineFrames::has(name);
+    if (is_machine_frame && !controller_has_cell_ && !kinematics::check_pose(frame))
         return rrs::Status::RRS_INVALID_PARAMETER;
-    if (!asks_controller() || of_machine) wait();
-    if (asks_controller() || of_machine) {
+    if (!uses_controller_frames() || is_machine_frame) wait();
+    if (uses_controller_frames() || is_machine_frame) {
         const rrs::Status status = shell().ModifyCellFrame(name, frame);
-        if (rrs::is_refused(status) || !of_machine) return status;
+        if (rrs::is_error_status(status) || !is_machine_frame) return status;
     }
     if (cell_ != nullptr && !controller_has_cell_) {
-        const motion::Planned moved = cell_->move_frame(name, frame, motion_->time_s());
+        const motion::PlanResult moved = cell_->move_frame(name, frame, motion_->time_s());
         if (!moved) return moved.error().status;
     }
-    if (of_machine) machine_frame_changed(name, frame);
+    if (is_machine_frame) machine_frame_changed(name, frame);
     return rrs::Status::RRS_SUCCESS;
 }
 
 /// Values relative to the tool centre point move along with it.
 void Simulator::machine_frame_changed(std::string_view name, const rrs::CartPos& frame) {
     machine_frames_.set(name, frame);
-    tip_changed();
+    update_tcp();
     if (observer_ != nullptr)
-        observer_->untold_motion("the script moves the machine's own frame, 'tool' or 'base'");
-    if (tip_frame_) set_tip_control(Eigen::Vector3d(tip_offset_mm_), last_place_);
+        observer_->on_unrecordable_motion("the script moves the machine's own frame, 'tool' or 'base'");
+    if (tcp_frame_) set_tcp_control(Eigen::Vector3d(tcp_offset_mm_), last_location_);
 }
 
 void Simulator::set_conveyor(std::string_view name, const Eigen::Vector3d& at_mm,
                              const Eigen::Vector3d& velocity_mm_s, double time_s) {
     if (cell_ == nullptr) return;
-    cell::Drift drift{.from_s = time_s, .velocity_mm_s = velocity_mm_s};
-    drift.pose.translation() = at_mm;
-    cell_->set_conveyor(name, drift);
+    cell::UniformMotion uniform_motion{.from_s = time_s, .velocity_mm_s = velocity_mm_s};
+    uniform_motion.pose.translation() = at_mm;
+    cell_->set_conveyor(name, uniform_motion);
 }
 
 void Simulator::add_cell_findings(Report& report) {
-    if (cell_ == nullptr || !cell_->use().watched) return;
+    if (cell_ == nullptr || !cell_->use().monitored) return;
     report.cell = cell_->release();
     if (report.cell->dropped == 0) return;
     report.warnings.push_back(fmt::format(

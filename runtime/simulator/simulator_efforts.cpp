@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "runtime/monitors/axes_time_watch.h"
-#include "runtime/monitors/following_watch.h"
+#include "runtime/monitors/axes_time_monitor.h"
+#include "runtime/monitors/following_monitor.h"
 #include "runtime/simulator/machine_dynamics.h"
 #include "runtime/simulator/simulator.h"
 
@@ -15,52 +15,52 @@ void Simulator::set_dynamics(std::shared_ptr<const dynamics::Dynamics> dynamics)
     dynamics_ = std::move(dynamics);
     if (dynamics_ == nullptr) return;
     recorder_.add_output(efforts_.emplace(machine_, *dynamics_));
-    limit_by_torque();
+    apply_torque_limits();
 }
 
-void Simulator::limit_by_torque() {
+void Simulator::apply_torque_limits() {
     setup_.move_limits = make_effort_limits(machine_, dynamics_);
     if (setup_.move_limits == nullptr) return;
     if (!motion_->set_move_limits(setup_.move_limits)) {
         setup_.move_limits = nullptr;
         return warn("the controller is a module: it does not know 'limit = \"torque\"' of the machine file");
     }
-    axes_time_ = std::make_unique<AxesTimeWatch>(machine_);
-    observe_motion(*axes_time_);
+    axes_time_monitor_ = std::make_unique<AxesTimeMonitor>(machine_);
+    observe_motion(*axes_time_monitor_);
 }
 
 void Simulator::add_efforts(Report& report) const {
     if (!efforts_) return;
     report.efforts = efforts_->report(programs_);
-    if (axes_time_ == nullptr || status_ != RunStatus::completed) return;
-    report.efforts->time_by_axes_s = axes_time_->time_s();
-    if (report.efforts->time_by_axes_s || report.cycle_time_s <= 0) return;
+    if (axes_time_monitor_ == nullptr || status_ != RunStatus::completed) return;
+    report.efforts->time_by_axis_accelerations_s = axes_time_monitor_->time_s();
+    if (report.efforts->time_by_axis_accelerations_s || report.cycle_time_s <= 0) return;
     report.warnings.push_back(
         fmt::format("torques limit the accelerations, and what the moves take with those of the axes is not "
                     "known: {}",
-                    axes_time_->why_not()));
+                    axes_time_monitor_->error()));
 }
 
 Simulator::~Simulator() = default;
 
-void Simulator::follow_servos() {
-    ways_.add(way_deviation_);
+void Simulator::start_following_monitor() {
+    path_sinks_.add(path_deviation_monitor_);
     const auto setup = following_setup();
     if (!setup) return;
-    following_ = std::make_unique<FollowingWatch>(*setup);
-    ways_.add(following_->ways());
+    following_ = std::make_unique<FollowingMonitor>(*setup);
+    path_sinks_.add(following_->ways());
     recorder_.add_output(*following_);
 }
 
 void Simulator::add_following(Report& report) const {
     if (following_ == nullptr) return;
     report.following = following_->report();
-    if (sampled()) report.following->program.reset();  // a module reports no paths
+    if (is_sampled()) report.following->program.reset();  // a module reports no paths
 }
 
 std::optional<FollowingSetup> Simulator::following_setup() const {
     if (!has_servos(machine_)) return std::nullopt;
-    return FollowingSetup{machine_, setup_, tips_.list_mm()};
+    return FollowingSetup{machine_, setup_, tcps_.list_mm()};
 }
 
 // Programs past the max count are recorded as the main one.

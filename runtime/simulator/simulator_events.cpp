@@ -6,18 +6,19 @@
 
 namespace gsim::simulation {
 
-void Simulator::event(std::string kind, std::string detail, const Place& place, When when) {
-    Event event{.place = place, .kind = std::move(kind), .detail = std::move(detail)};
-    if (observer_ != nullptr) observer_->event(position_, event, when == When::at_rest);
-    if (when != When::at_rest)
-        return events_.add_before(next_id_, std::move(event), when == When::with_motion);
-    motion_->come_to_rest(true);
+void Simulator::event(std::string kind, std::string detail, const SourceLocation& location,
+                      EventTiming timing) {
+    Event event{.location = location, .kind = std::move(kind), .detail = std::move(detail)};
+    if (observer_ != nullptr) observer_->event(position_, event, timing == EventTiming::at_standstill);
+    if (timing != EventTiming::at_standstill)
+        return events_.add_before(next_id_, std::move(event), timing == EventTiming::with_motion);
+    motion_->plan_to_standstill(true);
     events_.add(motion_->time_s(), std::move(event));
 }
 
 void Simulator::wait() {
-    if (observer_ != nullptr) observer_->rest(position_);
-    motion_->come_to_rest(true);
+    if (observer_ != nullptr) observer_->standstill(position_);
+    motion_->plan_to_standstill(true);
 }
 
 void Simulator::set_spindle_speed(double rev_min) {
@@ -39,18 +40,18 @@ void Simulator::set_observer(ProgramObserver& observer) {
 }
 
 /// A spindle may turn until the end stops it.
-void Simulator::end_program(const Place& place) {
+void Simulator::end_program(const SourceLocation& location) {
     const bool turns = machine_.process && machine_.process->kind == machine::ProcessKind::spindle;
-    if (process_on_ && !turns) process_.end_program(next_id_, place);
+    if (process_on_ && !turns) process_.end_program(next_id_, location);
     process_on_ = false;
     process_with_motion_.reset();
 }
 
-void Simulator::enter_program(std::string name, const Place& place) {
+void Simulator::enter_program(std::string name, const SourceLocation& location) {
     if (observer_ != nullptr) observer_->enter_program(name);
     open_program(name);
-    calls_.forget_before(recorder_.move().target_id);
-    calls_.enter({std::move(name), place}, next_id_);
+    calls_.discard_before(recorder_.move().target_id);
+    calls_.enter({std::move(name), location}, next_id_);
 }
 
 void Simulator::leave_program() {

@@ -11,29 +11,32 @@ namespace gsim::simulation {
 
 namespace {
 
-constexpr double kStands = 1e-9;  // mm or deg
+constexpr double kArrivalTolerance = 1e-9;  // mm or deg
 
-bool holds(const std::vector<std::size_t>& axes, std::size_t axis) {
+bool contains(const std::vector<std::size_t>& axes, std::size_t axis) {
     return std::find(axes.begin(), axes.end(), axis) != axes.end();
 }
 
 }  // namespace
 
-std::vector<motion::LedJoint> Simulator::led_joints(const std::vector<GroupTarget>& groups) const {
-    std::vector<motion::LedJoint> led;
+std::vector<motion::GroupJoint> Simulator::coordinated_joints(const std::vector<GroupTarget>& groups) const {
+    std::vector<motion::GroupJoint> moved_by_group;
     for (const GroupTarget& target : groups) {
-        const auto has_axis = [&](const machine::AxisGroup& group) { return holds(group.axes, target.axis); };
+        const auto has_axis = [&](const machine::AxisGroup& group) {
+            return contains(group.axes, target.axis);
+        };
         const auto group = std::find_if(machine_.groups.begin(), machine_.groups.end(), has_axis);
         const auto index = static_cast<std::size_t>(group - machine_.groups.begin());
-        led.push_back({static_cast<int>(target.axis),
-                       machine::joint_value(machine_.axes[target.axis], target.value),
-                       group_motions_[index] == machine::GroupMotion::coordinated});
+        moved_by_group.push_back({static_cast<int>(target.axis),
+                                  machine::joint_value(machine_.axes[target.axis], target.value),
+                                  group_motions_[index] == machine::GroupMotion::coordinated});
     }
-    return led;
+    return moved_by_group;
 }
 
-bool Simulator::move_group(std::size_t group, const std::vector<GroupTarget>& targets, const Place& place) {
-    if (!wait_for_groups(place)) return false;
+bool Simulator::move_group(std::size_t group, const std::vector<GroupTarget>& targets,
+                           const SourceLocation& location) {
+    if (!wait_for_groups(location)) return false;
     rrs::JointPos joints = motion_->position();
     std::string ways;
     for (const GroupTarget& target : targets) {
@@ -41,43 +44,49 @@ bool Simulator::move_group(std::size_t group, const std::vector<GroupTarget>& ta
         joints[static_cast<Eigen::Index>(target.axis)] = machine::joint_value(axis, target.value);
         ways += fmt::format(" {}{:.10g}", axis.letter, target.value);
     }
-    const motion::RangePass pass(begin_move());
-    if (const auto in_range = check_target(joints); !in_range) return refused(in_range.error(), place);
-    if (const auto put = motion_->put_own(joints); !put) return refused(put.error(), place);
-    add_violations(place);
+    const motion::OvertravelPermit pass(begin_move());
+    if (const auto in_range = check_target(joints); !in_range)
+        return report_plan_error(in_range.error(), location);
+    if (const auto enqueue = motion_->enqueue_independent(joints); !enqueue)
+        return report_plan_error(enqueue.error(), location);
+    add_violations(location);
     position_ = position_at(motion_->position());
-    for (const GroupTarget& target : targets) own_axes_.push_back(target.axis);
-    last_place_ = place;
-    if (observer_ != nullptr) observer_->untold_motion("a group of axes goes by itself, beside other moves");
-    events_.add(motion_->time_s(), {.place = place,
-                                    .kind = "group",
-                                    .detail = fmt::format("{} to{}, {:.9g} s", machine_.groups[group].name,
-                                                          ways, motion_->own_end_s() - motion_->time_s())});
+    for (const GroupTarget& target : targets) independent_axes_.push_back(target.axis);
+    last_location_ = location;
+    if (observer_ != nullptr)
+        observer_->on_unrecordable_motion("a group of axes goes by itself, beside other moves");
+    events_.add(motion_->time_s(),
+                {.location = location,
+                 .kind = "group",
+                 .detail = fmt::format("{} to{}, {:.9g} s", machine_.groups[group].name, ways,
+                                       motion_->independent_end_s() - motion_->time_s())});
     return true;
 }
 
-bool Simulator::wait_for_groups(const Place& place) {
-    if (own_axes_.empty()) return true;
-    const double left_s = motion_->own_end_s() - time_s();
-    own_axes_.clear();
-    return left_s <= 0 || dwell(left_s, place);
+bool Simulator::wait_for_groups(const SourceLocation& location) {
+    if (independent_axes_.empty()) return true;
+    const double remaining_s = motion_->independent_end_s() - time_s();
+    independent_axes_.clear();
+    return remaining_s <= 0 || dwell(remaining_s, location);
 }
 
-bool Simulator::wait_if_led(const AxisVector& target, const Place& place) {
-    const bool led = std::any_of(own_axes_.begin(), own_axes_.end(), [&](std::size_t axis) {
-        const auto index = static_cast<Eigen::Index>(axis);
-        return std::abs(target[index] - position_[index]) > kStands;
-    });
-    return !led || wait_for_groups(place);
+bool Simulator::wait_if_coordinated(const AxisVector& target, const SourceLocation& location) {
+    const bool moved_by_group =
+        std::any_of(independent_axes_.begin(), independent_axes_.end(), [&](std::size_t axis) {
+            const auto index = static_cast<Eigen::Index>(axis);
+            return std::abs(target[index] - position_[index]) > kArrivalTolerance;
+        });
+    return !moved_by_group || wait_for_groups(location);
 }
 
 /// An inverse solution that holds no joints may move any axis.
-bool Simulator::wait_if_led(const PoseMove& move) {
-    if (own_axes_.empty()) return true;
-    const bool led = setup_.kinematics->held_joints().empty() ||
-                     std::any_of(move.groups.begin(), move.groups.end(),
-                                 [&](const GroupTarget& target) { return holds(own_axes_, target.axis); });
-    return !led || wait_for_groups(move.place);
+bool Simulator::wait_if_coordinated(const PoseMove& move) {
+    if (independent_axes_.empty()) return true;
+    const bool moved_by_group =
+        setup_.kinematics->fixed_joints().empty() ||
+        std::any_of(move.groups.begin(), move.groups.end(),
+                    [&](const GroupTarget& target) { return contains(independent_axes_, target.axis); });
+    return !moved_by_group || wait_for_groups(move.location);
 }
 
 }  // namespace gsim::simulation

@@ -6,17 +6,17 @@
 
 namespace gsim::simulation {
 
-void Simulator::watch_interval() {
-    if (machine_.calibration) observe_motion(interval_.emplace(machine_));
+void Simulator::start_interval_monitor() {
+    if (machine_.calibration) observe_motion(interval_monitor_.emplace(machine_));
 }
 
 void Simulator::add_interval(Report& report) const {
-    if (!interval_ || status_ != RunStatus::completed) return;
-    report.interval = interval_->interval(report.cycle_time_s);
+    if (!interval_monitor_ || status_ != RunStatus::completed) return;
+    report.interval = interval_monitor_->interval(report.cycle_time_s);
     if (report.interval || report.cycle_time_s <= 0) return;
     report.warnings.push_back(
         fmt::format("the machine's figures are calibrated, but the cycle time comes without an interval: {}",
-                    interval_->why_not()));
+                    interval_monitor_->error()));
 }
 
 }  // namespace gsim::simulation

@@ -23,46 +23,48 @@ Status Simulator::set_start(const std::function<Status()>& set) {
     return status;
 }
 
-Status Simulator::queue_target(MoveKind kind, const Place& place,
+Status Simulator::queue_target(MoveKind kind, const SourceLocation& location,
                                const std::function<Status(rrs::TargetId)>& queue) {
-    MoveInfo info = next_move(kind, place, 0);
-    obey_overrides(info, {});
-    motion_->set_obeyed(info.obeyed);
+    MoveInfo info = make_move_info(kind, location, 0);
+    apply_override_rules(info, {});
+    motion_->set_obeyed_overrides(info.enabled_overrides);
     recorder_.expect(info);
     const Status status = queue(info.target_id);
     position_ = position_at(motion_->position());
-    if (observer_ != nullptr) observer_->untold_motion(kServiceMotion);
+    if (observer_ != nullptr) observer_->on_unrecordable_motion(kServiceMotion);
     return status;
 }
 
 bool Simulator::set_overrides(const motion::OverrideSchedule& overrides) {
     overrides_ = overrides.changes();
-    std::vector<motion::OverrideChange> acting = overrides_;
-    for (motion::OverrideChange& change : acting) {
+    std::vector<motion::OverrideChange> active_overrides = overrides_;
+    for (motion::OverrideChange& change : active_overrides) {
         if (change.at_s > 0) change.at_s += machine_.controller.overrides.delay_s;
     }
-    return motion_->set_overrides(std::make_shared<const motion::OverrideSchedule>(std::move(acting)));
+    return motion_->set_overrides(
+        std::make_shared<const motion::OverrideSchedule>(std::move(active_overrides)));
 }
 
 void Simulator::observe_motion(MotionObserver& observer) {
     motion_ = std::make_unique<ObservedMotion>(std::move(motion_), observer);
-    if (!overrides_.empty()) observer.untold("overrides are turned");
+    if (!overrides_.empty()) observer.on_unrecordable("overrides are turned");
 }
 
 /// A move in step with the spindle by its position ignores the feed override.
-void Simulator::obey_overrides(MoveInfo& info, const Feed& feed) const {
+void Simulator::apply_override_rules(MoveInfo& info, const Feed& feed) const {
     info.follows_spindle = feed.linear_mm_rev.has_value();
-    const bool in_step = info.kind == MoveKind::thread && info.follows_spindle;
-    const bool deaf_probe = info.kind == MoveKind::probe && !machine_.controller.overrides.feed_of_probes;
-    info.obeyed = {.feed = !locks_.feed && !in_step && !deaf_probe,
-                   .rapid = !locks_.rapid,
-                   .spindle = info.follows_spindle && !locks_.spindle};
+    const bool is_synchronized = info.kind == MoveKind::thread && info.follows_spindle;
+    const bool ignores_feed_override =
+        info.kind == MoveKind::probe && !machine_.controller.overrides.override_probe_feed;
+    info.enabled_overrides = {.feed = !locks_.feed && !is_synchronized && !ignores_feed_override,
+                              .rapid = !locks_.rapid,
+                              .spindle = info.follows_spindle && !locks_.spindle};
 }
 
 Status Simulator::cancel_motion() {
     const Status status = shell().CancelMotion();
     if (status == Status::RRS_SUCCESS) position_ = position_at(motion_->position());
-    if (observer_ != nullptr) observer_->untold_motion(kServiceMotion);
+    if (observer_ != nullptr) observer_->on_unrecordable_motion(kServiceMotion);
     return status;
 }
 

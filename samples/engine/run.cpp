@@ -8,13 +8,14 @@ int main() {
     using namespace gsim;
     engine::Request request;
     request.text = engine::Text("G0 X100 Y50\nG1 X300 F6000\nG2 X400 Y150 I0 J100\nM2\n", "part.nc");
-    auto run = engine::Run::open(request, [](const engine::Diagnostic& told) {
-        std::fprintf(stderr, "%s:%u: %s\n", told.file.c_str(), told.line, told.text.c_str());
+    auto run = engine::Run::open(request, [](const engine::Diagnostic& diagnostic) {
+        std::fprintf(stderr, "%s:%u: %s\n", diagnostic.file.c_str(), diagnostic.line,
+                     diagnostic.text.c_str());
     });
     if (!run) return std::fprintf(stderr, "%s\n", run.error().message.c_str()), 2;
     if (const auto prepared = run->prepare(); !prepared)
         return std::fprintf(stderr, "%s\n", prepared.error().message.c_str()), 1;
-    run->take_moves([](std::span<const engine::Move> moves) {
+    run->on_moves([](std::span<const engine::Move> moves) {
         for (const engine::Move& move : moves)
             std::printf("line %u: %.3f mm in %.3f s\n", move.line, move.length_mm, move.end_s - move.start_s);
     });

@@ -6,35 +6,35 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double kMost_mm = 1e6;
+constexpr double kMaxCoordinate_mm = 1e6;
 
 }  // namespace
 
-void take_contours(Keys& keys, std::optional<engine::SurfaceChoice>& surface) {
-    const json* given = keys.object("contours");
-    if (given == nullptr) return;
+void unpack_contours(KeyReader& keys, std::optional<engine::SurfaceCuttingOptions>& surface) {
+    const json* given_json = keys.object("contours");
+    if (given_json == nullptr) return;
     constexpr std::array kKinds{"holes", "outlines", "all", "edges"};
     constexpr std::array kAxes{"wall", "normal"};
-    engine::SurfaceChoice& choice = surface.emplace();
-    Keys own(*given, "contours");
+    engine::SurfaceCuttingOptions& options = surface.emplace();
+    KeyReader parameters(*given_json, "contours");
     std::optional<std::size_t> kind, side, axis;
     std::optional<int> bridges;
-    own.word("kind", kKinds, kind);
-    own.word("side", kContourSides, side);
-    own.texts("faces", choice.contours.faces);
-    own.texts("edges", choice.contours.edges);
-    own.word("axis", kAxes, axis);
-    own.number("lean_deg", -80, 80, choice.lean_deg);
-    own.number("tilt_deg", -60, 60, choice.tilt_deg);
-    own.number("max_lean_deg", 0, 85, choice.max_lean_deg);
-    own.whole("bridges", 0, 1000, bridges);
-    own.number("bridge_mm", 0, 100, choice.bridge_mm);
-    own.point("start_mm", -kMost_mm, kMost_mm, choice.start_mm);
-    if (kind) choice.contours.kind = kKinds[*kind];
-    if (side) choice.contours.side = kContourSides[*side];
-    if (axis) choice.contours.along_walls = *axis == 0;
-    choice.bridges = bridges.value_or(0);
-    if (auto read = own.end(); !read) keys.fault(read.error());
+    parameters.word("kind", kKinds, kind);
+    parameters.word("side", kViewDirections, side);
+    parameters.texts("faces", options.contours.faces);
+    parameters.texts("edges", options.contours.edges);
+    parameters.word("axis", kAxes, axis);
+    parameters.number("lean_deg", -80, 80, options.tilt_deg);
+    parameters.number("tilt_deg", -60, 60, options.lead_angle_deg);
+    parameters.number("max_lean_deg", 0, 85, options.max_tilt_deg);
+    parameters.read_integer("bridges", 0, 1000, bridges);
+    parameters.number("bridge_mm", 0, 100, options.bridge_mm);
+    parameters.point("start_mm", -kMaxCoordinate_mm, kMaxCoordinate_mm, options.start_mm);
+    if (kind) options.contours.kind = kKinds[*kind];
+    if (side) options.contours.side = kViewDirections[*side];
+    if (axis) options.contours.along_walls = *axis == 0;
+    options.bridges = bridges.value_or(0);
+    if (auto read = parameters.end(); !read) keys.add_error(read.error());
 }
 
 }  // namespace gsim::studio

@@ -4,14 +4,14 @@
 #include <optional>
 
 #include "engine/drawing_path.h"
-#include "studio/engine/keys.h"
+#include "studio/engine/key_reader.h"
 
 namespace gsim::studio {
 
 /// Directions that faces of a part may have.
-inline constexpr std::array kContourSides{"x", "y", "z", "-x", "-y", "-z"};
+inline constexpr std::array kViewDirections{"x", "y", "z", "-x", "-y", "-z"};
 
 /// Reads "contours" of a request, {"kind": "holes", "side": "z"}, if it exists.
-void take_contours(Keys& keys, std::optional<engine::SurfaceChoice>& surface);
+void unpack_contours(KeyReader& keys, std::optional<engine::SurfaceCuttingOptions>& surface);
 
 }  // namespace gsim::studio

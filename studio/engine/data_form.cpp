@@ -10,9 +10,9 @@
 #include "base/text/json.h"
 #include "engine/machine.h"
 #include "engine/machine_data.h"
-#include "studio/engine/answer.h"
-#include "studio/engine/keys.h"
+#include "studio/engine/key_reader.h"
 #include "studio/engine/message.h"
+#include "studio/engine/request_handlers.h"
 
 namespace gsim::studio {
 
@@ -28,7 +28,7 @@ const char* unit_of(MachineData::Quantity quantity) {
         case MachineData::Quantity::angle: return "angle";
         case MachineData::Quantity::unknown:
         case MachineData::Quantity::number:
-        case MachineData::Quantity::whole:
+        case MachineData::Quantity::integer:
         case MachineData::Quantity::text: break;
     }
     return "none";
@@ -39,10 +39,10 @@ nlohmann::ordered_json field_json(const MachineData::Field& field) {
                                 {"unit", unit_of(field.quantity)},
                                 {"meaning", field.meaning},
                                 {"required", field.required},
-                                {"open", field.may_be_open}};
+                                {"open", field.may_be_unlimited}};
     if (!field.choices.empty()) json["choices"] = field.choices;
-    if (field.quantity == MachineData::Quantity::whole)
-        json.update({{"least", field.least}, {"greatest", field.greatest}});
+    if (field.quantity == MachineData::Quantity::integer)
+        json.update({{"least", field.min}, {"greatest", field.max}});
     return json;
 }
 
@@ -62,73 +62,74 @@ nlohmann::ordered_json sections_json(const MachineData& data) {
 
 constexpr std::array kUnits{"mm", "inch"};
 
-void take_unit(Keys& keys, std::optional<LengthUnit>& unit) {
+void read_unit(KeyReader& keys, std::optional<LengthUnit>& unit) {
     std::optional<std::size_t> index;
     keys.word("unit", kUnits, index);
     if (index) unit = *index == 0 ? LengthUnit::mm : LengthUnit::inch;
 }
 
 /// Returns FIELD=VALUE for each.
-std::vector<std::string> take_values(Keys& keys) {
+std::vector<std::string> read_values(KeyReader& keys) {
     std::vector<std::string> changes;
-    keys.need("values");
+    keys.require("values");
     const json* values = keys.object("values");
     if (values == nullptr) return changes;
     for (const auto& [field, value] : values->items()) {
         if (field.find('=') != std::string::npos)
-            keys.fault(fmt::format("'{}' is no name of a field", field));
+            keys.add_error(fmt::format("'{}' is no name of a field", field));
         else if (!value.is_string())
-            keys.fault(fmt::format("the value of '{}' should be a text, not {}", field, shown(value)));
+            keys.add_error(
+                fmt::format("the value of '{}' should be a text, not {}", field, display_text(value)));
         else
             changes.push_back(fmt::format("{}={}", field, value.get<std::string>()));
     }
     return changes;
 }
 
-Done set(MachineData& data, Keys& keys) {
+VoidResult set(MachineData& data, KeyReader& keys) {
     std::string section, id;
     std::optional<LengthUnit> unit;
-    keys.needed_text("section", section);
-    keys.needed_text("id", id);
-    take_unit(keys, unit);
-    const std::vector<std::string> values = take_values(keys);
-    return end_of(keys).and_then([&] { return data.set(section, id, values, unit); });
+    keys.required_text("section", section);
+    keys.required_text("id", id);
+    read_unit(keys, unit);
+    const std::vector<std::string> values = read_values(keys);
+    return finish_keys(keys).and_then([&] { return data.set(section, id, values, unit); });
 }
 
-Done reset(MachineData& data, Keys& keys) {
+VoidResult reset(MachineData& data, KeyReader& keys) {
     std::string section, id;
-    keys.needed_text("section", section);
-    keys.needed_text("id", id);
-    return end_of(keys).and_then([&] { return data.reset(section, id); });
+    keys.required_text("section", section);
+    keys.required_text("id", id);
+    return finish_keys(keys).and_then([&] { return data.reset(section, id); });
 }
 
-Done reset_all(MachineData& data, Keys& keys) {
+VoidResult reset_all(MachineData& data, KeyReader& keys) {
     std::string section;
     keys.text("section", section);
-    return end_of(keys).and_then([&] { return data.reset_all(section); });
+    return finish_keys(keys).and_then([&] { return data.reset_all(section); });
 }
 
-Done convert(MachineData& data, Keys& keys) {
+VoidResult convert(MachineData& data, KeyReader& keys) {
     std::optional<LengthUnit> unit;
-    keys.need("unit");
-    take_unit(keys, unit);
-    return end_of(keys).and_then([&] { return data.convert(*unit); });
+    keys.require("unit");
+    read_unit(keys, unit);
+    return finish_keys(keys).and_then([&] { return data.convert(*unit); });
 }
 
-constexpr std::array kOps{"set", "reset", "reset_all", "convert"};
-constexpr std::array kChanges{set, reset, reset_all, convert};
-static_assert(kOps.size() == kChanges.size());
+constexpr std::array kChangeNames{"set", "reset", "reset_all", "convert"};
+constexpr std::array kChangeFunctions{set, reset, reset_all, convert};
+static_assert(kChangeNames.size() == kChangeFunctions.size());
 
-Done change(MachineData& data, const json& asked) {
-    Keys keys(asked, "a change of data");
+VoidResult change(MachineData& data, const json& request_json) {
+    KeyReader keys(request_json, "a change of data");
     std::optional<std::size_t> op;
-    keys.need("op");
-    keys.word("op", kOps, op);
-    return op ? kChanges[*op](data, keys) : end_of(keys);
+    keys.require("op");
+    keys.word("op", kChangeNames, op);
+    return op ? kChangeFunctions[*op](data, keys) : finish_keys(keys);
 }
 
 void post_data(const MachineData& data, const std::string& entries, const Post& post) {
-    for (const engine::Diagnostic& suspect : data.suspects()) post_told(suspect, post);
+    for (const engine::Diagnostic& warning : data.lint_warnings()) post_diagnostic(warning, post);
     Message message("data");
     message.header()["sections"] = sections_json(data);
     message.header()["entries"] = text::parse_json<nlohmann::ordered_json>(entries);
@@ -138,21 +139,22 @@ void post_data(const MachineData& data, const std::string& entries, const Post& 
 
 }  // namespace
 
-Done answer_data(const json& own, const engine::Request& request, const Post& post) {
+VoidResult handle_data(const json& parameters, const engine::Request& request, const Post& post) {
     std::string file;
-    Keys keys(own, "data");
-    keys.needed_text("file", file);
+    KeyReader keys(parameters, "data");
+    keys.required_text("file", file);
     const json* changes = keys.list("changes");
-    if (auto read = end_of(keys); !read) return read;
+    if (auto read = finish_keys(keys); !read) return read;
     const auto machine = engine::Machine::read(request);
     if (!machine) return tl::unexpected(machine.error());
-    auto data = MachineData::open(request.host, file, &*machine,
-                                  [&](const engine::Diagnostic& told) { post_told(told, post); });
+    auto data = MachineData::open(request.host, file, &*machine, [&](const engine::Diagnostic& reported) {
+        post_diagnostic(reported, post);
+    });
     if (!data) return tl::unexpected(data.error());
     for (std::size_t i = 0; changes != nullptr && i < changes->size(); ++i) {
         if (auto done = change(*data, (*changes)[i]); !done) return done;
     }
-    const auto entries = data->list(MachineData::Form::json);
+    const auto entries = data->list(MachineData::Format::json);
     if (!entries) return tl::unexpected(entries.error());
     post_data(*data, *entries, post);
     return {};

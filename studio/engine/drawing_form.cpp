@@ -6,10 +6,10 @@
 
 #include "engine/drawing_path.h"
 #include "engine/materials.h"
-#include "studio/engine/answer.h"
 #include "studio/engine/contour_keys.h"
-#include "studio/engine/keys.h"
+#include "studio/engine/key_reader.h"
 #include "studio/engine/message.h"
+#include "studio/engine/request_handlers.h"
 
 namespace gsim::studio {
 
@@ -18,36 +18,36 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double kMost = 1e6;
-constexpr double kLeast = 1e-6;
+constexpr double kMax = 1e6;
+constexpr double kMinPositive = 1e-6;
 
-void take_reading(Keys& keys, engine::DrawingChoice& reading) {
+void read_drawing_options(KeyReader& keys, engine::DrawingOptions& reading) {
     std::optional<std::size_t> up;
-    keys.number("unit_mm", kLeast, kMost, reading.unit_mm);
+    keys.number("unit_mm", kMinPositive, kMax, reading.unit_mm);
     keys.number("curve_tolerance_mm", 1e-5, 10, reading.curve_tolerance_mm);
     keys.number("gap_mm", 1e-6, 10, reading.gap_mm);
     keys.texts("layers", reading.layers);
-    keys.word("up", kContourSides, up);
-    keys.truth("flip", reading.flip);
-    if (up) reading.up = kContourSides[*up];
+    keys.word("up", kViewDirections, up);
+    keys.boolean("flip", reading.flip);
+    if (up) reading.up = kViewDirections[*up];
 }
 
-void take_cutting(Keys& keys, engine::CuttingChoice& cutting) {
+void read_cutting_options(KeyReader& keys, engine::CuttingOptions& cutting) {
     keys.text("material", cutting.material);
     keys.text("materials", cutting.materials);
-    keys.number("thickness_mm", 0, kMost, cutting.thickness_mm);
+    keys.number("thickness_mm", 0, kMax, cutting.thickness_mm);
     keys.number("quality", 1, 5, cutting.quality);
     keys.number("speed_mm_min", 1e-3, 1e6, cutting.speed_mm_min);
     keys.number("kerf_mm", 1e-3, 100, cutting.kerf_mm);
     keys.number("pierce_s", 0, 3600, cutting.pierce_s);
-    keys.truth("moving_pierce", cutting.moving_pierce);
-    keys.truth("straighten", cutting.straighten);
+    keys.boolean("moving_pierce", cutting.dynamic_pierce);
+    keys.boolean("straighten", cutting.taper_compensation);
     if (cutting.material.empty() && !(cutting.speed_mm_min && cutting.kerf_mm))
-        keys.fault("a drawing needs 'material' and 'thickness_mm', or 'speed_mm_min' and 'kerf_mm'");
+        keys.add_error("a drawing needs 'material' and 'thickness_mm', or 'speed_mm_min' and 'kerf_mm'");
 }
 
-void take_ways(Keys& keys, engine::CuttingWays& ways) {
-    keys.point("origin_mm", -kMost, kMost, ways.origin_mm);
+void read_cutting_paths(KeyReader& keys, engine::CuttingPathOptions& ways) {
+    keys.point("origin_mm", -kMax, kMax, ways.origin_mm);
     keys.number("lead_mm", 0.05, 1000, ways.lead_mm);
     keys.number("safe_height_mm", 0, 10'000, ways.safe_height_mm);
     keys.number("cut_height_mm", 0, 1000, ways.cut_height_mm);
@@ -55,41 +55,41 @@ void take_ways(Keys& keys, engine::CuttingWays& ways) {
 }
 
 // {"cell": "cell.toml"}
-void take_place(Keys& keys, std::optional<engine::CuttingPlace>& place) {
-    const json* given = keys.object("place");
-    if (given == nullptr) return;
-    engine::CuttingPlace& chosen = place.emplace();
-    Keys own(*given, "place");
-    own.text("cell", chosen.cell);
-    own.text("machine", chosen.machine);
-    own.text("machine_data", chosen.machine_data);
-    if (auto read = own.end(); !read) keys.fault(read.error());
+void read_placement(KeyReader& keys, std::optional<engine::CuttingCellOptions>& work_cell) {
+    const json* given_json = keys.object("place");
+    if (given_json == nullptr) return;
+    engine::CuttingCellOptions& place_options = work_cell.emplace();
+    KeyReader parameters(*given_json, "place");
+    parameters.text("cell", place_options.cell);
+    parameters.text("machine", place_options.machine);
+    parameters.text("machine_data", place_options.machine_data);
+    if (auto read = parameters.end(); !read) keys.add_error(read.error());
 }
 
-tl::expected<DrawingRequest, engine::Failure> drawing_request(const json& own) {
+tl::expected<DrawingRequest, engine::Error> drawing_request(const json& parameters) {
     DrawingRequest request;
-    Keys keys(own, "a drawing");
-    keys.needed_text("drawing", request.drawing);
-    take_reading(keys, request.reading);
-    take_ways(keys, request.ways);
-    take_cutting(keys, request.cutting);
-    take_contours(keys, request.surface);
-    take_place(keys, request.place);
-    return end_of(keys).map([&] { return std::move(request); });
+    KeyReader keys(parameters, "a drawing");
+    keys.required_text("drawing", request.drawing);
+    read_drawing_options(keys, request.reading);
+    read_cutting_paths(keys, request.ways);
+    read_cutting_options(keys, request.cutting);
+    unpack_contours(keys, request.surface);
+    read_placement(keys, request.work_cell);
+    return finish_keys(keys).map([&] { return std::move(request); });
 }
 
-nlohmann::ordered_json figures_json(const engine::CuttingFigures& figures) {
-    return {{"outlines", figures.outlines},
-            {"pierces", figures.pierces},
-            {"without_leads", figures.without_leads},
-            {"cut_mm", figures.cut_mm},
-            {"travel_mm", figures.travel_mm},
-            {"cut_s", figures.cut_s},
-            {"ways", figures.ways},
-            {"ways_round", figures.ways_round}};
+nlohmann::ordered_json cutting_metrics_json(const engine::CuttingMetrics& metrics) {
+    return {{"outlines", metrics.outlines},
+            {"pierces", metrics.pierces},
+            {"without_leads", metrics.without_leads},
+            {"cut_mm", metrics.cut_mm},
+            {"travel_mm", metrics.travel_mm},
+            {"cut_s", metrics.cut_s},
+            {"ways", metrics.ways},
+            {"ways_round", metrics.rerouted_moves}};
 }
 
-nlohmann::ordered_json job_json(const std::optional<engine::JobFigures>& job) {
+nlohmann::ordered_json job_json(const std::optional<engine::JobMetrics>& job) {
     if (!job) return nullptr;
     return {{"thickness_mm", job->thickness_mm}, {"quality", job->quality},
             {"speed_mm_min", job->speed_mm_min}, {"kerf_mm", job->kerf_mm},
@@ -107,7 +107,7 @@ void post_path(const engine::DrawingPath& path, const Post& post) {
     });
     Message message("path");
     message.header()["summary"] = path.summary();
-    message.header()["figures"] = figures_json(path.figures());
+    message.header()["figures"] = cutting_metrics_json(path.metrics());
     message.header()["job"] = job_json(path.job());
     message.header()["job_text"] = path.job_report();
     message.add("text", text);
@@ -116,24 +116,25 @@ void post_path(const engine::DrawingPath& path, const Post& post) {
 
 }  // namespace
 
-Done answer_drawing(const json& own, const engine::Request& request, const Post& post) {
-    auto asked = drawing_request(own);
-    if (!asked) return tl::unexpected(asked.error());
-    asked->host = request.host;
-    auto path = engine::DrawingPath::open(*std::move(asked));
+VoidResult handle_drawing(const json& parameters, const engine::Request& request, const Post& post) {
+    auto parsed_request = drawing_request(parameters);
+    if (!parsed_request) return tl::unexpected(parsed_request.error());
+    parsed_request->host = request.host;
+    auto path = engine::DrawingPath::open(*std::move(parsed_request));
     if (!path) return tl::unexpected(path.error());
     if (auto read = path->read(); !read) return read;
-    auto made = path->make([&post](const engine::Diagnostic& told) { post_told(told, post); });
-    if (!made) return made;
+    auto result =
+        path->make([&post](const engine::Diagnostic& reported) { post_diagnostic(reported, post); });
+    if (!result) return result;
     post_path(*path, post);
     return {};
 }
 
-Done answer_materials(const json& own, const engine::Request& request, const Post& post) {
+VoidResult handle_materials(const json& parameters, const engine::Request& request, const Post& post) {
     std::string file;
-    Keys keys(own, "materials");
+    KeyReader keys(parameters, "materials");
     keys.text("materials", file);
-    if (auto read = end_of(keys); !read) return read;
+    if (auto read = finish_keys(keys); !read) return read;
     const auto materials = engine::cutting_materials(request.host, file);
     if (!materials) return tl::unexpected(materials.error());
     Message message("materials");

@@ -5,28 +5,29 @@
 
 #include "base/text/json.h"
 #include "engine/file_keys.h"
-#include "studio/engine/answer.h"
-#include "studio/engine/keys.h"
+#include "studio/engine/key_reader.h"
 #include "studio/engine/message.h"
+#include "studio/engine/request_handlers.h"
 
 namespace gsim::studio {
 
 namespace {
 
-constexpr std::array kFiles{"machine", "cell", "controller"};  // in the order of KeyedFile
+constexpr std::array kFiles{"machine", "cell", "controller"};  // in the order of ConfigFileKind
 
 }  // namespace
 
-Done answer_keys(const nlohmann::json& own, const engine::Request& /*request*/, const Post& post) {
+VoidResult handle_keys(const nlohmann::json& parameters, const engine::Request& /*request*/,
+                       const Post& post) {
     std::optional<std::size_t> of;
-    Keys keys(own, "keys");
-    keys.need("of");
+    KeyReader keys(parameters, "keys");
+    keys.require("of");
     keys.word("of", kFiles, of);
-    if (auto read = end_of(keys); !read) return read;
+    if (auto read = finish_keys(keys); !read) return read;
     Message message("keys");
     message.header()["of"] = kFiles.at(*of);
-    message.header()["tables"] =
-        text::parse_json<nlohmann::ordered_json>(engine::file_keys_json(static_cast<engine::KeyedFile>(*of)));
+    message.header()["tables"] = text::parse_json<nlohmann::ordered_json>(
+        engine::file_keys_json(static_cast<engine::ConfigFileKind>(*of)));
     post(message.bytes());
     return {};
 }

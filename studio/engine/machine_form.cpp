@@ -4,20 +4,22 @@
 
 #include "base/text/json.h"
 #include "engine/machine.h"
-#include "engine/machine_faults.h"
-#include "studio/engine/answer.h"
-#include "studio/engine/keys.h"
+#include "engine/machine_errors.h"
+#include "studio/engine/key_reader.h"
 #include "studio/engine/message.h"
+#include "studio/engine/request_handlers.h"
 
 namespace gsim::studio {
 
-Done answer_machine(const nlohmann::json& own, const engine::Request& request, const Post& post) {
-    Keys keys(own, "machine");
-    if (auto read = end_of(keys); !read) return read;
+VoidResult handle_machine(const nlohmann::json& parameters, const engine::Request& request,
+                          const Post& post) {
+    KeyReader keys(parameters, "machine");
+    if (auto read = finish_keys(keys); !read) return read;
     const auto check = engine::Machine::read(request).and_then(
         [](const engine::Machine& machine) { return machine.check(); });
     if (!check) {
-        for (const engine::Diagnostic& fault : engine::find_machine_faults(request)) post_told(fault, post);
+        for (const engine::Diagnostic& diagnostic : engine::find_machine_errors(request))
+            post_diagnostic(diagnostic, post);
         return tl::unexpected(check.error());
     }
     Message message("machine");

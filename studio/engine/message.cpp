@@ -18,7 +18,7 @@ void pad(std::string& bytes) {
     bytes.resize((bytes.size() + kAlignment - 1) / kAlignment * kAlignment, '\0');
 }
 
-void put_number(std::string& bytes, std::size_t at, std::size_t value) {
+void write_number(std::string& bytes, std::size_t at, std::size_t value) {
     const auto number = static_cast<std::uint32_t>(value);
     std::memcpy(bytes.data() + at, &number, sizeof number);
 }
@@ -36,8 +36,8 @@ std::string Message::bytes() const {
     }
     if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
         throw std::length_error("a message of more than 4 GB");
-    put_number(bytes, 0, bytes.size());
-    put_number(bytes, sizeof(std::uint32_t), header.size());
+    write_number(bytes, 0, bytes.size());
+    write_number(bytes, sizeof(std::uint32_t), header.size());
     return bytes;
 }
 

@@ -17,11 +17,11 @@ class Message {
     explicit Message(const char* is) : header_{{"is", is}} {}
 
     nlohmann::ordered_json& header() { return header_; }
-    void add(const char* name, std::span<const double> values) { put(name, "f64", values); }
-    void add(const char* name, std::span<const float> values) { put(name, "f32", values); }
-    void add(const char* name, std::span<const std::uint32_t> values) { put(name, "u32", values); }
+    void add(const char* name, std::span<const double> values) { write(name, "f64", values); }
+    void add(const char* name, std::span<const float> values) { write(name, "f32", values); }
+    void add(const char* name, std::span<const std::uint32_t> values) { write(name, "u32", values); }
     void add(const char* name, const std::string& bytes) {
-        put(name, "u8", std::span<const char>(bytes.data(), bytes.size()));
+        write(name, "u8", std::span<const char>(bytes.data(), bytes.size()));
     }
 
     /// Returns the bytes: their number and that of the header's (both 32 bits, little-endian), the header,
@@ -30,7 +30,7 @@ class Message {
 
   private:
     template <typename Value>
-    void put(const char* name, const char* type, std::span<const Value> values) {
+    void write(const char* name, const char* type, std::span<const Value> values) {
         header_["columns"].push_back({name, type, values.size()});
         parts_.emplace_back(reinterpret_cast<const char*>(values.data()), values.size_bytes());
     }

@@ -4,9 +4,9 @@
 
 #include "engine/machine.h"
 #include "engine/pose.h"
-#include "studio/engine/answer.h"
-#include "studio/engine/keys.h"
+#include "studio/engine/key_reader.h"
 #include "studio/engine/message.h"
+#include "studio/engine/request_handlers.h"
 
 namespace gsim::studio {
 
@@ -14,44 +14,44 @@ using nlohmann::json;
 
 namespace {
 
-constexpr double kFarthest = 1e9;  // mm and deg
+constexpr double kMaxCoordinate = 1e9;  // mm and deg
 
-void take_values(Keys& keys, const char* key, std::optional<std::vector<double>>& place) {
+void read_values(KeyReader& keys, const char* key, std::optional<std::vector<double>>& target) {
     std::vector<double> values;
     if (keys.any(key) == nullptr) return;
-    keys.numbers(key, -kFarthest, kFarthest, values);
-    place = std::move(values);
+    keys.numbers(key, -kMaxCoordinate, kMaxCoordinate, values);
+    target = std::move(values);
 }
 
-tl::expected<engine::PoseChoice, engine::Failure> pose_choice(const json& own) {
-    engine::PoseChoice choice;
-    Keys keys(own, "a pose");
-    take_values(keys, "joints", choice.joints);
-    take_values(keys, "near", choice.near);
-    keys.point("tip_mm", -kFarthest, kFarthest, choice.tip_mm);
-    keys.point("tool_axis", -kFarthest, kFarthest, choice.tool_axis);
-    keys.point("rpy_deg", -kFarthest, kFarthest, choice.rpy_deg);
-    keys.number("tool_mm", -kFarthest, kFarthest, choice.tool_mm);
-    return end_of(keys).map([&] { return std::move(choice); });
+tl::expected<engine::PoseRequest, engine::Error> pose_options(const json& parameters) {
+    engine::PoseRequest pose_request;
+    KeyReader keys(parameters, "a pose");
+    read_values(keys, "joints", pose_request.joints);
+    read_values(keys, "near", pose_request.near);
+    keys.point("tip_mm", -kMaxCoordinate, kMaxCoordinate, pose_request.tcp_mm);
+    keys.point("tool_axis", -kMaxCoordinate, kMaxCoordinate, pose_request.tool_axis);
+    keys.point("rpy_deg", -kMaxCoordinate, kMaxCoordinate, pose_request.rpy_deg);
+    keys.number("tool_mm", -kMaxCoordinate, kMaxCoordinate, pose_request.tool_mm);
+    return finish_keys(keys).map([&] { return std::move(pose_request); });
 }
 
 }  // namespace
 
-Done answer_pose(const json& own, const engine::Request& request, const Post& post) {
-    const auto choice = pose_choice(own);
-    if (!choice) return tl::unexpected(choice.error());
+VoidResult handle_pose(const json& parameters, const engine::Request& request, const Post& post) {
+    const auto pose_request = pose_options(parameters);
+    if (!pose_request) return tl::unexpected(pose_request.error());
     auto machine = engine::Machine::read(request);
     if (!machine) return tl::unexpected(machine.error());
     if (auto read = machine->read_bodies(); !read) return read;
-    const auto pose = engine::pose_of(*machine, *choice);
+    const auto pose = engine::solve_pose(*machine, *pose_request);
     if (!pose) return tl::unexpected(pose.error());
     Message message("pose");
     message.header().update({{"joints", pose->joints},
-                             {"tip_mm", pose->tip_mm},
+                             {"tip_mm", pose->tcp_mm},
                              {"tool_axis", pose->tool_axis},
                              {"rpy_deg", pose->rpy_deg},
                              {"solutions", pose->solutions},
-                             {"beyond", pose->beyond},
+                             {"beyond", pose->out_of_range},
                              {"collisions", pose->collisions}});
     post(message.bytes());
     return {};

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "studio/engine/keys.h"
+#include "studio/engine/key_reader.h"
 
 namespace gsim::studio {
 
@@ -15,24 +15,24 @@ using engine::Request;
 
 struct TextKey {
     const char* key;
-    std::string& (*place)(Request&);
+    std::string& (*target)(Request&);
 };
 struct NumberKey {
     const char* key;
-    double least, most;
-    void (*put)(Request&, double);
+    double min, max;
+    void (*set)(Request&, double);
 };
 struct SwitchKey {
     const char* key;
-    bool Request::*place;
+    bool Request::*target;
 };
 
-constexpr double kMostPercent = 1000;
-constexpr double kMostCount = 1e15;
-constexpr double kMostPasses = 1e6;
-constexpr double kLeastTime_s = 1e-6;
+constexpr double kMaxPercent = 1000;
+constexpr double kMaxCount = 1e15;
+constexpr double kMaxPasses = 1e6;
+constexpr double kMinTime_s = 1e-6;
 
-constexpr std::array kTexts = {
+constexpr std::array kTextKeys = {
     TextKey{"program", [](Request& of) -> std::string& { return of.program; }},
     TextKey{"machine", [](Request& of) -> std::string& { return of.machine; }},
     TextKey{"machine_data", [](Request& of) -> std::string& { return of.machine_data; }},
@@ -45,23 +45,23 @@ constexpr std::array kTexts = {
     TextKey{"unknown", [](Request& of) -> std::string& { return of.language.unknown; }},
     TextKey{"overrides", [](Request& of) -> std::string& { return of.overrides.file; }},
 };
-constexpr std::array kNumbers = {
-    NumberKey{"machine_s", kLeastTime_s, kMostCount,
+constexpr std::array kNumberKeys = {
+    NumberKey{"machine_s", kMinTime_s, kMaxCount,
               [](Request& of, double value) { of.limits.machine_s = value; }},
-    NumberKey{"cpu_s", kLeastTime_s, kMostCount, [](Request& of, double value) { of.limits.cpu_s = value; }},
-    NumberKey{"blocks", 1, kMostCount,
+    NumberKey{"cpu_s", kMinTime_s, kMaxCount, [](Request& of, double value) { of.limits.cpu_s = value; }},
+    NumberKey{"blocks", 1, kMaxCount,
               [](Request& of, double value) { of.limits.blocks = static_cast<std::uint64_t>(value); }},
-    NumberKey{"steps", 1, kMostCount,
+    NumberKey{"steps", 1, kMaxCount,
               [](Request& of, double value) { of.limits.steps = static_cast<std::uint64_t>(value); }},
-    NumberKey{"memory_bytes", 1, kMostCount,
+    NumberKey{"memory_bytes", 1, kMaxCount,
               [](Request& of, double value) { of.limits.memory_bytes = static_cast<std::uint64_t>(value); }},
-    NumberKey{"passes", 1, kMostPasses,
+    NumberKey{"passes", 1, kMaxPasses,
               [](Request& of, double value) { of.passes = static_cast<std::uint64_t>(value); }},
-    NumberKey{"feed_override_percent", 0, kMostPercent,
+    NumberKey{"feed_override_percent", 0, kMaxPercent,
               [](Request& of, double value) { of.overrides.feed_percent = value; }},
-    NumberKey{"rapid_override_percent", 0, kMostPercent,
+    NumberKey{"rapid_override_percent", 0, kMaxPercent,
               [](Request& of, double value) { of.overrides.rapid_percent = value; }},
-    NumberKey{"spindle_override_percent", 0, kMostPercent,
+    NumberKey{"spindle_override_percent", 0, kMaxPercent,
               [](Request& of, double value) { of.overrides.spindle_percent = value; }},
 };
 constexpr std::array kSwitches = {
@@ -71,33 +71,34 @@ constexpr std::array kSwitches = {
 
 /// Returns the row of a key; null: not found.
 template <typename Rows>
-const auto* row_of(const Rows& rows, const std::string& key) {
+const auto* find_row(const Rows& rows, const std::string& key) {
     for (const auto& row : rows) {
         if (key == row.key) return &row;
     }
     return static_cast<decltype(rows.data())>(nullptr);
 }
 
-tl::expected<void, std::string> put(Request& request, const std::string& key, const nlohmann::json& value) {
-    const auto fault = [&](const std::string& wanted) {
-        return tl::unexpected(fmt::format("'{}' should be {}, not {}", key, wanted, shown(value)));
+tl::expected<void, std::string> set(Request& request, const std::string& key, const nlohmann::json& value) {
+    const auto error = [&](const std::string& expected_type) {
+        return tl::unexpected(
+            fmt::format("'{}' should be {}, not {}", key, expected_type, display_text(value)));
     };
-    if (const TextKey* text = row_of(kTexts, key)) {
-        if (!value.is_string()) return fault("a text");
-        text->place(request) = value.get<std::string>();
+    if (const TextKey* text = find_row(kTextKeys, key)) {
+        if (!value.is_string()) return error("a text");
+        text->target(request) = value.get<std::string>();
         return {};
     }
-    if (const NumberKey* number = row_of(kNumbers, key)) {
-        if (!value.is_number()) return fault("a number");
-        const auto given = value.get<double>();
-        if (!(given >= number->least && given <= number->most))
-            return fault(fmt::format("from {} to {}", number->least, number->most));
-        number->put(request, given);
+    if (const NumberKey* number = find_row(kNumberKeys, key)) {
+        if (!value.is_number()) return error("a number");
+        const auto given_value = value.get<double>();
+        if (!(given_value >= number->min && given_value <= number->max))
+            return error(fmt::format("from {} to {}", number->min, number->max));
+        number->set(request, given_value);
         return {};
     }
-    if (const SwitchKey* key_of_switch = row_of(kSwitches, key)) {
-        if (!value.is_boolean()) return fault("true or false");
-        request.*key_of_switch->place = value.get<bool>();
+    if (const SwitchKey* switch_key = find_row(kSwitches, key)) {
+        if (!value.is_boolean()) return error("true or false");
+        request.*switch_key->target = value.get<bool>();
         return {};
     }
     return tl::unexpected(fmt::format("there is no key '{}' of a run", key));
@@ -105,22 +106,22 @@ tl::expected<void, std::string> put(Request& request, const std::string& key, co
 
 }  // namespace
 
-tl::expected<Request, std::string> run_request(const nlohmann::json& asked) {
-    if (!asked.is_object()) return tl::unexpected(std::string("a request should be an object"));
+tl::expected<Request, std::string> run_request(const nlohmann::json& request_json) {
+    if (!request_json.is_object()) return tl::unexpected(std::string("a request should be an object"));
     Request request;
-    for (const auto& [key, value] : asked.items()) {
-        if (auto done = put(request, key, value); !done) return tl::unexpected(done.error());
+    for (const auto& [key, value] : request_json.items()) {
+        if (auto done = set(request, key, value); !done) return tl::unexpected(done.error());
     }
     return request;
 }
 
-tl::expected<Request, std::string> form_request(nlohmann::json& asked) {
+tl::expected<Request, std::string> form_request(nlohmann::json& request_json) {
     Request request;
     for (const char* key : {"machine", "machine_data", "cell"}) {
-        const auto value = asked.find(key);
-        if (value == asked.end()) continue;
-        if (auto done = put(request, key, *value); !done) return tl::unexpected(done.error());
-        asked.erase(value);
+        const auto value = request_json.find(key);
+        if (value == request_json.end()) continue;
+        if (auto done = set(request, key, *value); !done) return tl::unexpected(done.error());
+        request_json.erase(value);
     }
     return request;
 }

@@ -11,13 +11,13 @@ namespace gsim::studio {
 namespace {
 
 using engine::Run;
-using Done = tl::expected<void, engine::Failure>;
+using VoidResult = tl::expected<void, engine::Error>;
 using Json = nlohmann::ordered_json;
 
 /// Bodies do not change, so their surfaces are sent once.
 enum class Meshes { with, without };
 
-const char* name_of(engine::Severity severity) {
+const char* severity_name(engine::Severity severity) {
     switch (severity) {
         case engine::Severity::error: return "error";
         case engine::Severity::warning: return "warning";
@@ -27,20 +27,20 @@ const char* name_of(engine::Severity severity) {
 }
 
 /// Sends the scene, and returns the data sent.
-tl::expected<Json, engine::Failure> post_scene(const Run& run, std::size_t robot, Meshes meshes,
-                                               const Post& post) {
+tl::expected<Json, engine::Error> post_scene(const Run& run, std::size_t robot, Meshes meshes,
+                                             const Post& post) {
     const auto scene = run.scene(robot);
     if (!scene) return tl::unexpected(scene.error());
     Message message("scene");
     message.header()["robot"] = robot;
     message.header()["name"] = run.robots()[robot];
-    Json told = text::parse_json<Json>(scene->json);
-    message.header()["scene"] = told;
+    Json reported = text::parse_json<Json>(scene->json);
+    message.header()["scene"] = reported;
     message.header()["files"] = run.files(robot);
     for (std::size_t i = 0; meshes == Meshes::with && i < scene->meshes_mm.size(); ++i)
         message.add(fmt::format("mesh{}", i).c_str(), scene->meshes_mm[i]);
     post(message.bytes());
-    return told;
+    return reported;
 }
 
 void post_columns(const engine::SegmentColumns& columns, std::size_t robot, const Post& post) {
@@ -56,7 +56,7 @@ void post_columns(const engine::SegmentColumns& columns, std::size_t robot, cons
     message.add("line", columns.line);
     message.add("file", columns.file);
     message.add("flags", columns.flags);
-    message.add("tip", columns.tip);
+    message.add("tip", columns.tcp);
     message.add("record", columns.record);
     message.add("vertex_mm", columns.vertex_mm);
     message.add("vertex_s", columns.vertex_s);
@@ -66,32 +66,32 @@ void post_columns(const engine::SegmentColumns& columns, std::size_t robot, cons
 
 }  // namespace
 
-void post_told(const engine::Diagnostic& told, const Post& post) {
+void post_diagnostic(const engine::Diagnostic& reported, const Post& post) {
     Message message("told");
-    message.header().update({{"severity", name_of(told.severity)},
-                             {"code", told.code},
-                             {"file", told.file},
-                             {"line", told.line},
-                             {"column", told.column},
-                             {"end_column", told.end_column},
-                             {"text", told.text},
-                             {"hint", told.hint}});
+    message.header().update({{"severity", severity_name(reported.severity)},
+                             {"code", reported.code},
+                             {"file", reported.file},
+                             {"line", reported.line},
+                             {"column", reported.column},
+                             {"end_column", reported.end_column},
+                             {"text", reported.text},
+                             {"hint", reported.hint}});
     post(message.bytes());
 }
 
-Done post_run(Run& run, RunSeries& series, const Post& post) {
+VoidResult post_run(Run& run, RunSeries& series, const Post& post) {
     for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
         const auto scene = post_scene(run, robot, Meshes::with, post);
         if (!scene) return tl::unexpected(scene.error());
-        series.take(run, robot, *scene);
-        run.take_columns(
+        series.add_run(run, robot, *scene);
+        run.on_columns(
             [robot, &post](const engine::SegmentColumns& columns) { post_columns(columns, robot, post); },
             robot);
     }
     return {};
 }
 
-Done post_end(const Run& run, const RunSeries& series, const engine::Report& report, const Post& post) {
+VoidResult post_end(const Run& run, const RunSeries& series, const engine::Report& report, const Post& post) {
     for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
         const auto scene = post_scene(run, robot, Meshes::without, post);
         if (!scene) return tl::unexpected(scene.error());

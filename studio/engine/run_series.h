@@ -15,7 +15,7 @@ namespace gsim::studio {
 class RunSeries {
   public:
     /// Connects to a robot with its scene, between prepare() and go(). This must outlive the motion.
-    void take(engine::Run& run, std::size_t robot, const nlohmann::ordered_json& scene);
+    void add_run(engine::Run& run, std::size_t robot, const nlohmann::ordered_json& scene);
     /// Sends the curves after go().
     void post(const Post& post) const;
 
@@ -27,8 +27,8 @@ class RunSeries {
     };
 
     Series& add(const char* is, std::size_t robot, const nlohmann::ordered_json& channels);
-    void take_efforts(engine::Run& run, std::size_t robot, const nlohmann::ordered_json& axes);
-    void take_following(engine::Run& run, std::size_t robot, const nlohmann::ordered_json& axes);
+    void on_efforts(engine::Run& run, std::size_t robot, const nlohmann::ordered_json& axes);
+    void on_following(engine::Run& run, std::size_t robot, const nlohmann::ordered_json& axes);
 
     std::list<Entry> entries_;  // which runs hold on to
 };

@@ -8,7 +8,7 @@ namespace gsim::studio {
 
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
 constexpr double kShortest_s = 1e-3;  // for a run with too many instants
 
 using Values = std::span<const float>;
@@ -36,9 +36,9 @@ void join(std::vector<float>& steps, std::size_t width, const Better& better) {
 }  // namespace
 
 void Series::add(double t_s, Values values) {
-    if (!is_stepped() && t_s_.size() == most_) begin_steps();
+    if (!is_stepped() && t_s_.size() == max_instants_) convert_to_steps();
     if (is_stepped()) {
-        cover(last_s_, last_, t_s, values);
+        add_segment(last_s_, last_, t_s, values);
     } else {
         t_s_.push_back(t_s);
         values_.insert(values_.end(), values.begin(), values.end());
@@ -47,57 +47,58 @@ void Series::add(double t_s, Values values) {
     last_.assign(values.begin(), values.end());
 }
 
-void Series::begin_steps() {
-    step_s_ = 2 * std::max(t_s_.back(), kShortest_s) / static_cast<double>(most_steps());
+void Series::convert_to_steps() {
+    step_s_ = 2 * std::max(t_s_.back(), kShortest_s) / static_cast<double>(max_steps());
     const Values all(values_);
     for (std::size_t i = 0; i < t_s_.size(); ++i) {
         const std::size_t before = i == 0 ? 0 : i - 1;
-        cover(t_s_[before], all.subspan(before * width_, width_), t_s_[i], all.subspan(i * width_, width_));
+        add_segment(t_s_[before], all.subspan(before * width_, width_), t_s_[i],
+                    all.subspan(i * width_, width_));
     }
     t_s_ = {};
     values_ = {};
 }
 
-void Series::widen_steps() {
+void Series::double_step_length() {
     step_s_ *= 2;
-    join(low_, width_, [](float a, float b) { return std::fmin(a, b); });
-    join(high_, width_, [](float a, float b) { return std::fmax(a, b); });
+    join(min_, width_, [](float a, float b) { return std::fmin(a, b); });
+    join(max_, width_, [](float a, float b) { return std::fmax(a, b); });
 }
 
 /// Extends each step by the range of a straight line from one instant to the next. If a value is missing at
 /// one end, none exist between.
-void Series::cover(double from_s, Values from, double to_s, Values to) {
-    while (step_at(to_s) >= most_steps()) widen_steps();
+void Series::add_segment(double from_s, Values from, double to_s, Values to) {
+    while (step_at(to_s) >= max_steps()) double_step_length();
     const std::size_t first = step_at(from_s);
     const std::size_t last = step_at(to_s);
-    widen(first, from);
-    widen(last, to);
+    extend_range(first, from);
+    extend_range(last, to);
     std::vector<float> border(width_);
     for (std::size_t step = first; step < last; ++step) {
-        const double border_s = static_cast<double>(step + 1) * step_s_;
-        mix(from, to, std::clamp((border_s - from_s) / (to_s - from_s), 0.0, 1.0), border);
-        widen(step, border);
-        widen(step + 1, border);
+        const double step_end_s = static_cast<double>(step + 1) * step_s_;
+        mix(from, to, std::clamp((step_end_s - from_s) / (to_s - from_s), 0.0, 1.0), border);
+        extend_range(step, border);
+        extend_range(step + 1, border);
     }
 }
 
-void Series::widen(std::size_t step, Values values) {
+void Series::extend_range(std::size_t step, Values values) {
     const std::size_t at = step * width_;
-    if (low_.size() < at + width_) {
-        low_.resize(at + width_, kNone);
-        high_.resize(at + width_, kNone);
+    if (min_.size() < at + width_) {
+        min_.resize(at + width_, kNoValue);
+        max_.resize(at + width_, kNoValue);
     }
     for (std::size_t i = 0; i < width_; ++i) {
-        low_[at + i] = std::fmin(low_[at + i], values[i]);
-        high_[at + i] = std::fmax(high_[at + i], values[i]);
+        min_[at + i] = std::fmin(min_[at + i], values[i]);
+        max_[at + i] = std::fmax(max_[at + i], values[i]);
     }
 }
 
-void Series::put(Message& message) const {
+void Series::add_columns(Message& message) const {
     message.header()["step_s"] = step_s_;
     if (is_stepped()) {
-        message.add("low", low_);
-        message.add("high", high_);
+        message.add("low", min_);
+        message.add("high", max_);
     } else {
         message.add("t_s", t_s_);
         message.add("values", values_);

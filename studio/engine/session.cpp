@@ -9,70 +9,72 @@
 #include <fmt/format.h>
 
 #include "base/text/json.h"
-#include "studio/engine/answer.h"
 #include "studio/engine/message.h"
 #include "studio/engine/request.h"
+#include "studio/engine/request_handlers.h"
 
 namespace gsim::studio {
 
 namespace {
 
-using engine::Failure;
+using engine::Error;
 using nlohmann::json;
 
 /// Common keys of a request in addition to its specific ones: all of a run, or those that forms need.
-enum class Common : std::uint8_t { of_run, of_form };
+enum class CommonKeys : std::uint8_t { run_keys, form_keys };
 
 /// Kind of request that a page can send.
-struct Row {
+struct RequestType {
     const char* word;
-    Common common;
-    Answer answer;
+    CommonKeys common_keys;
+    RequestHandler handle;
 };
 
-constexpr std::array kRows = {
-    Row{"run", Common::of_run, answer_run},
-    Row{"check", Common::of_run, answer_check},
-    Row{"translate", Common::of_run, answer_translate},
-    Row{"envelope", Common::of_run, answer_envelope},
-    Row{"languages", Common::of_run, answer_languages},
-    Row{"data", Common::of_form, answer_data},
-    Row{"contours", Common::of_form, answer_contours},
-    Row{"drawing", Common::of_form, answer_drawing},
-    Row{"materials", Common::of_form, answer_materials},
-    Row{"toml", Common::of_form, answer_toml},
-    Row{"keys", Common::of_form, answer_keys},
-    Row{"machine", Common::of_form, answer_machine},
-    Row{"pose", Common::of_form, answer_pose},
-    Row{"write", Common::of_form, answer_write},
-    Row{"posts", Common::of_form, answer_posts},
+constexpr std::array kRequestTypes = {
+    RequestType{"run", CommonKeys::run_keys, handle_run},
+    RequestType{"check", CommonKeys::run_keys, handle_check},
+    RequestType{"translate", CommonKeys::run_keys, handle_translate},
+    RequestType{"envelope", CommonKeys::run_keys, handle_envelope},
+    RequestType{"languages", CommonKeys::run_keys, handle_languages},
+    RequestType{"data", CommonKeys::form_keys, handle_data},
+    RequestType{"contours", CommonKeys::form_keys, handle_contours},
+    RequestType{"drawing", CommonKeys::form_keys, handle_drawing},
+    RequestType{"materials", CommonKeys::form_keys, handle_materials},
+    RequestType{"toml", CommonKeys::form_keys, handle_toml},
+    RequestType{"keys", CommonKeys::form_keys, handle_keys},
+    RequestType{"machine", CommonKeys::form_keys, handle_machine},
+    RequestType{"pose", CommonKeys::form_keys, handle_pose},
+    RequestType{"write", CommonKeys::form_keys, handle_write},
+    RequestType{"posts", CommonKeys::form_keys, handle_posts},
 };
 
-Failure fault_of_word(const json& word) {
+Error check_word(const json& word) {
     if (word.is_string())
-        return usage_failure(fmt::format("nothing is known of how to do '{}'", word.get<std::string>()));
+        return usage_error(fmt::format("nothing is known of how to do '{}'", word.get<std::string>()));
     std::string words;
-    for (const Row& row : kRows) words += fmt::format("{}{}", words.empty() ? "" : ", ", row.word);
-    return usage_failure(fmt::format("'do' should be a text, one of {}", words));
+    for (const RequestType& row : kRequestTypes)
+        words += fmt::format("{}{}", words.empty() ? "" : ", ", row.word);
+    return usage_error(fmt::format("'do' should be a text, one of {}", words));
 }
 
-Done answer(json asked, const engine::Host& host, const Post& post) {
-    if (!asked.is_object()) return tl::unexpected(usage_failure("a request should be an object"));
-    const json word = asked.value("do", json());
-    const auto* const row =
-        std::find_if(kRows.begin(), kRows.end(), [&](const Row& each) { return word == each.word; });
-    if (row == kRows.end()) return tl::unexpected(fault_of_word(word));
-    asked.erase("do");
-    auto request = row->common == Common::of_run ? run_request(asked) : form_request(asked);
-    if (!request) return tl::unexpected(usage_failure(request.error()));
+VoidResult handle(json request_json, const engine::Host& host, const Post& post) {
+    if (!request_json.is_object()) return tl::unexpected(usage_error("a request should be an object"));
+    const json word = request_json.value("do", json());
+    const auto* const row = std::find_if(kRequestTypes.begin(), kRequestTypes.end(),
+                                         [&](const RequestType& each) { return word == each.word; });
+    if (row == kRequestTypes.end()) return tl::unexpected(check_word(word));
+    request_json.erase("do");
+    auto request =
+        row->common_keys == CommonKeys::run_keys ? run_request(request_json) : form_request(request_json);
+    if (!request) return tl::unexpected(usage_error(request.error()));
     request->host = host;
-    return row->answer(asked, *request, post);
+    return row->handle(request_json, *request, post);
 }
 
 /// Keeps a message on one line, because names in it may contain any characters.
-std::string one_line(const std::string& sentence) {
+std::string one_line(const std::string& message) {
     std::string line;
-    for (const char c : sentence) {
+    for (const char c : message) {
         const auto byte = static_cast<unsigned char>(c);
         const bool is_control = byte < 0x20 || byte == 0x7f;
         line += is_control ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
@@ -81,7 +83,7 @@ std::string one_line(const std::string& sentence) {
 }
 
 /// Sends the last message.
-void end(const Done& done, const Post& post) {
+void end(const VoidResult& done, const Post& post) {
     Message message(done ? "done" : "failed");
     if (!done) {
         message.header().update({{"code", done.error().code},
@@ -94,29 +96,29 @@ void end(const Done& done, const Post& post) {
 
 /// Converts an exception of a handler, such as a lack of memory, to an error.
 template <typename Work>
-Done guarded(const Work& work) {
+VoidResult guard_exceptions(const Work& work) {
     try {
         return work();
-    } catch (const std::exception& fault) {
-        return tl::unexpected(Failure{.code = "internal", .message = fault.what()});
+    } catch (const std::exception& error) {
+        return tl::unexpected(Error{.code = "internal", .message = error.what()});
     }
 }
 
 }  // namespace
 
-Failure usage_failure(std::string sentence) {
-    return {.code = "usage", .message = std::move(sentence)};
+Error usage_error(std::string message) {
+    return {.code = "usage", .message = std::move(message)};
 }
 
-Done end_of(Keys& keys) {
-    return keys.end().map_error(usage_failure);
+VoidResult finish_keys(KeyReader& keys) {
+    return keys.end().map_error(usage_error);
 }
 
-void serve(std::string_view asked, const engine::Host& host, const Post& post) {
-    end(guarded([&]() -> Done {
-            auto read = text::try_parse_json<json>(asked);
-            if (read.is_discarded()) return tl::unexpected(usage_failure("a request should be JSON"));
-            return answer(std::move(read), host, post);
+void handle_request(std::string_view request_json, const engine::Host& host, const Post& post) {
+    end(guard_exceptions([&]() -> VoidResult {
+            auto read = text::try_parse_json<json>(request_json);
+            if (read.is_discarded()) return tl::unexpected(usage_error("a request should be JSON"));
+            return handle(std::move(read), host, post);
         }),
         post);
 }

@@ -35,10 +35,10 @@ std::optional<std::string> read_file(const std::string& name) {
 
 }  // namespace
 
-extern "C" EMSCRIPTEN_KEEPALIVE void gsim_studio_serve(const char* asked) {
+extern "C" EMSCRIPTEN_KEEPALIVE void gsim_studio_serve(const char* request_json) {
     gsim::engine::Host host;
-    host.files = gsim::engine::Files::given(read_file);
-    gsim::studio::serve(asked, host, [](const std::string& bytes) {
+    host.files = gsim::engine::Files::given_value(read_file);
+    gsim::studio::handle_request(request_json, host, [](const std::string& bytes) {
         studio_post(bytes.data(), static_cast<double>(bytes.size()));
     });
 }

@@ -9,9 +9,9 @@
 
 #include "engine/machine.h"
 #include "engine/path_translation.h"
-#include "studio/engine/answer.h"
-#include "studio/engine/keys.h"
+#include "studio/engine/key_reader.h"
 #include "studio/engine/message.h"
+#include "studio/engine/request_handlers.h"
 
 namespace gsim::studio {
 
@@ -21,42 +21,42 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::array kOffsetWords{"as_path", "keep", "none", "machine"};
+constexpr std::array kOffsetNames{"as_path", "keep", "none", "machine"};
 constexpr std::array kOffsets{Offsets::as_path, Offsets::keep, Offsets::none, Offsets::machine};
-static_assert(kOffsetWords.size() == kOffsets.size());
+static_assert(kOffsetNames.size() == kOffsets.size());
 
-constexpr int kMostDecimals = 6;
-constexpr int kGreatestTool = 99'999'999;
-constexpr double kGreatestPlace_mm = 1e6;
-constexpr double kLeastTolerance_mm = 1e-4;
-constexpr double kGreatestTolerance_mm = 10;
+constexpr int kMaxDecimals = 6;
+constexpr int kMaxTool = 99'999'999;
+constexpr double kMaxPosition_mm = 1e6;
+constexpr double kMinTolerance_mm = 1e-4;
+constexpr double kMaxTolerance_mm = 10;
 
-tl::expected<PathRequest, engine::Failure> path_request(const json& own) {
+tl::expected<PathRequest, engine::Error> path_request(const json& parameters) {
     PathRequest request;
     request.post = "ab9";
     std::optional<std::size_t> offsets;
-    Keys keys(own, "write");
-    keys.needed_text("path", request.path);
+    KeyReader keys(parameters, "write");
+    keys.required_text("path", request.path);
     keys.text("post", request.post);
     keys.text("program_name", request.program_name);
-    keys.truth("rotary_as_given", request.rotary_as_given);
-    keys.word("offsets", kOffsetWords, offsets);
+    keys.boolean("rotary_as_given", request.rotary_as_given);
+    keys.word("offsets", kOffsetNames, offsets);
     keys.text("work_offset", request.work_offset);
-    keys.point("set_offset_mm", -kGreatestPlace_mm, kGreatestPlace_mm, request.set_offset_mm);
-    keys.whole("tool", 0, kGreatestTool, request.tool);
-    keys.number("retract_mm", -kGreatestPlace_mm, kGreatestPlace_mm, request.retract_mm);
-    keys.number("tolerance_mm", kLeastTolerance_mm, kGreatestTolerance_mm, request.tolerance_mm);
-    keys.whole("decimals_mm", 1, kMostDecimals, request.decimals_mm);
-    keys.truth("inch", request.inch);
-    keys.truth("verbose_words", request.verbose_words);
-    keys.truth("separate_files", request.separate_files);
-    keys.truth("go_on", request.go_on);
+    keys.point("set_offset_mm", -kMaxPosition_mm, kMaxPosition_mm, request.set_offset_mm);
+    keys.read_integer("tool", 0, kMaxTool, request.tool);
+    keys.number("retract_mm", -kMaxPosition_mm, kMaxPosition_mm, request.retract_mm);
+    keys.number("tolerance_mm", kMinTolerance_mm, kMaxTolerance_mm, request.tolerance_mm);
+    keys.read_integer("decimals_mm", 1, kMaxDecimals, request.decimals_mm);
+    keys.boolean("inch", request.inch);
+    keys.boolean("verbose_words", request.verbose_words);
+    keys.boolean("separate_files", request.separate_files);
+    keys.boolean("go_on", request.continue_on_unknown);
     if (offsets) request.offsets = kOffsets[*offsets];
-    return end_of(keys).map([&] { return std::move(request); });
+    return finish_keys(keys).map([&] { return std::move(request); });
 }
 
 /// Opens, reads and plans the path first, so that writing cannot fail.
-tl::expected<engine::PathTranslation, engine::Failure> planned(PathRequest request) {
+tl::expected<engine::PathTranslation, engine::Error> planned(PathRequest request) {
     auto path = engine::PathTranslation::open(std::move(request));
     if (!path) return path;
     if (auto read = path->read(); !read) return tl::unexpected(read.error());
@@ -66,15 +66,15 @@ tl::expected<engine::PathTranslation, engine::Failure> planned(PathRequest reque
 
 }  // namespace
 
-Done answer_write(const json& own, const engine::Request& request, const Post& post) {
-    auto asked = path_request(own);
-    if (!asked) return tl::unexpected(asked.error());
+VoidResult handle_write(const json& parameters, const engine::Request& request, const Post& post) {
+    auto parsed_request = path_request(parameters);
+    if (!parsed_request) return tl::unexpected(parsed_request.error());
     const auto machine = engine::Machine::read(request);
     if (!machine) return tl::unexpected(machine.error());
-    asked->machine = machine->machine_file();
-    asked->machine_data = machine->machine_data_file();
-    asked->host = request.host;
-    const auto path = planned(*std::move(asked));
+    parsed_request->machine = machine->machine_file();
+    parsed_request->machine_data = machine->machine_data_file();
+    parsed_request->host = request.host;
+    const auto path = planned(*std::move(parsed_request));
     if (!path) return tl::unexpected(path.error());
     std::map<std::string, std::string> texts;  // by names of files, the main one's is empty
     auto written = path->write([&](const std::string& file) {
@@ -95,9 +95,9 @@ Done answer_write(const json& own, const engine::Request& request, const Post& p
     return {};
 }
 
-Done answer_posts(const json& own, const engine::Request& /*request*/, const Post& post) {
-    Keys keys(own, "posts");
-    if (auto read = end_of(keys); !read) return read;
+VoidResult handle_posts(const json& parameters, const engine::Request& /*request*/, const Post& post) {
+    KeyReader keys(parameters, "posts");
+    if (auto read = finish_keys(keys); !read) return read;
     Message message("posts");
     message.header()["names"] = engine::post_names();
     post(message.bytes());

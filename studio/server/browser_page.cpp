@@ -18,23 +18,23 @@ namespace gsim::studio {
 
 namespace {
 
-void tell(const std::string& what, int error) {
+void print_system_error(const std::string& what, int error) {
     std::fprintf(stderr, "gsim-studio: %s: %s; open the address above in a browser\n", what.c_str(),
                  std::generic_category().message(error).c_str());
 }
 
 /// Returns a file in the user's own folder if it exists, else in the shared one; there only the file belongs
 /// to the user.
-std::string name_of_file() {
-    const char* const own = std::getenv("XDG_RUNTIME_DIR");
+std::string redirect_file_name() {
+    const char* const separate = std::getenv("XDG_RUNTIME_DIR");
     std::error_code ignored;
-    const auto folder = own != nullptr && std::filesystem::is_directory(own, ignored)
-                            ? std::filesystem::path(own)
+    const auto folder = separate != nullptr && std::filesystem::is_directory(separate, ignored)
+                            ? std::filesystem::path(separate)
                             : std::filesystem::temp_directory_path(ignored);
     return (folder / fmt::format("gsim-studio-{}.html", ::getpid())).string();
 }
 
-bool write_page(int file, const std::string& address) {
+bool write_redirect(int file, const std::string& address) {
     const std::string page = fmt::format(
         "<!doctype html><meta charset=utf-8><meta http-equiv=refresh content='0;url={0}'><a href='{0}'>gsim "
         "studio</a>\n",
@@ -45,26 +45,26 @@ bool write_page(int file, const std::string& address) {
 }  // namespace
 
 std::optional<BrowserPage> BrowserPage::open(const std::string& address) {
-    const std::string name = name_of_file();
-    const os::SignalsHeld held;
-    auto kept = os::TemporaryName::kept(name);
+    const std::string name = redirect_file_name();
+    const os::SignalBlocker blocked_signals;
+    auto temporary_path = os::TemporaryName::temporary_path(name);
     const os::Descriptor file(
         ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600));
     if (file.number() < 0) {
-        tell("no page for the browser can be made", errno);
+        print_system_error("no page for the browser can be made", errno);
         return std::nullopt;
     }
-    os::TemporaryName page(std::move(kept));
-    if (!write_page(file.number(), address)) {
-        tell("no page for the browser can be made", errno);
+    os::TemporaryName page(std::move(temporary_path));
+    if (!write_redirect(file.number(), address)) {
+        print_system_error("no page for the browser can be made", errno);
         return std::nullopt;
     }
     os::SpawnActions actions;
-    actions.read_nothing(STDIN_FILENO);
+    actions.redirect_from_null(STDIN_FILENO);
     actions.redirect(STDERR_FILENO, STDOUT_FILENO);  // standard output has the address alone
     // A separate process group: Ctrl+C in the terminal ends this server, but not the user's browser.
-    if (const auto begun = os::spawn({"xdg-open", name}, actions, os::ProcessGroup::own); !begun) {
-        tell("xdg-open cannot be begun", begun.error());
+    if (const auto begun = os::spawn({"xdg-open", name}, actions, os::ProcessGroup::separate); !begun) {
+        print_system_error("xdg-open cannot be begun", begun.error());
         return std::nullopt;
     }
     return BrowserPage(std::move(page));

@@ -12,85 +12,85 @@ namespace gsim::studio {
 namespace {
 
 /// Interval of checks for closed connections.
-constexpr std::chrono::milliseconds kLook{50};
+constexpr std::chrono::milliseconds kPollInterval{50};
 /// A complete request of a page takes less.
-constexpr std::chrono::milliseconds kWhile{500};
+constexpr std::chrono::milliseconds kMinIdleTime{500};
 
 }  // namespace
 
 Connections::Entry::Entry(Connections& all, int socket) : all_(all) {
     const std::lock_guard lock(all_.mutex_);
-    place_ = all_.waiting_.insert(all_.waiting_.end(), {socket, std::chrono::steady_clock::now()});
+    place_ = all_.pending_.insert(all_.pending_.end(), {socket, std::chrono::steady_clock::now()});
 }
 
 Connections::Entry::~Entry() {
     const std::lock_guard lock(all_.mutex_);
-    (admitted_ ? all_.admitted_ : all_.waiting_).erase(place_);
+    (accepted_ ? all_.accepted_ : all_.pending_).erase(place_);
 }
 
-void Connections::Entry::admit() {
+void Connections::Entry::accept_request() {
     const std::lock_guard lock(all_.mutex_);
-    all_.admitted_.splice(all_.admitted_.end(), all_.waiting_, place_);
-    admitted_ = true;
+    all_.accepted_.splice(all_.accepted_.end(), all_.pending_, place_);
+    accepted_ = true;
 }
 
 void Connections::Entry::finish() {
     const std::lock_guard lock(all_.mutex_);
     place_->since = std::chrono::steady_clock::now();
-    all_.waiting_.splice(all_.waiting_.end(), admitted_ ? all_.admitted_ : all_.waiting_, place_);
-    admitted_ = false;
+    all_.pending_.splice(all_.pending_.end(), accepted_ ? all_.accepted_ : all_.pending_, place_);
+    accepted_ = false;
 }
 
 // The threads of the connections notice it, and close them.
-void Connections::end_waiting() {
-    const auto late = std::chrono::steady_clock::now() - kWhile;
-    for (const Waiting& each : waiting_) {
-        if (&each != &waiting_.front() && each.since > late) break;
+void Connections::close_idle() {
+    const auto late = std::chrono::steady_clock::now() - kMinIdleTime;
+    for (const Waiting& each : pending_) {
+        if (&each != &pending_.front() && each.since > late) break;
         ::shutdown(each.socket, SHUT_RDWR);
     }
 }
 
 bool Connections::make_room() {
     std::unique_lock lock(mutex_);
-    while (count_ >= most_ && !ended_) {
-        end_waiting();
-        changed_.wait_for(lock, kLook);
+    while (count_ >= max_connections_ && !ended_) {
+        close_idle();
+        change_signal_.wait_for(lock, kPollInterval);
     }
     return !ended_;
 }
 
-void Connections::came() {
+void Connections::on_open() {
     const std::lock_guard lock(mutex_);
     ++count_;
 }
 
-void Connections::gone() {
+void Connections::on_close() {
     const std::lock_guard lock(mutex_);
     --count_;
-    changed_.notify_all();
+    change_signal_.notify_all();
 }
 
 void Connections::end() {
     std::unique_lock lock(mutex_);
     ended_ = true;
-    for (const std::list<Waiting>* all : {&waiting_, &admitted_}) {
+    for (const std::list<Waiting>* all : {&pending_, &accepted_}) {
         for (const Waiting& each : *all) ::shutdown(each.socket, SHUT_RDWR);
     }
-    changed_.wait(lock, [this] { return count_ == 0; });
+    change_signal_.wait(lock, [this] { return count_ == 0; });
 }
 
-void ConnectionThreads::enqueue(std::function<void()> answer) {
+void ConnectionThreads::enqueue(std::function<void()> task) {
     connections_.make_room();
-    connections_.came();
+    connections_.on_open();
     try {
-        std::thread([this, answer] {
-            answer();
-            connections_.gone();
+        std::thread([this, task] {
+            task();
+            connections_.on_close();
         }).detach();
     } catch (const std::system_error&) {
         // If no further thread is available, this thread handles the connection.
-        answer();
-        connections_.gone();
+        task();
+        connections_.on_close();
     }
 }
 

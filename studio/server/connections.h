@@ -15,7 +15,7 @@ namespace gsim::studio {
 /// for a while without a complete request are ended. The one that has waited longest is ended in any case.
 class Connections {
   public:
-    explicit Connections(std::size_t most) : most_(most) {}
+    explicit Connections(std::size_t max) : max_connections_(max) {}
 
     struct Waiting {
         int socket;
@@ -30,7 +30,7 @@ class Connections {
         Entry& operator=(const Entry&) = delete;
         ~Entry();
         /// Marks the request as accepted: the connection stays open.
-        void admit();
+        void accept_request();
         /// Marks the response as complete: the connection may be ended like waiting ones if others need its
         /// slot.
         void finish();
@@ -38,34 +38,34 @@ class Connections {
       private:
         Connections& all_;
         std::list<Waiting>::iterator place_;
-        bool admitted_ = false;
+        bool accepted_ = false;
     };
 
     /// Waits until a further connection fits. False: end() has been called.
     bool make_room();
     /// Counts a further connection; each needs gone() at its end.
-    void came();
-    void gone();
+    void on_open();
+    void on_close();
     /// Ends waiting connections and admits no further one. Returns after all have ended.
     void end();
 
   private:
-    void end_waiting();
+    void close_idle();
 
-    std::size_t most_;
+    std::size_t max_connections_;
     std::mutex mutex_;
-    std::condition_variable changed_;
+    std::condition_variable change_signal_;
     std::size_t count_ = 0;
     bool ended_ = false;
-    std::list<Waiting> waiting_;   // those without a complete request, or already served: the oldest first
-    std::list<Waiting> admitted_;  // the others
+    std::list<Waiting> pending_;   // those without a complete request, or already served: the oldest first
+    std::list<Waiting> accepted_;  // the others
 };
 
 /// Thread for each connection, as cpp-httplib requires.
 class ConnectionThreads final : public httplib::TaskQueue {
   public:
     explicit ConnectionThreads(Connections& connections) : connections_(connections) {}
-    void enqueue(std::function<void()> answer) override;
+    void enqueue(std::function<void()> task) override;
     void shutdown() override { connections_.end(); }
 
   private:

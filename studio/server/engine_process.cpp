@@ -27,7 +27,7 @@ std::string reason(int error) {
 
 /// Returns a request as a file in memory, so that a slow reader does not block other code. The error is
 /// errno.
-tl::expected<os::Descriptor, int> file_of(std::string_view text) {
+tl::expected<os::Descriptor, int> text_file(std::string_view text) {
     os::Descriptor file(::memfd_create("asked", MFD_CLOEXEC));
     if (file.number() < 0) return tl::unexpected(errno);
     while (!text.empty()) {
@@ -43,17 +43,17 @@ tl::expected<os::Descriptor, int> file_of(std::string_view text) {
 }  // namespace
 
 tl::expected<EngineProcess, std::string> EngineProcess::begin(const std::vector<std::string>& command,
-                                                              std::string_view asked, int kept) {
-    const auto input = file_of(asked);
+                                                              std::string_view request_text, int kept) {
+    const auto input = text_file(request_text);
     std::array<int, 2> ends{};
     if (!input || ::pipe2(ends.data(), O_CLOEXEC) != 0)
         return tl::unexpected("the engine cannot be begun: " + reason(input ? errno : input.error()));
     os::Descriptor output(ends[0]);
-    const os::Descriptor theirs(ends[1]);
+    const os::Descriptor child_end(ends[1]);
     os::SpawnActions actions;
     actions.redirect(input->number(), STDIN_FILENO);
-    actions.redirect(theirs.number(), STDOUT_FILENO);
-    if (kept >= 0) actions.redirect(kept, kKeptDescriptor);
+    actions.redirect(child_end.number(), STDOUT_FILENO);
+    if (kept >= 0) actions.redirect(kept, kFileDescriptor);
     const auto child = os::spawn(command, actions);
     if (!child) return tl::unexpected("the engine cannot be begun: " + reason(child.error()));
     return EngineProcess(*child, std::move(output));
@@ -68,19 +68,19 @@ EngineProcess::~EngineProcess() {
     os::wait_for(child_);
 }
 
-std::optional<std::string> EngineProcess::read(int longest_wait_ms) {
-    pollfd asked{output_.number(), POLLIN, 0};
-    const int ready = ::poll(&asked, 1, longest_wait_ms);
+std::optional<std::string> EngineProcess::read(int timeout_ms) {
+    pollfd request_text{output_.number(), POLLIN, 0};
+    const int ready = ::poll(&request_text, 1, timeout_ms);
     if (ready <= 0) return std::string();
-    std::string piece(kPiece, '\0');
-    const ssize_t got = ::read(output_.number(), piece.data(), piece.size());
-    if (got < 0 && errno == EINTR) return std::string();
-    if (got <= 0) return std::nullopt;
-    piece.resize(static_cast<std::size_t>(got));
-    return piece;
+    std::string chunk(kPiece, '\0');
+    const ssize_t bytes_read = ::read(output_.number(), chunk.data(), chunk.size());
+    if (bytes_read < 0 && errno == EINTR) return std::string();
+    if (bytes_read <= 0) return std::nullopt;
+    chunk.resize(static_cast<std::size_t>(bytes_read));
+    return chunk;
 }
 
-std::string EngineProcess::fault() {
+std::string EngineProcess::error() {
     const auto status = os::wait_for(std::exchange(child_, -1));
     if (!status) return "the engine was lost: " + reason(status.error());
     if (WIFSIGNALED(*status)) return fmt::format("the engine was ended by signal {}", WTERMSIG(*status));

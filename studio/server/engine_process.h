@@ -20,16 +20,16 @@ class EngineProcess {
     /// (docs/studio.md) to its standard output. `kept`: a file that it gets as descriptor 3; -1: none. The
     /// error is a message.
     static tl::expected<EngineProcess, std::string> begin(const std::vector<std::string>& command,
-                                                          std::string_view asked, int kept = -1);
-    static constexpr int kKeptDescriptor = 3;
+                                                          std::string_view request_text, int kept = -1);
+    static constexpr int kFileDescriptor = 3;
     EngineProcess(EngineProcess&& other) noexcept;
     EngineProcess& operator=(EngineProcess&&) = delete;
     ~EngineProcess();
 
     /// Waits for output and returns a part of it; an empty text: no output yet, no value: the end.
-    std::optional<std::string> read(int longest_wait_ms);
+    std::optional<std::string> read(int timeout_ms);
     /// Returns after the end a message why the process failed; empty: it succeeded.
-    std::string fault();
+    std::string error();
 
   private:
     EngineProcess(pid_t child, os::Descriptor output) : child_(child), output_(std::move(output)) {}

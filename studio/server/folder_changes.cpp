@@ -7,49 +7,50 @@
 
 namespace gsim::studio {
 
-ChangesAnswer FolderChanges::since(std::optional<std::uint64_t> at) {
-    walk_when_due();
+FolderChangesResult FolderChanges::since(std::optional<std::uint64_t> at) {
+    scan_if_due();
     const std::lock_guard lock(mutex_);
-    ChangesAnswer answer{.at = at_, .again = !at || *at < oldest_ || *at > at_, .changes = {}};
-    if (answer.again || *at == at_) return answer;
+    FolderChangesResult response{
+        .at = at_, .is_incomplete = !at || *at < oldest_known_ || *at > at_, .changes = {}};
+    if (response.is_incomplete || *at == at_) return response;
     for (const auto& [name, state] : files_) {
-        if (state.at > *at) answer.changes.push_back({name, state.tag});
+        if (state.at > *at) response.changes.push_back({name, state.tag});
     }
-    return answer;
+    return response;
 }
 
 // A caller during the walk of another thread gets the state known by then.
-void FolderChanges::walk_when_due() {
+void FolderChanges::scan_if_due() {
     const auto is_due = [this] {
         const std::lock_guard lock(mutex_);
-        return Clock::now() >= due_;
+        return Clock::now() >= next_walk_time_;
     };
     const auto is_known = [this] {
         const std::lock_guard lock(mutex_);
         return at_ > 0;
     };
     if (!is_due()) return;
-    std::unique_lock walking(walking_, std::defer_lock);
+    std::unique_lock scan_lock(scan_mutex_, std::defer_lock);
     if (!is_known()) {
-        walking.lock();
-    } else if (!walking.try_lock()) {
+        scan_lock.lock();
+    } else if (!scan_lock.try_lock()) {
         return;
     }
-    if (is_due()) walk();
+    if (is_due()) scan();
 }
 
-void FolderChanges::walk() {
+void FolderChanges::scan() {
     const auto began = Clock::now();
-    bool is_cut = false;
-    const std::vector<os::FoundFile> found = folder_.list(bounds_.most_files, is_cut);
-    take(found, is_cut);
-    const Clock::duration took = Clock::now() - began;
+    bool is_truncated = false;
+    const std::vector<os::FileEntry> found = folder_.list(limits_.max_files, is_truncated);
+    compare_files(found, is_truncated);
+    const Clock::duration walk_time = Clock::now() - began;
     const std::lock_guard lock(mutex_);
-    due_ = Clock::now() +
-           std::clamp<Clock::duration>(bounds_.pause_of_walk * took, bounds_.least_pause, bounds_.most_pause);
+    next_walk_time_ = Clock::now() + std::clamp<Clock::duration>(limits_.pause_per_scan * walk_time,
+                                                                 limits_.min_pause, limits_.max_pause);
 }
 
-void FolderChanges::take(const std::vector<os::FoundFile>& found, bool is_cut) {
+void FolderChanges::compare_files(const std::vector<os::FileEntry>& found, bool is_truncated) {
     const std::lock_guard lock(mutex_);
     const std::uint64_t now = at_ + 1;
     bool is_changed = at_ == 0;
@@ -58,32 +59,32 @@ void FolderChanges::take(const std::vector<os::FoundFile>& found, bool is_cut) {
         is_changed = true;
     };
     std::set<std::string_view> names;
-    for (const os::FoundFile& file : found) {
+    for (const os::FileEntry& file : found) {
         names.insert(file.name);
         State& state = files_[file.name];
-        if (state.at > 0 && !state.tag) --gone_;
+        if (state.at > 0 && !state.tag) --deleted_count_;
         if (state.tag != file.tag) set(state, file.tag);
     }
     for (auto each = files_.begin(); each != files_.end();) {
         auto& [name, state] = *each;
-        const bool was_there = state.tag && names.count(name) == 0;
+        const bool existed = state.tag && names.count(name) == 0;
         // A cut list may omit a file because more files come before it now, so it is no longer listed.
-        const bool is_beyond = was_there && is_cut && folder_.tag_of(name);
-        if (was_there && !is_beyond) {
+        const bool exists_beyond_limit = existed && is_truncated && folder_.content_tag(name);
+        if (existed && !exists_beyond_limit) {
             set(state, std::nullopt);
-            ++gone_;
+            ++deleted_count_;
         }
-        each = is_beyond ? files_.erase(each) : std::next(each);
+        each = exists_beyond_limit ? files_.erase(each) : std::next(each);
     }
     if (is_changed) at_ = now;
-    if (gone_ > bounds_.most_files) forget_gone();
+    if (deleted_count_ > limits_.max_files) forget_deleted();
 }
 
-void FolderChanges::forget_gone() {
+void FolderChanges::forget_deleted() {
     for (auto each = files_.begin(); each != files_.end();)
         each = each->second.tag ? std::next(each) : files_.erase(each);
-    gone_ = 0;
-    oldest_ = at_;
+    deleted_count_ = 0;
+    oldest_known_ = at_;
 }
 
 }  // namespace gsim::studio

@@ -21,19 +21,19 @@ namespace gsim::studio {
 
 namespace {
 
-constexpr int kUsage = 2;
-constexpr std::size_t kLargestPage = std::size_t{64} << 20U;
+constexpr int kUsageText = 2;
+constexpr std::size_t kMaxPageBytes = std::size_t{64} << 20U;
 
 void print_error(const std::string& line) {
     std::fprintf(stderr, "gsim-studio: %s\n", line.c_str());
 }
 
-int refuse(const std::string& why) {
-    print_error(why);
-    return kUsage;
+int reject(const std::string& reason) {
+    print_error(reason);
+    return kUsageText;
 }
 
-sigset_t ending_signals() {
+sigset_t termination_signals() {
     sigset_t signals;
     ::sigemptyset(&signals);
     for (const int each : {SIGINT, SIGTERM, SIGHUP}) ::sigaddset(&signals, each);
@@ -41,46 +41,47 @@ sigset_t ending_signals() {
 }
 
 void serve_until_signal(StudioServer& server) {
-    const sigset_t signals = ending_signals();
-    std::thread ending([&] {
-        int which = 0;
-        ::sigwait(&signals, &which);
+    const sigset_t signals = termination_signals();
+    std::thread signal_thread([&] {
+        int signal_number = 0;
+        ::sigwait(&signals, &signal_number);
         server.stop_serving();
     });
     server.serve();
     // If the server ended without a signal, the thread still waits for one. This one ends no process.
-    ::pthread_kill(ending.native_handle(), SIGTERM);  // NOLINT(bugprone-bad-signal-to-kill-thread)
-    ending.join();
+    ::pthread_kill(signal_thread.native_handle(), SIGTERM);  // NOLINT(bugprone-bad-signal-to-kill-thread)
+    signal_thread.join();
 }
 
-tl::expected<ServedStudio, std::string> served_of(const nlohmann::ordered_json& told) {
-    auto folder = os::BoundFolder::open(told.at("folder").get<std::string>());
+tl::expected<ServerContent, std::string> read_server_content(const nlohmann::ordered_json& page_data) {
+    auto folder = os::RootedDirectory::open(page_data.at("folder").get<std::string>());
     if (!folder) return tl::unexpected(folder.error());
-    auto page = os::read_input(told.at("page").get<std::string>(), os::NamedBy::a_file, kLargestPage);
+    auto page =
+        os::read_input(page_data.at("page").get<std::string>(), os::NameSource::in_file, kMaxPageBytes);
     if (!page) return tl::unexpected(page.error());
-    return ServedStudio{.folder = *std::move(folder),
-                        .page = *std::move(page),
-                        .told = told.at("told"),
-                        .engine = told.at("engine").get<std::vector<std::string>>(),
-                        .log = print_error};
+    return ServerContent{.folder = *std::move(folder),
+                         .page = *std::move(page),
+                         .page_data = page_data.at("told"),
+                         .engine = page_data.at("engine").get<std::vector<std::string>>(),
+                         .log = print_error};
 }
 
 int run(const std::string& argument) {
-    const auto told = text::try_parse_json<nlohmann::ordered_json>(argument);
-    if (!told.is_object()) return refuse("gsim-serve is not made to be called; gsim studio calls it");
-    auto served = served_of(told);
-    if (!served) return refuse(served.error());
-    const sigset_t signals = ending_signals();
+    const auto page_data = text::try_parse_json<nlohmann::ordered_json>(argument);
+    if (!page_data.is_object()) return reject("gsim-serve is not made to be called; gsim studio calls it");
+    auto server_content = read_server_content(page_data);
+    if (!server_content) return reject(server_content.error());
+    const sigset_t signals = termination_signals();
     ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // in all threads, so that one waits for them
     std::signal(SIGPIPE, SIG_IGN);
-    StudioServer server(*std::move(served));
-    const int port = told.at("port").get<int>();
+    StudioServer server(*std::move(server_content));
+    const int port = page_data.at("port").get<int>();
     if (server.bind(port) < 0)
-        return refuse(fmt::format("port {} of this machine is taken; --port 0 takes one that is free", port));
+        return reject(fmt::format("port {} of this machine is taken; --port 0 takes one that is free", port));
     std::printf("%s\n", server.address().c_str());
     std::fflush(stdout);
     const std::optional<BrowserPage> page =
-        told.at("browser").get<bool>() ? BrowserPage::open(server.address()) : std::nullopt;
+        page_data.at("browser").get<bool>() ? BrowserPage::open(server.address()) : std::nullopt;
     serve_until_signal(server);
     return 0;
 }
@@ -91,7 +92,7 @@ int serve_page(const std::string& argument) {
     try {
         return run(argument);
     } catch (const std::exception& error) {
-        return refuse(error.what());
+        return reject(error.what());
     }
 }
 

@@ -3,23 +3,23 @@
 
 import type { FileContent } from "./core/file_content";
 
-function bytesOf(base64: string): Uint8Array<ArrayBuffer> {
+function decodeBase64(base64: string): Uint8Array<ArrayBuffer> {
   const text = atob(base64);
   const bytes = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
   return bytes;
 }
 
-async function unpacked(id: string): Promise<ArrayBuffer | null> {
+async function unpack(id: string): Promise<ArrayBuffer | null> {
   const element = document.getElementById(id);
   if (!element) return null;
-  const packed = bytesOf(element.textContent ?? "");
+  const packed = decodeBase64(element.textContent ?? "");
   element.remove(); // it is not needed twice, and may be large
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
 }
 
 /** Data that gsim-studio passes to the page that it serves. */
-export interface Served {
+export interface ServedFolder {
   /** Name of the folder. */
   name: string;
   /** Requested file names: keys of Setup, empty if nothing was requested. */
@@ -30,24 +30,24 @@ export const embedded = {
   has: (id: "engine" | "run"): boolean => document.getElementById(id) !== null,
 
   async module(): Promise<WebAssembly.Module> {
-    return WebAssembly.compile((await unpacked("engine"))!);
+    return WebAssembly.compile((await unpack("engine"))!);
   },
 
   async workerUrl(): Promise<string> {
-    return URL.createObjectURL(new Blob([(await unpacked("worker"))!], { type: "text/javascript" }));
+    return URL.createObjectURL(new Blob([(await unpack("worker"))!], { type: "text/javascript" }));
   },
 
   async samples(): Promise<Map<string, FileContent>> {
-    const bytes = await unpacked("samples");
+    const bytes = await unpack("samples");
     if (!bytes) return new Map();
     const { texts, others } = JSON.parse(new TextDecoder().decode(bytes)) as Record<string, Record<string, string>>;
     const files = new Map<string, FileContent>(Object.entries(texts));
-    for (const [name, base64] of Object.entries(others)) files.set(name, bytesOf(base64));
+    for (const [name, base64] of Object.entries(others)) files.set(name, decodeBase64(base64));
     return files;
   },
 
   /** Returns null if the page is not served, for example because it was opened from a disk. */
-  served(): Served | null {
+  served(): ServedFolder | null {
     const text = document.getElementById("server")?.textContent ?? "";
     if (!text.startsWith("{")) return null;
     const { folder, setup } = JSON.parse(text) as { folder: string; setup: Record<string, string> };
@@ -56,6 +56,6 @@ export const embedded = {
 
   /** Returns the frames of a finished run, one after another. */
   async run(): Promise<Uint8Array> {
-    return new Uint8Array((await unpacked("run"))!);
+    return new Uint8Array((await unpack("run"))!);
   },
 };

@@ -1,7 +1,7 @@
 // Page for work on programs.
 
 import { createBar } from "./bar";
-import { samples, setupOf } from "./bar/gallery";
+import { samples, sampleSetup } from "./bar/gallery";
 import { noEngine } from "./core/engine";
 import { Folder } from "./core/folder";
 import { RemoteEngine } from "./core/remote_engine";
@@ -9,17 +9,17 @@ import { Server } from "./core/server";
 import { WorkerEngine } from "./core/worker_engine";
 import { embedded } from "./embedded";
 import { start } from "./page";
-import { createSide } from "./panels";
-import { openServed } from "./served";
-import { createBeside } from "./view/beside";
-import { createHandles } from "./view/handles";
+import { createPanels } from "./panels";
+import { openServedFolder } from "./served";
+import { createComparisonView } from "./view/comparison_view";
+import { createHandleDraggables } from "./view/create_draggables";
 import { createHeadset } from "./view/xr";
 
 const served = embedded.served();
 const server = served && new Server(new URL(".", document.baseURI));
 
 void start({
-  engineMaker: async () => {
+  createEngineFactory: async () => {
     if (server) return () => new RemoteEngine(server);
     if (!embedded.has("engine")) return () => noEngine;
     const module = embedded.module();
@@ -29,12 +29,12 @@ void start({
   isServed: server !== null,
   openFolder: (session) => server && new Folder(server, session),
   createBar,
-  createSide,
-  viewParts: { createHolds: createHandles, createHeadset, createBeside },
+  createPanels,
+  viewParts: { createDraggables: createHandleDraggables, createHeadset, createComparisonView },
   begin: async (session, folder) => {
-    if (folder && served) return openServed(session, folder, served);
+    if (folder && served) return openServedFolder(session, folder, served);
     if (!session.canRun) return;
-    session.change(setupOf(samples[0]));
+    session.change(sampleSetup(samples[0]));
     void session.run();
   },
 });

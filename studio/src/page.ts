@@ -3,7 +3,7 @@
 import "./style.css";
 import { Documents } from "./core/documents";
 import type { Engine } from "./core/engine";
-import { fetchShown } from "./core/fetching";
+import { loadVisiblePart } from "./core/fetching";
 import type { Folder } from "./core/folder";
 import { Frames } from "./core/frames";
 import { Session } from "./core/session";
@@ -16,12 +16,12 @@ import { createView, type ViewParts } from "./view";
 /** Differences between the two pages. */
 export interface PageKind {
   /** Makes engines of one kind. */
-  engineMaker(): Promise<() => Engine>;
+  createEngineFactory(): Promise<() => Engine>;
   /** True if files are in a folder that gsim-studio serves. */
   isServed: boolean;
   openFolder(session: Session): Folder | null;
   createBar(host: HTMLElement, store: Store, session: Session, folder: Folder | null): void;
-  createSide(host: HTMLElement, store: Store, session: Session): void;
+  createPanels(host: HTMLElement, store: Store, session: Session): void;
   readonly viewParts: ViewParts;
   /** Shows what comes first. */
   begin(session: Session, folder: Folder | null): Promise<void>;
@@ -38,18 +38,18 @@ function followTheme(store: Store): void {
 export async function start(kind: PageKind): Promise<void> {
   const store = new Store(initialState());
   const documents = new Documents(await embedded.samples(), kind.isServed);
-  const makeEngine = await kind.engineMaker();
-  const session = new Session(store, documents, makeEngine(), makeEngine());
+  const createEngine = await kind.createEngineFactory();
+  const session = new Session(store, documents, createEngine(), createEngine());
   const folder = kind.openFolder(session);
   const host = (id: string) => document.getElementById(id)!;
   const frames = new Frames();
   followTheme(store);
-  fetchShown(store);
+  loadVisiblePart(store);
   kind.createBar(host("bar"), store, session, folder);
   const view = createView(host("view"), store, session, frames, kind.viewParts);
   createTime(host("time"), store, session, frames);
   createCode(host("code"), store, session);
-  kind.createSide(host("side"), store, session);
+  kind.createPanels(host("side"), store, session);
   await kind.begin(session, folder);
   // For tests and for curious users: the objects of the page.
   Object.assign(window, { studio: { store, session, documents, folder, view } });

@@ -1,11 +1,11 @@
 // Initial contents of a page that gsim-studio serves: the requested files, or else a program of the folder.
 
-import { samples, setupOf } from "./bar/gallery";
+import { samples, sampleSetup } from "./bar/gallery";
 import type { Folder } from "./core/folder";
 import { dialectOfName, namesOfKind } from "./core/kinds";
 import type { Session } from "./core/session";
 import { emptySetup } from "./core/setup";
-import type { Served } from "./embedded";
+import type { ServedFolder } from "./embedded";
 import { texts } from "./texts";
 
 /** Returns the first program by name; upper folders come before those below. */
@@ -15,7 +15,7 @@ function firstProgram({ documents }: Session, folder: Folder): string {
   return programs.sort((a, b) => depth(a) - depth(b) || a.localeCompare(b))[0] ?? "";
 }
 
-export async function openServed(session: Session, folder: Folder, { name, setup }: Served): Promise<void> {
+export async function openServedFolder(session: Session, folder: Folder, { name, setup }: ServedFolder): Promise<void> {
   document.title = texts.folder.title(name);
   session.versionsBy(() => folder.versions());
   try {
@@ -27,6 +27,6 @@ export async function openServed(session: Session, folder: Folder, { name, setup
   const given = Object.fromEntries(Object.entries({ ...setup, program }).filter(([, value]) => value !== ""));
   await folder.readAll(Object.values(given));
   void folder.follow();
-  session.change(program ? { ...emptySetup(), dialect: dialectOfName(program), ...given } : setupOf(samples[0]));
+  session.change(program ? { ...emptySetup(), dialect: dialectOfName(program), ...given } : sampleSetup(samples[0]));
   await session.run();
 }

@@ -2,7 +2,7 @@
 
 // @ts-expect-error: written by emscripten (make studio)
 import createEngine from "gsim-engine";
-import type { Ask, FromWorker, ToWorker } from "./core/worker_protocol";
+import type { EngineRequest, FromWorker, ToWorker } from "./core/worker_protocol";
 
 interface Engine {
   ccall(name: string, result: null, types: string[], values: string[]): void;
@@ -11,7 +11,7 @@ interface Engine {
 declare const self: DedicatedWorkerGlobalScope;
 
 let engine: Promise<Engine> | null = null;
-let answering = 0;
+let currentRequest = 0;
 let files = new Map<string, string | Uint8Array>();
 const encoder = new TextEncoder();
 
@@ -27,7 +27,7 @@ function start(module: WebAssembly.Module): Promise<Engine> {
       return typeof file === "string" ? encoder.encode(file) : file;
     },
     post(bytes: Uint8Array<ArrayBuffer>) {
-      const message: FromWorker = { id: answering, bytes };
+      const message: FromWorker = { id: currentRequest, bytes };
       self.postMessage(message, [bytes.buffer]);
     },
     print() {},
@@ -35,9 +35,9 @@ function start(module: WebAssembly.Module): Promise<Engine> {
   });
 }
 
-async function answer(ask: Ask): Promise<void> {
+async function handleRequest(ask: EngineRequest): Promise<void> {
   const ready = await engine!;
-  answering = ask.id;
+  currentRequest = ask.id;
   files = ask.files;
   ready.ccall("gsim_studio_serve", null, ["string"], [JSON.stringify(ask.request)]);
 }
@@ -51,5 +51,5 @@ function fail(fault: unknown): void {
 
 self.onmessage = (event: MessageEvent<ToWorker>) => {
   if (event.data.kind === "start") engine = start(event.data.module);
-  else void answer(event.data).catch(fail);
+  else void handleRequest(event.data).catch(fail);
 };

@@ -146,10 +146,10 @@ export function emulateHeadset({ refuses = "", lacksFloor = false, layers = fals
       gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
       gl.clearBufferfv(gl.COLOR, 0, [1, 0, 1, 1]);
       gl.bindFramebuffer(gl.FRAMEBUFFER, bound);
-      const due = [...this.callbacks.values()];
+      const dueCallbacks = [...this.callbacks.values()];
       this.callbacks.clear();
       const frame = { session: this, getViewerPose: () => pose(this.renderState), getPose: () => null };
-      for (const callback of due) callback(this.now_ms, frame);
+      for (const callback of dueCallbacks) callback(this.now_ms, frame);
     }
   }
 

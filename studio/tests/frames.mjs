@@ -48,9 +48,9 @@ export function packedRun(html) {
 
 export function readRun(page, html) {
   const run = new page.Run();
-  for (const frame of page.framesOf(packedRun(html))) {
+  for (const frame of page.splitFrames(packedRun(html))) {
     const message = page.readMessage(frame.slice());
-    if (message.is !== "source") run.take(message);
+    if (message.is !== "source") run.addMessage(message);
   }
   return run;
 }

@@ -40,9 +40,9 @@ const run = (page) =>
       if (times.end && view.complete()) times.whole = now - began;
     }
     await running;
-    const { report, failure, robots } = store.get("run");
+    const { report, error, robots } = store.get("run");
     const [{ segments }] = robots;
-    return { ...times, status: report?.status, failure, blocks: report?.blocks, segments: segments.count, cycle_s: report?.cycle_time_s };
+    return { ...times, status: report?.status, error, blocks: report?.blocks, segments: segments.count, cycle_s: report?.cycle_time_s };
   });
 
 /** Shows instants one by one; returns the time of each until its joints are loaded and drawn. */

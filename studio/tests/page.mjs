@@ -14,7 +14,7 @@ import { within } from "./patience.mjs";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const build = resolve(process.argv[2] ?? join(here, "../../build"));
-const wanted = process.argv[3] ?? "";
+const expectedValue = process.argv[3] ?? "";
 export const places = {
   build,
   studio: join(build, "share/gsim/studio/studio.html"),
@@ -26,7 +26,7 @@ export const places = {
 const cases = [];
 for (const file of readdirSync(join(here, "cases")).filter((name) => name.endsWith(".mjs")).sort()) {
   const { default: those } = await import(join(here, "cases", file));
-  cases.push(...Object.entries(those).filter(([name]) => name.includes(wanted)));
+  cases.push(...Object.entries(those).filter(([name]) => name.includes(expectedValue)));
 }
 
 const [part, parts] = (process.env.PART ?? "1/1").split("/").map(Number);

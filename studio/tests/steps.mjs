@@ -29,8 +29,8 @@ export const run = (page, setup, files = {}) =>
       const empty = { program: "", machine: "", dialect: "", cell: "", machine_data: "", robots: "" };
       session.change({ ...empty, ...change });
       await session.run();
-      const { report, failure } = store.get("run");
-      return { status: report?.status, cycle_time_s: report?.cycle_time_s, failure: failure?.message };
+      const { report, error } = store.get("run");
+      return { status: report?.status, cycle_time_s: report?.cycle_time_s, error: error?.message };
     },
     [setup, files],
   );
@@ -40,14 +40,14 @@ export const setState = (page, key, value) =>
   page.evaluate(([name, to]) => window.studio.store.set(name, to), [key, value]);
 
 /** Waits until the picture of the path is complete and drawing has ended. */
-export async function settled(page) {
+export async function untilSettled(page) {
   await page.waitForFunction(() => window.studio.view?.complete(), null, { timeout: 60_000 });
   await page.waitForTimeout(700);
 }
 
 /** Returns the picture of only the machine and the path, because text looks different on each system. */
 export async function pictureOfView(page) {
-  await settled(page);
+  await untilSettled(page);
   const words = "#view > :not(.surface), #view .surface > :not(canvas) { visibility: hidden !important; }";
   const style = await page.addStyleTag({ content: words });
   const picture = await page.locator("#view canvas").first().screenshot();
@@ -82,7 +82,7 @@ export const difference = (page, one, other) =>
   );
 
 /** Returns the number of pixels of the view with a colour that `wanted(r, g, b)`, given as text, accepts. */
-export const countPixels = (page, picture, wanted) =>
+export const countPixels = (page, picture, expectedValue) =>
   page.evaluate(
     async ([base64, condition]) => {
       const image = new Image();
@@ -101,7 +101,7 @@ export const countPixels = (page, picture, wanted) =>
       }
       return count;
     },
-    [picture.toString("base64"), wanted],
+    [picture.toString("base64"), expectedValue],
   );
 
 /** Max share of pixels that may differ from a kept picture: other renderers smooth edges differently. */

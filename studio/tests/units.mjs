@@ -7,7 +7,7 @@ import { fileURLToPath } from "node:url";
 import { loadModules } from "./frames.mjs";
 
 const folder = fileURLToPath(new URL("./units/", import.meta.url));
-const wanted = process.argv[2] ?? "";
+const expectedValue = process.argv[2] ?? "";
 
 /** Each file of units/ exports the modules that it tries, and cases that get them. */
 const units = await Promise.all(
@@ -22,7 +22,7 @@ let [passed, failed] = [0, 0];
 for (const { default: cases, modules = [] } of units) {
   const used = Object.assign({}, ...modules.map((name) => page[name]));
   for (const [name, test] of Object.entries(cases ?? {})) {
-    if (!name.includes(wanted)) continue;
+    if (!name.includes(expectedValue)) continue;
     try {
       await test(used);
       ++passed;

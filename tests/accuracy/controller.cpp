@@ -43,13 +43,13 @@ std::string machine_of_linuxcnc_2_10(const TableRow& row) {
 
 std::string fault_of_linuxcnc_2_10(const TableRow& row) {
     const std::string flag = text_in(row, "flag");
-    for (const std::string fault : {"acc_step", "trapezoidal_fallback"})
-        if (flag.find(fault) != std::string::npos) return fault;
+    for (const std::string error : {"acc_step", "trapezoidal_fallback"})
+        if (flag.find(error) != std::string::npos) return error;
     return {};
 }
 
-bool Tolerance::holds(double error_s, double recorded_s) const {
-    return std::abs(error_s) <= std::max(percent / 100 * recorded_s, least_s) + kRounding_s;
+bool Tolerance::is_within(double error_s, double recorded_s) const {
+    return std::abs(error_s) <= std::max(percent / 100 * recorded_s, min_s) + kRounding_s;
 }
 
 }  // namespace gsim::accuracy

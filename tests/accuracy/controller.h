@@ -11,9 +11,9 @@ namespace gsim::accuracy {
 /// Permitted deviation of a time: a part of the recorded time or a fixed time, the larger of the two.
 struct Tolerance {
     double percent = 0;
-    double least_s = 0;
+    double min_s = 0;
 
-    bool holds(double error_s, double recorded_s) const;
+    bool is_within(double error_s, double recorded_s) const;
 };
 
 /// A line of a table.tsv by the names of its columns.
@@ -24,7 +24,7 @@ std::string text_in(const TableRow& row, std::string_view column);
 
 /// Layout of a table.tsv that lists runs, one per line, for programs that were run on several machines.
 struct RunTable {
-    std::string (*machine_of)(const TableRow& row) = nullptr;  ///< Name of its machine file, without .toml.
+    std::string (*machine_name)(const TableRow& row) = nullptr;  ///< Name of its machine file, without .toml.
     /// Name of the variant, for a program that the table has more than once; null: its own name.
     std::string (*variant_of)(const TableRow& row) = nullptr;
     /// Reason why a run says nothing about the controller's motion; empty, or null: it is counted.

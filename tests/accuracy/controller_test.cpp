@@ -9,12 +9,12 @@ namespace {
 
 TEST(Tolerance, IsAPartOfTheTimeOrAFixedTimeWhicheverIsMore) {
     const Tolerance tolerance{0.5, 0.005};
-    EXPECT_TRUE(tolerance.holds(0.05, 10));  // 0.5 % of 10 s
-    EXPECT_TRUE(tolerance.holds(-0.05, 10));
-    EXPECT_FALSE(tolerance.holds(0.0501, 10));
-    EXPECT_FALSE(tolerance.holds(-0.0501, 10));
-    EXPECT_TRUE(tolerance.holds(0.005, 0.1));  // 5 %, but 5 ms
-    EXPECT_FALSE(tolerance.holds(0.0051, 0.1));
+    EXPECT_TRUE(tolerance.is_within(0.05, 10));  // 0.5 % of 10 s
+    EXPECT_TRUE(tolerance.is_within(-0.05, 10));
+    EXPECT_FALSE(tolerance.is_within(0.0501, 10));
+    EXPECT_FALSE(tolerance.is_within(-0.0501, 10));
+    EXPECT_TRUE(tolerance.is_within(0.005, 0.1));  // 5 %, but 5 ms
+    EXPECT_FALSE(tolerance.is_within(0.0051, 0.1));
 }
 
 TEST(Tolerance, HoldsAtItsBorderWhateverTheBinaryDigits) {
@@ -22,23 +22,23 @@ TEST(Tolerance, HoldsAtItsBorderWhateverTheBinaryDigits) {
     for (int ms = 100; ms < 1000; ++ms) {
         const double recorded_s = ms / 1000.0;
         const double found_s = (ms + 5) / 1000.0;
-        EXPECT_TRUE(tolerance.holds(found_s - recorded_s, recorded_s)) << ms;
-        EXPECT_FALSE(tolerance.holds((ms + 6) / 1000.0 - recorded_s, recorded_s)) << ms;
+        EXPECT_TRUE(tolerance.is_within(found_s - recorded_s, recorded_s)) << ms;
+        EXPECT_FALSE(tolerance.is_within((ms + 6) / 1000.0 - recorded_s, recorded_s)) << ms;
     }
 }
 
 TEST(Tolerance, DoesNotHoldForWhatIsNoNumber) {
     const Tolerance tolerance{0.5, 0.005};
-    EXPECT_FALSE(tolerance.holds(std::numeric_limits<double>::quiet_NaN(), 10));
-    EXPECT_FALSE(tolerance.holds(std::numeric_limits<double>::infinity(), 10));
+    EXPECT_FALSE(tolerance.is_within(std::numeric_limits<double>::quiet_NaN(), 10));
+    EXPECT_FALSE(tolerance.is_within(std::numeric_limits<double>::infinity(), 10));
 }
 
 TEST(Controllers, AreFairWhereTheyAreClose) {
     for (const Controller& controller : kControllers) {
         for (const double recorded_s : {0.0, 0.05, 0.3, 1.0, 100.0}) {
             for (const double error_s : {0.0, 0.001, 0.004, 0.01, 0.4}) {
-                if (!controller.close.holds(error_s, recorded_s)) continue;
-                EXPECT_TRUE(controller.fair.holds(error_s, recorded_s))
+                if (!controller.close.is_within(error_s, recorded_s)) continue;
+                EXPECT_TRUE(controller.fair.is_within(error_s, recorded_s))
                     << controller.name << ' ' << recorded_s << ' ' << error_s;
             }
         }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr Tolerance kWithin{0.5, 0.005};
 
-double at_share(const std::vector<double>& sorted, double share) {
+double sample_quantile(const std::vector<double>& sorted, double share) {
     const double place = std::ceil(share * static_cast<double>(sorted.size())) - 1;
     return sorted[static_cast<std::size_t>(std::max(place, 0.0))];
 }
@@ -34,7 +34,7 @@ Distribution distribution_of(const std::vector<TimeOutcome>& outcomes) {
             outcome.found_s ? outcome.error_percent() : std::numeric_limits<double>::infinity();
         errors.push_back(std::abs(error));
         if (!outcome.found_s) continue;
-        if (kWithin.holds(outcome.error_s(), outcome.recorded_s)) ++all.within;
+        if (kWithin.is_within(outcome.error_s(), outcome.recorded_s)) ++all.within;
         if (all.largest.empty() || std::abs(error) > std::abs(all.largest_percent)) {
             all.largest_percent = error;
             all.largest = outcome.name;
@@ -43,8 +43,8 @@ Distribution distribution_of(const std::vector<TimeOutcome>& outcomes) {
     all.count = errors.size();
     if (errors.empty()) return all;
     std::sort(errors.begin(), errors.end());
-    all.median_percent = at_share(errors, 0.5);
-    all.p95_percent = at_share(errors, 0.95);
+    all.median_percent = sample_quantile(errors, 0.5);
+    all.p95_percent = sample_quantile(errors, 0.95);
     return all;
 }
 

@@ -25,11 +25,11 @@ TEST(Distribution, IsOfErrorsWithoutSign) {
 }
 
 TEST(Distribution, CountsWhatIsRefusedAndNotWhatIsNotCounted) {
-    TimeOutcome refused = outcome("refused", 1, 1);
-    refused.found_s = tl::unexpected<std::string>("no");
+    TimeOutcome rejected = outcome("refused", 1, 1);
+    rejected.found_s = tl::unexpected<std::string>("no");
     TimeOutcome left_out = outcome("left out", 1, 9);
     left_out.counted = false;
-    const Distribution all = distribution_of({outcome("a", 1, 1.004), refused, left_out});
+    const Distribution all = distribution_of({outcome("a", 1, 1.004), rejected, left_out});
     EXPECT_EQ(all.count, 2U);
     EXPECT_EQ(all.within, 1U);
     EXPECT_EQ(all.largest, "a");

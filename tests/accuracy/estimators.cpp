@@ -15,17 +15,18 @@ constexpr std::size_t kLookAhead = 32;
 constexpr double kCentripetalShare = 0.866;
 
 double speed_of(const ProgrammedMove& move) {
-    return move.rapid ? move.most_speed : std::min(move.feed_s, move.most_speed);
+    return move.rapid ? move.speed_limit : std::min(move.feed_s, move.speed_limit);
 }
 
 /// The same with what an arc allows.
-double peak_of(const ProgrammedMove& move) {
+double max_move_speed(const ProgrammedMove& move) {
     if (move.radius_mm <= 0) return speed_of(move);
     return std::min(speed_of(move), std::sqrt(kCentripetalShare * move.acceleration * move.radius_mm));
 }
 
 double joint_speed(const ProgrammedMove& before, const ProgrammedMove& behind) {
-    return std::min(peak_of(before), peak_of(behind)) * std::max(0.0, before.leaves.dot(behind.enters));
+    return std::min(max_move_speed(before), max_move_speed(behind)) *
+           std::max(0.0, before.leaves.dot(behind.enters));
 }
 
 /// Returns the speed at which the move after `at` may begin, as far as the look-ahead sees.
@@ -46,8 +47,8 @@ double planned_s(std::span<const ProgrammedMove> moves) {
         const ProgrammedMove& move = moves[i];
         const double reached = std::sqrt(entry * entry + 2 * move.acceleration * move.length);
         const double exit = std::min(exit_speed(moves, i), reached);
-        const motion::LawLimits limits{std::max(peak_of(move), std::max(entry, exit)), move.acceleration,
-                                       move.acceleration};
+        const motion::LawLimits limits{std::max(max_move_speed(move), std::max(entry, exit)),
+                                       move.acceleration, move.acceleration};
         time_s += motion::TimeLaw::between(move.length, entry, exit, limits).duration_s();
         entry = exit;
     }
@@ -74,16 +75,16 @@ double camotics_s(std::span<const ProgrammedMove> moves) {
 
 double linuxcnc_parse_s(std::span<const ProgrammedMove> moves) {
     double time_s = 0;
-    std::vector<ProgrammedMove> held;
+    std::vector<ProgrammedMove> pending_moves;
     for (const ProgrammedMove& move : moves) {
         if (move.wait_s > 0) {
-            time_s += planned_s(held) + move.wait_s;
-            held.clear();
+            time_s += planned_s(pending_moves) + move.wait_s;
+            pending_moves.clear();
         } else if (move.length > 0) {
-            held.push_back(move);
+            pending_moves.push_back(move);
         }
     }
-    return time_s + planned_s(held);
+    return time_s + planned_s(pending_moves);
 }
 
 }  // namespace gsim::accuracy

@@ -18,7 +18,7 @@ machine::Machine router() {
         .value();  // 100 mm/s, 1000 mm/s2
 }
 
-std::vector<ProgrammedMove> moves_of(const std::string& lines) {
+std::vector<ProgrammedMove> read_moves(const std::string& lines) {
     std::istringstream in(lines);
     return read_programmed_moves(in, router()).value();
 }
@@ -36,20 +36,20 @@ std::string line(double x, double y, double feed, const std::string& kind = "lin
 }
 
 TEST(ProgrammedMoves, HaveLengthsAndWhatTheAxesAllow) {
-    const auto moves = moves_of(line(30, 40, 6000) + line(30, 0, 600));
+    const auto moves = read_moves(line(30, 40, 6000) + line(30, 0, 600));
     ASSERT_EQ(moves.size(), 2U);
     EXPECT_DOUBLE_EQ(moves[0].length, 50);
     EXPECT_DOUBLE_EQ(moves[0].feed_s, 100);
-    EXPECT_DOUBLE_EQ(moves[0].most_speed, 100 / 0.8);
+    EXPECT_DOUBLE_EQ(moves[0].speed_limit, 100 / 0.8);
     EXPECT_DOUBLE_EQ(moves[0].acceleration, 1000 / 0.8);
     EXPECT_DOUBLE_EQ(moves[1].enters.y(), -1);
 }
 
 TEST(ProgrammedMoves, GoRoundArcs) {
-    const auto moves = moves_of(line(10, 0, 600) +
-                                R"({"kind":"arc_ccw","to":{"X":0,"Y":10,"Z":0},"center":{"X":0,"Y":0,"Z":0},)"
-                                R"("normal":{"X":0,"Y":0,"Z":1},"turns":1,"feed":600})"
-                                "\n");
+    const auto moves = read_moves(
+        line(10, 0, 600) + R"({"kind":"arc_ccw","to":{"X":0,"Y":10,"Z":0},"center":{"X":0,"Y":0,"Z":0},)"
+                           R"("normal":{"X":0,"Y":0,"Z":1},"turns":1,"feed":600})"
+                           "\n");
     ASSERT_EQ(moves.size(), 2U);
     EXPECT_NEAR(moves[1].length, 5 * std::numbers::pi, 1e-9);
     EXPECT_DOUBLE_EQ(moves[1].radius_mm, 10);
@@ -65,18 +65,18 @@ TEST(ProgrammedMoves, SayWhichLineIsNone) {
 }
 
 TEST(Estimators, OfLengthsAloneDivideByFeeds) {
-    const auto moves = moves_of(line(100, 0, 0, "rapid") + line(100, 50, 600) +
-                                R"({"kind":"dwell","start_s":1,"end_s":1.5})"
-                                "\n");
+    const auto moves = read_moves(line(100, 0, 0, "rapid") + line(100, 50, 600) +
+                                  R"({"kind":"dwell","start_s":1,"end_s":1.5})"
+                                  "\n");
     EXPECT_NEAR(length_over_feed_s(moves), 1 + 5 + 0.5, 1e-9);
     EXPECT_NEAR(camotics_s(moves), 100 / (10'000 / 60.0) + 5 + 0.5, 1e-9);
 }
 
 TEST(Estimators, OfTrapezoidsStopAtRightAnglesAndPassStraightOn) {
     // 100 mm at 100 mm/s and 1000 mm/s2 take L/v + v/a.
-    EXPECT_NEAR(linuxcnc_parse_s(moves_of(line(100, 0, 6000))), 1.1, 1e-9);
-    EXPECT_NEAR(linuxcnc_parse_s(moves_of(line(100, 0, 6000) + line(100, 100, 6000))), 2.2, 1e-9);
-    EXPECT_NEAR(linuxcnc_parse_s(moves_of(line(100, 0, 6000) + line(200, 0, 6000))), 2.1, 1e-9);
+    EXPECT_NEAR(linuxcnc_parse_s(read_moves(line(100, 0, 6000))), 1.1, 1e-9);
+    EXPECT_NEAR(linuxcnc_parse_s(read_moves(line(100, 0, 6000) + line(100, 100, 6000))), 2.2, 1e-9);
+    EXPECT_NEAR(linuxcnc_parse_s(read_moves(line(100, 0, 6000) + line(200, 0, 6000))), 2.1, 1e-9);
 }
 
 TEST(Estimators, OfTrapezoidsSeeThirtyTwoMovesAhead) {
@@ -84,7 +84,7 @@ TEST(Estimators, OfTrapezoidsSeeThirtyTwoMovesAhead) {
     std::string lines;
     for (int i = 1; i <= 2000; ++i) lines += line(0.01 * i, 0, 6000);
     const double speed = std::sqrt(2 * 1000 * 0.01 * 32);
-    EXPECT_NEAR(linuxcnc_parse_s(moves_of(lines)), 20 / speed + speed / 1000, 0.01);
+    EXPECT_NEAR(linuxcnc_parse_s(read_moves(lines)), 20 / speed + speed / 1000, 0.01);
 }
 
 }  // namespace

@@ -31,8 +31,8 @@ std::string read_all(std::FILE* file) {
     return text;
 }
 
-tl::expected<std::string, std::string> output_of(const std::vector<std::string>& command,
-                                                 const fs::path& input) {
+tl::expected<std::string, std::string> command_output(const std::vector<std::string>& command,
+                                                      const fs::path& input) {
     const os::FileHandle in(std::fopen(input.c_str(), "rb"));
     if (!in) return tl::unexpected(fmt::format("cannot read {}", input.string()));
     const os::FileHandle out(std::tmpfile());
@@ -80,12 +80,12 @@ tl::expected<std::string, std::string> GsimProgram::run_on(const fs::path& machi
         command.insert(command.end(), {"--machine-data", data.string()});
     }
     if (!recording.overrides.empty()) {
-        const fs::path turned = scratch_.write("overrides.toml", recording.overrides);
-        command.insert(command.end(), {"--overrides", turned.string()});
+        const fs::path overridden = scratch_.write("overrides.toml", recording.overrides);
+        command.insert(command.end(), {"--overrides", overridden.string()});
     }
     command.insert(command.end(), outputs.begin(), outputs.end());
     command.push_back(recording.program.string());
-    return output_of(command, "/dev/null").map_error([&](const std::string& message) {
+    return command_output(command, "/dev/null").map_error([&](const std::string& message) {
         return without_paths(message, gsim_run_, recording.program);
     });
 }
@@ -93,19 +93,19 @@ tl::expected<std::string, std::string> GsimProgram::run_on(const fs::path& machi
 tl::expected<double, std::string> GsimProgram::cycle_time_s(const Recording& recording) const {
     if (!recording.from_first_move) return run(recording, {}).and_then(read_cycle_time_s);
     const fs::path moves_file = scratch_.path() / "moves.jsonl";
-    const auto whole_s = run(recording, {"--moves", moves_file}).and_then(read_cycle_time_s);
-    if (!whole_s) return whole_s;
+    const auto total_s = run(recording, {"--moves", moves_file}).and_then(read_cycle_time_s);
+    if (!total_s) return total_s;
     std::ifstream moves(moves_file);
-    return *whole_s - first_motion_s(moves);
+    return *total_s - first_motion_s(moves);
 }
 
 tl::expected<ProgrammedRun, std::string> GsimProgram::programmed_run(const Recording& recording) const {
     auto machine = machine::load_machine(machine_file_in(machines_, recording.machine_file));
     if (!machine) return tl::unexpected(machine.error());
-    const machine::Machine whole = *machine;
+    const machine::Machine full = *machine;
     rrs::ControllerRules& rules = machine->controller;
     rules.planner = rrs::PlannerKind::rest_to_rest;
-    rules.arc_chord_tolerance_mm = rules.dwell_step_s = rules.rest_s = rules.servo_period_s = 0;
+    rules.arc_chord_tolerance_mm = rules.dwell_step_s = rules.dwell_s = rules.servo_period_s = 0;
     rules.path_measure = rrs::PathMeasure::tool;
     rules.limit_jerk = false;
     const fs::path from_rest_to_rest = scratch_.write("machine.toml", machine::print_machine(*machine));
@@ -114,7 +114,7 @@ tl::expected<ProgrammedRun, std::string> GsimProgram::programmed_run(const Recor
         return tl::unexpected(ran.error());
     std::ifstream moves(moves_file);
     return read_programmed_moves(moves, *machine).map([&](std::vector<ProgrammedMove> read) {
-        return ProgrammedRun{std::move(read), whole};
+        return ProgrammedRun{std::move(read), full};
     });
 }
 
@@ -138,8 +138,8 @@ tl::expected<double, std::string> read_cycle_time_s(const std::string& report) {
         const json object = text::parse_json<json>(report);
         const std::string status = object.at("status").get<std::string>();
         if (status == "completed") return object.at("cycle_time_s").get<double>();
-        const json& why = status == "violations" ? object.at("violations").at(0) : object.at("alarm");
-        return tl::unexpected(fmt::format("{}: {}", status, why.at("message").get<std::string>()));
+        const json& reason = status == "violations" ? object.at("violations").at(0) : object.at("alarm");
+        return tl::unexpected(fmt::format("{}: {}", status, reason.at("message").get<std::string>()));
     } catch (const std::exception& error) {  // nlohmann's
         return tl::unexpected(fmt::format("the report cannot be understood: {}", error.what()));
     }
@@ -155,7 +155,7 @@ double first_motion_s(std::istream& moves) {
 }
 
 tl::expected<TimedPath, std::string> recorded_path(const Recording& recording) {
-    const auto csv = output_of({"gzip", "-dc"}, recording.samples);
+    const auto csv = command_output({"gzip", "-dc"}, recording.samples);
     if (!csv) return tl::unexpected(csv.error());
     std::istringstream lines(*csv);
     auto samples = read_trajectory(lines);

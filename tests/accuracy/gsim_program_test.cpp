@@ -20,11 +20,11 @@ fs::path script(const conformance::ScratchFolder& folder, const std::string& bod
 }
 
 Recording recording(const conformance::ScratchFolder& folder) {
-    Recording made;
-    made.name = "router_a";
-    made.program = folder.path() / "router_a.ngc";
-    made.machine_file = "grbl-router.toml";
-    return made;
+    Recording sample_outcome;
+    sample_outcome.name = "router_a";
+    sample_outcome.program = folder.path() / "router_a.ngc";
+    sample_outcome.machine_file = "grbl-router.toml";
+    return sample_outcome;
 }
 
 TEST(CycleTime, IsThatOfACompletedRun) {
@@ -101,15 +101,15 @@ TEST(RecordedPath, IsUnpacked) {
     const conformance::ScratchFolder folder;
     const fs::path csv = folder.write("router_a.csv", "t,x,y,z,line\n0,0,0,0,0\n0.01,0.5,0,0,3\n");
     ASSERT_EQ(std::system(fmt::format("gzip '{}'", csv.string()).c_str()), 0);
-    Recording made = recording(folder);
-    made.samples = folder.path() / "router_a.csv.gz";
-    made.blocks = {{3, 0, 0.01}};
-    const auto path = recorded_path(made);
+    Recording sample_outcome = recording(folder);
+    sample_outcome.samples = folder.path() / "router_a.csv.gz";
+    sample_outcome.blocks = {{3, 0, 0.01}};
+    const auto path = recorded_path(sample_outcome);
     ASSERT_TRUE(path) << path.error();
     EXPECT_EQ(path->trajectory.size(), 2U);
     EXPECT_EQ(path->blocks.size(), 1U);
-    made.samples = folder.path() / "missing.csv.gz";
-    EXPECT_FALSE(recorded_path(made));
+    sample_outcome.samples = folder.path() / "missing.csv.gz";
+    EXPECT_FALSE(recorded_path(sample_outcome));
 }
 
 TEST(Moves, BeginWithTheFirstMotion) {

@@ -38,7 +38,7 @@ struct Line {
 Line line_of(const ProgrammedMove& move, double length_mm, const Eigen::Vector3d& direction,
              const machine::Machine& machine) {
     Line line{length_mm, direction, move.extruded, move.acceleration};
-    const double speed = std::min(move.feed_s, move.most_speed);
+    const double speed = std::min(move.feed_s, move.speed_limit);
     line.cruise_2 = speed * speed;
     line.gain_2 = 2 * length_mm * move.acceleration;
     const double beside_mm_s2 =
@@ -56,8 +56,8 @@ void add_chords(const ProgrammedMove& move, const machine::Machine& machine, std
     const Eigen::Vector3d flat = (move.enters - move.enters.dot(move.normal) * move.normal).normalized();
     for (double i = 0; i < count; ++i) {
         const Eigen::AngleAxisd turned((i + 0.5) * turn * move.sense, move.normal);
-        const Eigen::Vector3d way = flat_mm * (turned * flat) + climb_mm * move.normal;
-        lines.push_back(line_of(move, way.norm(), way.normalized(), machine));
+        const Eigen::Vector3d displacement = flat_mm * (turned * flat) + climb_mm * move.normal;
+        lines.push_back(line_of(move, displacement.norm(), displacement.normalized(), machine));
     }
 }
 

@@ -21,14 +21,14 @@ machine::Machine router() {
 
 ProgrammedMove line(double length_mm, double angle_deg = 0, double feed_mm_s = 100) {
     const double angle = angle_deg * std::numbers::pi / 180;
-    const Eigen::Vector3d way(std::cos(angle), std::sin(angle), 0);
+    const Eigen::Vector3d displacement(std::cos(angle), std::sin(angle), 0);
     return {.length_mm = length_mm,
             .length = length_mm,
             .feed_s = feed_mm_s,
-            .most_speed = 100,
+            .speed_limit = 100,
             .acceleration = 1000,
-            .enters = way,
-            .leaves = way};
+            .enters = displacement,
+            .leaves = displacement};
 }
 
 double time_s(const std::vector<ProgrammedMove>& moves) {
@@ -64,7 +64,7 @@ TEST(KlipperEstimator, ArcsAreChords) {
 }
 
 TEST(KlipperEstimator, TheExtruderGoesByItselfFromRestToRest) {
-    ProgrammedMove retract{.length = 2, .feed_s = 30, .most_speed = 80, .acceleration = 800};
+    ProgrammedMove retract{.length = 2, .feed_s = 30, .speed_limit = 80, .acceleration = 800};
     EXPECT_NEAR(time_s({line(50), retract, line(50)}), 2 * 0.6 + 2.0 / 30 + 30.0 / 800, 1e-9);
 }
 

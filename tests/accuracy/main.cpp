@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kGood = 0;
-constexpr int kOff = 1;
+constexpr int kExitFailed = 1;
 constexpr int kUsage = 2;
 constexpr int kSkipped = 77;  // exit status that CTest takes for a test that was not run
 
@@ -50,10 +50,10 @@ void add_options(apps::CommandLine& line, Arguments& arguments) {
         "folder with recordings in linuxcnc/, linuxcnc-master/, grbl/, grblhal/, klipper/; else that of the "
         "environment's "
         "GSIM_REFERENCE");
-    line.add("--gsim-run", &arguments.gsim_run, "the program gsim-run").shows_default();
+    line.add("--gsim-run", &arguments.gsim_run, "the program gsim-run").show_default();
     line.add("--machines", &arguments.machines,
              "folder of machine files CONTROLLER-MACHINE.toml; the first one that has a file counts")
-        .must_be_given();
+        .make_required();
     line.add("--markdown", &arguments.markdown, "tables in Markdown");
     line.add("--positions", &arguments.positions,
              "compare the positions of programs in G61.1 too; they count for the exit status");
@@ -117,10 +117,11 @@ constexpr std::array kEstimators{
     Estimator{"proposed to LinuxCNC",
               [](Moves moves, const machine::Machine&) { return linuxcnc_parse_s(moves); }},
     Estimator{"klipper_estimator", klipper_estimator_s, false}};
-constexpr std::size_t kOfAll = 3;
+constexpr std::size_t kCommonEstimators = 3;
 
 std::span<const Estimator> estimators_of(const Controller& controller) {
-    return std::span(kEstimators).first(controller.name == "klipper" ? kEstimators.size() : kOfAll);
+    return std::span(kEstimators)
+        .first(controller.name == "klipper" ? kEstimators.size() : kCommonEstimators);
 }
 
 // By words of Klipper's.
@@ -207,7 +208,7 @@ int run(const Arguments& arguments) {
     }
     if (!any) throw std::runtime_error(fmt::format("no recordings in {}", arguments.folder));
     if (arguments.summary) fmt::print("{}", distribution_table(rows, arguments.markdown));
-    return good ? kGood : kOff;
+    return good ? kGood : kExitFailed;
 }
 
 }  // namespace

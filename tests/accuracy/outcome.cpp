@@ -27,9 +27,9 @@ std::string_view name(Mark mark) {
 
 Mark mark(const TimeOutcome& outcome, const Controller& controller) {
     if (!outcome.counted) return Mark::not_counted;
-    if (!outcome.found_s) return Mark::refused;
-    if (controller.close.holds(outcome.error_s(), outcome.recorded_s)) return Mark::close;
-    return controller.fair.holds(outcome.error_s(), outcome.recorded_s) ? Mark::fair : Mark::off;
+    if (!outcome.found_s) return Mark::rejected;
+    if (controller.close.is_within(outcome.error_s(), outcome.recorded_s)) return Mark::close;
+    return controller.fair.is_within(outcome.error_s(), outcome.recorded_s) ? Mark::fair : Mark::off;
 }
 
 bool Summary::good() const {

@@ -25,7 +25,7 @@ struct TimeOutcome {
     double error_percent() const;
 };
 
-enum class Mark { close, fair, off, refused, not_counted };
+enum class Mark { close, fair, off, rejected, not_counted };
 
 std::string_view name(Mark mark);
 Mark mark(const TimeOutcome& outcome, const Controller& controller);

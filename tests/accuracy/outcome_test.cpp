@@ -11,27 +11,27 @@ namespace {
 const Controller kController{"any", "", "", true, {0.5, 0.005}, {2, 0.005}};
 
 TimeOutcome outcome(double recorded_s, double found_s) {
-    TimeOutcome made;
-    made.name = "router_a";
-    made.recorded_s = recorded_s;
-    made.found_s = found_s;
-    return made;
+    TimeOutcome sample_outcome;
+    sample_outcome.name = "router_a";
+    sample_outcome.recorded_s = recorded_s;
+    sample_outcome.found_s = found_s;
+    return sample_outcome;
 }
 
-TimeOutcome refused() {
-    TimeOutcome made = outcome(1, 1);
-    made.found_s = tl::unexpected<std::string>("alarm");
-    return made;
+TimeOutcome rejected() {
+    TimeOutcome sample_outcome = outcome(1, 1);
+    sample_outcome.found_s = tl::unexpected<std::string>("alarm");
+    return sample_outcome;
 }
 
-TimeOutcome uncounted(TimeOutcome made) {
-    made.counted = false;
-    return made;
+TimeOutcome uncounted(TimeOutcome sample_outcome) {
+    sample_outcome.counted = false;
+    return sample_outcome;
 }
 
-TimeOutcome known(TimeOutcome made) {
-    made.known = "a reason";
-    return made;
+TimeOutcome known(TimeOutcome sample_outcome) {
+    sample_outcome.known = "a reason";
+    return sample_outcome;
 }
 
 TEST(TimeOutcome, IsMarkedByTheTolerances) {
@@ -40,8 +40,8 @@ TEST(TimeOutcome, IsMarkedByTheTolerances) {
     EXPECT_EQ(mark(outcome(10, 10.21), kController), Mark::off);
     EXPECT_EQ(mark(outcome(10, std::nan("")), kController), Mark::off);
     EXPECT_EQ(mark(outcome(0.1, 0.105), kController), Mark::close);
-    EXPECT_EQ(mark(refused(), kController), Mark::refused);
-    EXPECT_EQ(mark(uncounted(refused()), kController), Mark::not_counted);
+    EXPECT_EQ(mark(rejected(), kController), Mark::rejected);
+    EXPECT_EQ(mark(uncounted(rejected()), kController), Mark::not_counted);
     EXPECT_EQ(name(Mark::close), "good");
     EXPECT_EQ(name(Mark::not_counted), "not counted");
 }
@@ -53,7 +53,7 @@ TEST(TimeOutcome, HasAnErrorInPercentOfTheRecordedTime) {
 }
 
 TEST(Summary, CountsAndFindsTheLargestError) {
-    std::vector<TimeOutcome> outcomes{outcome(10, 10.01), outcome(10, 9.85), outcome(1, 1.5), refused(),
+    std::vector<TimeOutcome> outcomes{outcome(10, 10.01), outcome(10, 9.85), outcome(1, 1.5), rejected(),
                                       uncounted(outcome(1, 9))};
     outcomes[2].name = "worst";
     const Summary summary = summarize(outcomes, kController);
@@ -92,14 +92,14 @@ TEST(Summary, ForgivesWhatIsKnownButNotInThe95Percent) {
     EXPECT_FALSE(summarize(outcomes, kController).good());
     outcomes.back() = known(outcome(10, 11));
     EXPECT_TRUE(summarize(outcomes, kController).good());
-    outcomes.back() = known(refused());
+    outcomes.back() = known(rejected());
     EXPECT_TRUE(summarize(outcomes, kController).good());
     outcomes.push_back(known(outcome(10, 11)));
     EXPECT_FALSE(summarize(outcomes, kController).good());  // 19 of 21
 }
 
 TEST(Summary, IsNotSpoiltByWhatIsNotCounted) {
-    const std::vector<TimeOutcome> outcomes{outcome(10, 10), uncounted(outcome(1, 9)), uncounted(refused())};
+    const std::vector<TimeOutcome> outcomes{outcome(10, 10), uncounted(outcome(1, 9)), uncounted(rejected())};
     EXPECT_TRUE(summarize(outcomes, kController).good());
 }
 

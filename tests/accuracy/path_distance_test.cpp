@@ -12,12 +12,12 @@ constexpr double kMove_s = 0.8;  // until standstill at the target
 constexpr double kLength_mm = kAcceleration_mm_s2 * kMove_s * kMove_s / 4;
 
 // Returns the distance of a move that speeds up for half its time and slows down for the other half.
-double way_mm(double t_s) {
+double distance_mm(double t_s) {
     if (t_s <= 0) return 0;
     if (t_s >= kMove_s) return kLength_mm;
     if (t_s <= kMove_s / 2) return kAcceleration_mm_s2 * t_s * t_s / 2;
-    const double left_s = kMove_s - t_s;
-    return kLength_mm - kAcceleration_mm_s2 * left_s * left_s / 2;
+    const double remaining_s = kMove_s - t_s;
+    return kLength_mm - kAcceleration_mm_s2 * remaining_s * remaining_s / 2;
 }
 
 // Line 3 along X, after a pause line 5 along Y, sampled every 10 ms.
@@ -27,7 +27,7 @@ TimedPath two_moves(double pause_s, double sideways_mm = 0) {
     const double end_s = second_s + kMove_s;
     for (int i = 0; i * 0.01 <= end_s; ++i) {
         const double t_s = i * 0.01;
-        path.trajectory.push_back({t_s, {way_mm(t_s), way_mm(t_s - second_s), sideways_mm}});
+        path.trajectory.push_back({t_s, {distance_mm(t_s), distance_mm(t_s - second_s), sideways_mm}});
     }
     path.trajectory.push_back({end_s, {kLength_mm, kLength_mm, sideways_mm}});
     path.blocks = {{3, 0, kMove_s}, {5, second_s, end_s}};

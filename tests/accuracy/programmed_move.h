@@ -19,7 +19,7 @@ struct ProgrammedMove {
     double length = 0;        ///< Length that its feed refers to: length_mm, or degrees.
     double all_axes = 0;      ///< Norm of the distances of all axes, a degree as a mm.
     double feed_s = 0;        ///< Programmed speed, mm/s or deg/s; of no meaning in a rapid.
-    double most_speed = 0;    ///< Limit of all axes along the path, as feed_s.
+    double speed_limit = 0;   ///< Limit of all axes along the path, as feed_s.
     double acceleration = 0;  ///< The same of accelerations.
     double radius_mm = 0;     ///< Radius of an arc, else 0, as what follows.
     double sweep_rad = 0;

@@ -65,7 +65,7 @@ bool is_four(std::string_view text) {
     return text.empty() || text[0] < '0' || text[0] > '9';
 }
 
-fs::path figures_of(const fs::path& program) {
+fs::path times_file_of(const fs::path& program) {
     return fs::path(program).replace_extension(".json");
 }
 
@@ -78,7 +78,7 @@ tl::expected<std::map<std::string, double>, std::string> listed_times(const fs::
         read_file(table).and_then([&](const std::string& text) { return read_times(text, controller); });
     if (!times) return tl::unexpected(fmt::format("{}: {}", table.string(), times.error()));
     std::erase_if(*times, [&](const auto& listed) {
-        return fs::is_regular_file(figures_of(folder / (listed.first + ".ngc")));
+        return fs::is_regular_file(times_file_of(folder / (listed.first + ".ngc")));
     });
     return times;
 }
@@ -96,11 +96,11 @@ tl::expected<Recording, std::string> read_recording(const fs::path& program, con
     if (const auto listed = times.find(recording.name); listed != times.end()) {
         recording.cycle_time_s = listed->second;
     } else {
-        const fs::path figures = figures_of(program);
-        const auto json_text = read_file(figures);
+        const fs::path times_file = times_file_of(program);
+        const auto json_text = read_file(times_file);
         if (!json_text) return tl::unexpected(json_text.error());
-        if (const auto read = read_figures(*json_text, controller, recording); !read)
-            return tl::unexpected(fmt::format("{}: {}", figures.string(), read.error()));
+        if (const auto read = read_recorded_values(*json_text, controller, recording); !read)
+            return tl::unexpected(fmt::format("{}: {}", times_file.string(), read.error()));
     }
     recording.from_first_move = controller.from_first_move;
     recording.tools = controller.tools;
@@ -128,7 +128,7 @@ tl::expected<std::vector<Recording>, std::string> find_recordings(const fs::path
          entry.increment(error)) {
         const fs::path& file = entry->path();
         if (file.extension() != ".ngc") continue;
-        if (times->contains(file.stem().string()) || fs::is_regular_file(figures_of(file)))
+        if (times->contains(file.stem().string()) || fs::is_regular_file(times_file_of(file)))
             programs.push_back(file);
     }
     if (error) return tl::unexpected(fmt::format("cannot read {}: {}", folder.string(), error.message()));
@@ -142,14 +142,14 @@ tl::expected<std::vector<Recording>, std::string> find_recordings(const fs::path
     return recordings;
 }
 
-tl::expected<void, std::string> read_figures(const std::string& json_text, const Controller& controller,
-                                             Recording& recording) {
+tl::expected<void, std::string> read_recorded_values(const std::string& json_text,
+                                                     const Controller& controller, Recording& recording) {
     try {
-        const json figures = text::parse_json<json>(json_text);
-        recording.cycle_time_s = time_in(figures.at(std::string(controller.time_key)));
-        recording.note = figures.at(std::string(controller.note_key)).get<std::string>();
-        recording.exact_stop = figures.value("mode", "") == "G61.1";
-        if (figures.contains("time_per_line")) recording.blocks = blocks_in(figures["time_per_line"]);
+        const json times_file = text::parse_json<json>(json_text);
+        recording.cycle_time_s = time_in(times_file.at(std::string(controller.time_key)));
+        recording.note = times_file.at(std::string(controller.note_key)).get<std::string>();
+        recording.exact_stop = times_file.value("mode", "") == "G61.1";
+        if (times_file.contains("time_per_line")) recording.blocks = blocks_in(times_file["time_per_line"]);
     } catch (const std::exception& error) {  // those of nlohmann and our own
         return tl::unexpected<std::string>(error.what());
     }

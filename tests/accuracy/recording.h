@@ -37,8 +37,8 @@ tl::expected<std::vector<Recording>, std::string> find_recordings(const std::fil
                                                                   const Controller& controller);
 
 /// Stores the values from the JSON of a recording in it; the error names the missing value.
-tl::expected<void, std::string> read_figures(const std::string& json_text, const Controller& controller,
-                                             Recording& recording);
+tl::expected<void, std::string> read_recorded_values(const std::string& json_text,
+                                                     const Controller& controller, Recording& recording);
 
 /// The times of a table by the names of the programs: lines of columns with tabs between, under a line that
 /// names them

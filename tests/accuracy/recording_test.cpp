@@ -12,11 +12,11 @@ constexpr const Controller& kGrbl = kControllers[1];
 constexpr const Controller& kLinuxcnc2 = kControllers[2];
 
 TEST(Recording, HasTheTimeOfItsController) {
-    const std::string figures =
+    const std::string times_json =
         R"({"cycle_time_s": 3.618, "cycle_time_nominal_s": 3.5, "mode": "G61.1", "notes": "a square",
             "time_per_line": [[3, 0.904], [4, 0.904], [0, 0.002]]})";
     Recording linuxcnc;
-    ASSERT_TRUE(read_figures(figures, kLinuxcnc, linuxcnc));
+    ASSERT_TRUE(read_recorded_values(times_json, kLinuxcnc, linuxcnc));
     EXPECT_EQ(linuxcnc.cycle_time_s, 3.618);
     EXPECT_EQ(linuxcnc.note, "G61.1");
     EXPECT_TRUE(linuxcnc.exact_stop);
@@ -25,18 +25,18 @@ TEST(Recording, HasTheTimeOfItsController) {
     EXPECT_EQ(linuxcnc.blocks[1].start_s, 0.904);
 
     Recording grbl;
-    ASSERT_TRUE(read_figures(figures, kGrbl, grbl));
+    ASSERT_TRUE(read_recorded_values(times_json, kGrbl, grbl));
     EXPECT_EQ(grbl.cycle_time_s, 3.5);
     EXPECT_EQ(grbl.note, "a square");
 }
 
 TEST(Recording, SaysWhatItsFiguresLack) {
     Recording recording;
-    EXPECT_FALSE(read_figures("{", kGrbl, recording));
-    EXPECT_FALSE(read_figures("[]", kGrbl, recording));
-    EXPECT_FALSE(read_figures(R"({"cycle_time_s": 1, "notes": ""})", kGrbl, recording));
-    EXPECT_FALSE(read_figures(R"({"cycle_time_s": "1", "mode": ""})", kLinuxcnc, recording));
-    const auto negative = read_figures(R"({"cycle_time_s": -1, "mode": ""})", kLinuxcnc, recording);
+    EXPECT_FALSE(read_recorded_values("{", kGrbl, recording));
+    EXPECT_FALSE(read_recorded_values("[]", kGrbl, recording));
+    EXPECT_FALSE(read_recorded_values(R"({"cycle_time_s": 1, "notes": ""})", kGrbl, recording));
+    EXPECT_FALSE(read_recorded_values(R"({"cycle_time_s": "1", "mode": ""})", kLinuxcnc, recording));
+    const auto negative = read_recorded_values(R"({"cycle_time_s": -1, "mode": ""})", kLinuxcnc, recording);
     ASSERT_FALSE(negative);
     EXPECT_EQ(negative.error(), "a time is negative");
 }
@@ -107,10 +107,10 @@ TEST(Recordings, MayBeLinesOfATable) {
 TEST(Recordings, NameTheFileThatCannotBeRead) {
     const conformance::ScratchFolder folder;
     folder.write("router_a.ngc", "");
-    const auto figures = folder.write("router_a.json", "{}");
+    const auto times_json = folder.write("router_a.json", "{}");
     const auto recordings = find_recordings(folder.path(), kLinuxcnc);
     ASSERT_FALSE(recordings);
-    EXPECT_EQ(recordings.error().find(figures.string()), 0U) << recordings.error();
+    EXPECT_EQ(recordings.error().find(times_json.string()), 0U) << recordings.error();
     EXPECT_FALSE(find_recordings(folder.path() / "missing", kLinuxcnc));
 }
 

@@ -56,10 +56,10 @@ std::string remarks(const TimeOutcome& outcome, Format format) {
 }
 
 std::string within(const Tolerance& tolerance) {
-    return fmt::format("within {} % or {} ms", tolerance.percent, 1000 * tolerance.least_s);
+    return fmt::format("within {} % or {} ms", tolerance.percent, 1000 * tolerance.min_s);
 }
 
-std::string figures(const Summary& summary, const Controller& controller) {
+std::string summary_text(const Summary& summary, const Controller& controller) {
     std::string text =
         fmt::format("{} of {} {}; {} of {} {}", summary.close, summary.counted, within(controller.close),
                     summary.fair, summary.counted, within(controller.fair));
@@ -105,7 +105,7 @@ std::string time_report(std::span<const TimeOutcome> outcomes, const Controller&
         all_remarks += remarks(outcome, format);
     }
     return heading(fmt::format("Cycle times, {}", controller.name), format) + table(columns, rows, format) +
-           with_gap(all_remarks) + figures(summarize(outcomes, controller), controller) + "\n\n";
+           with_gap(all_remarks) + summary_text(summarize(outcomes, controller), controller) + "\n\n";
 }
 
 std::string path_report(std::span<const PathOutcome> outcomes, const Controller& controller, Format format) {

@@ -15,40 +15,40 @@ namespace {
 namespace fs = std::filesystem;
 
 // Returns the part of `text` up to `end`, and removes both from `text`.
-std::string_view take(std::string_view& text, char end) {
+std::string_view next_field(std::string_view& text, char end) {
     const std::size_t at = std::min(text.find(end), text.size());
     const std::string_view part = text.substr(0, at);
     text.remove_prefix(std::min(at + 1, text.size()));
     return part;
 }
 
-std::vector<std::string> columns_of(std::string_view line) {
+std::vector<std::string> split_columns(std::string_view line) {
     if (line.ends_with('\r')) line.remove_suffix(1);
     std::vector<std::string> columns;
-    while (!line.empty()) columns.emplace_back(take(line, '\t'));
+    while (!line.empty()) columns.emplace_back(next_field(line, '\t'));
     return columns;
 }
 
-tl::expected<Recording, std::string> run_in(const TableRow& row, const fs::path& program,
-                                            const Controller& controller) {
+tl::expected<Recording, std::string> parse_run(const TableRow& row, const fs::path& program,
+                                               const Controller& controller) {
     const auto time_s = column_s(row, controller.time_key);
     if (!time_s) return tl::unexpected(time_s.error());
     const auto pause_s = row.contains("pause_s") ? column_s(row, "pause_s") : 0.0;
     if (!pause_s) return tl::unexpected(pause_s.error());
-    const auto turned = overrides_of(text_in(row, "inputs"));
+    const auto overridden = overrides_of(text_in(row, "inputs"));
     Recording run;
     run.name = program.stem().string();
     if (controller.runs->variant_of != nullptr) run.name += ' ' + controller.runs->variant_of(row);
     run.program = program;
     run.dialect = controller.dialect;
-    run.machine_file = controller.runs->machine_of(row) + ".toml";
+    run.machine_file = controller.runs->machine_name(row) + ".toml";
     run.cycle_time_s = *time_s - *pause_s;
-    run.overrides = turned.value_or("");
+    run.overrides = overridden.value_or("");
     run.from_first_move = controller.from_first_move;
     run.tools = controller.tools;
     std::string left_out;
-    if (!turned) {
-        left_out = turned.error();
+    if (!overridden) {
+        left_out = overridden.error();
     } else if (controller.runs->left_out_for != nullptr) {
         left_out = controller.runs->left_out_for(row);
     }
@@ -70,10 +70,10 @@ tl::expected<double, std::string> column_s(const TableRow& row, std::string_view
 }
 
 std::vector<TableRow> read_rows(std::string_view table) {
-    const std::vector<std::string> heading = columns_of(take(table, '\n'));
+    const std::vector<std::string> heading = split_columns(next_field(table, '\n'));
     std::vector<TableRow> rows;
     while (!table.empty()) {
-        const std::vector<std::string> columns = columns_of(take(table, '\n'));
+        const std::vector<std::string> columns = split_columns(next_field(table, '\n'));
         if (columns.empty()) continue;
         TableRow& row = rows.emplace_back();
         for (std::size_t i = 0; i < std::min(columns.size(), heading.size()); ++i)
@@ -89,7 +89,7 @@ tl::expected<std::vector<Recording>, std::string> listed_runs(const fs::path& fo
     for (const TableRow& row : rows) {
         const fs::path program = folder / (text_in(row, "name") + ".ngc");
         if (!fs::is_regular_file(program)) continue;
-        auto run = run_in(row, program, controller);
+        auto run = parse_run(row, program, controller);
         if (!run) return tl::unexpected(fmt::format("{}: {}", program.stem().string(), run.error()));
         runs.push_back(*std::move(run));
     }

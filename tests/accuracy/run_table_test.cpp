@@ -7,19 +7,19 @@
 namespace gsim::accuracy::run_table_test {
 namespace {
 
-std::string machine_of(const TableRow& row) {
+std::string machine_name(const TableRow& row) {
     return "box-" + row.at("machine");
 }
 
-std::string kind_of(const TableRow& row) {
+std::string error_kind(const TableRow& row) {
     return row.at("kind");
 }
 
-std::string fault_of(const TableRow& row) {
+std::string error_message(const TableRow& row) {
     return row.contains("flag") ? row.at("flag") : std::string();
 }
 
-constexpr RunTable kRuns{machine_of, kind_of, fault_of};
+constexpr RunTable kRuns{machine_name, error_kind, error_message};
 constexpr Controller kBox{
     .name = "box", .time_key = "time_s", .note_key = "note", .tools = 3, .runs = &kRuns};
 

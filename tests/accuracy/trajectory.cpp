@@ -87,11 +87,11 @@ std::array<double, 3> place_at_mm(const Trajectory& trajectory, double t_s) {
     if (later == trajectory.end()) return trajectory.back().at_mm;
     const auto earlier = std::prev(later);
     const double part = (t_s - earlier->t_s) / (later->t_s - earlier->t_s);
-    std::array<double, 3> place_mm{};
-    for (std::size_t axis = 0; axis < place_mm.size(); ++axis) {
-        place_mm[axis] = std::lerp(earlier->at_mm[axis], later->at_mm[axis], part);
+    std::array<double, 3> position_mm{};
+    for (std::size_t axis = 0; axis < position_mm.size(); ++axis) {
+        position_mm[axis] = std::lerp(earlier->at_mm[axis], later->at_mm[axis], part);
     }
-    return place_mm;
+    return position_mm;
 }
 
 }  // namespace gsim::accuracy

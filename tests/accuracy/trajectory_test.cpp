@@ -7,7 +7,7 @@
 namespace gsim::accuracy::trajectory_test {
 namespace {
 
-using Place = std::array<double, 3>;
+using Position = std::array<double, 3>;
 
 Trajectory read(const std::string& text) {
     std::istringstream csv(text);
@@ -29,10 +29,10 @@ TEST(Trajectory, IsReadByTheNamesOfItsColumns) {
         "0.010,0.04,-1.5,2.25,7,8,11.0,3,2\n");
     ASSERT_EQ(recorded.size(), 2U);
     EXPECT_EQ(recorded[1].t_s, 0.01);
-    EXPECT_EQ(recorded[1].at_mm, (Place{0.04, -1.5, 2.25}));
+    EXPECT_EQ(recorded[1].at_mm, (Position{0.04, -1.5, 2.25}));
     const Trajectory found = read("t_s,line,z_mm,x_mm,y_mm,speed_mm_s\r\n0,,3,1,2,0\r\n");
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found[0].at_mm, (Place{1, 2, 3}));
+    EXPECT_EQ(found[0].at_mm, (Position{1, 2, 3}));
 }
 
 TEST(Trajectory, SaysWhatCannotBeRead) {
@@ -47,12 +47,12 @@ TEST(Trajectory, SaysWhatCannotBeRead) {
 
 TEST(Trajectory, IsStraightBetweenSamplesAndRestsOutsideThem) {
     const Trajectory trajectory{{1, {0, 0, 0}}, {2, {10, -4, 0}}, {2, {20, 0, 0}}, {4, {20, 0, 8}}};
-    EXPECT_EQ(place_at_mm(trajectory, 0), (Place{0, 0, 0}));
-    EXPECT_EQ(place_at_mm(trajectory, 1.25), (Place{2.5, -1, 0}));
-    EXPECT_EQ(place_at_mm(trajectory, 2), (Place{10, -4, 0}));
-    EXPECT_EQ(place_at_mm(trajectory, 3.5), (Place{20, 0, 6}));
-    EXPECT_EQ(place_at_mm(trajectory, 4), (Place{20, 0, 8}));
-    EXPECT_EQ(place_at_mm(trajectory, 99), (Place{20, 0, 8}));
+    EXPECT_EQ(place_at_mm(trajectory, 0), (Position{0, 0, 0}));
+    EXPECT_EQ(place_at_mm(trajectory, 1.25), (Position{2.5, -1, 0}));
+    EXPECT_EQ(place_at_mm(trajectory, 2), (Position{10, -4, 0}));
+    EXPECT_EQ(place_at_mm(trajectory, 3.5), (Position{20, 0, 6}));
+    EXPECT_EQ(place_at_mm(trajectory, 4), (Position{20, 0, 8}));
+    EXPECT_EQ(place_at_mm(trajectory, 99), (Position{20, 0, 8}));
 }
 
 }  // namespace

@@ -56,12 +56,12 @@ TEST_F(AutopathInCell, WaysLeadPastTheBlockThatARunFindsWithout) {
     ASSERT_EQ(autopath({}).status, 0);
     const Ended hit = drive();
     EXPECT_EQ(hit.status, 1) << hit.out;
-    EXPECT_TRUE(holds(hit.out, "block")) << hit.out;
-    const Ended made = autopath({"--cell", "cell.toml"});
-    ASSERT_EQ(made.status, 0) << made.err;
-    EXPECT_TRUE(holds(made.err, "nothing is touched")) << made.err;
-    const Ended clean = drive();
-    EXPECT_EQ(clean.status, 0) << clean.out;
+    EXPECT_TRUE(contains(hit.out, "block")) << hit.out;
+    const Ended outcome = autopath({"--cell", "cell.toml"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "nothing is touched")) << outcome.err;
+    const Ended is_clean = drive();
+    EXPECT_EQ(is_clean.status, 0) << is_clean.out;
 }
 
 TEST_F(AutopathInCell, WithNothingInTheWayThePathIsTheSame) {
@@ -80,11 +80,11 @@ TEST_F(AutopathInCell, AHoleBelowAClampIsRefusedByItsName) {
     cell(std::string(kPlate) +
          "[[object]]\nname = \"clamp\"\nshape = { box_mm = [40.0, 40.0, 30.0] }\n"
          "frame = { x_mm = 750.0, y_mm = 530.0, z_mm = 115.0 }\n");
-    const Ended made = autopath({"--cell", "cell.toml"});
-    EXPECT_EQ(made.status, 1) << made.err;
-    EXPECT_TRUE(holds(made.err, "contour 2")) << made.err;
-    EXPECT_TRUE(holds(made.err, "touches 'clamp'")) << made.err;
-    EXPECT_FALSE(holds(made.err, "contour 1")) << made.err;
+    const Ended outcome = autopath({"--cell", "cell.toml"});
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "contour 2")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "touches 'clamp'")) << outcome.err;
+    EXPECT_FALSE(contains(outcome.err, "contour 1")) << outcome.err;
     EXPECT_FALSE(exists("holes.path.json"));
 }
 
@@ -95,31 +95,31 @@ TEST_F(AutopathInCell, TheWorkOffsetOfTheMachineDataCounts) {
           "clearance_mm = 2.0\n" +
               std::string(kPlate) + kBlock);
     write("data.txt", "NCFILE\nOFFSET\n54 500 500 100\nENDFILE\n");
-    const Ended made = run_program(
+    const Ended outcome = run_program(
         tests::program_path("autopath"),
         {"holes.svg", "--speed", "400", "--kerf", "1", "--cell", "cell.toml", "-o", "holes.path.json"},
         folder_);
-    ASSERT_EQ(made.status, 0) << made.err;
-    EXPECT_TRUE(holds(made.err, "of 3 ways lead round something")) << made.err;
-    const Ended clean = drive();
-    EXPECT_EQ(clean.status, 0) << clean.out << clean.err;
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "of 3 ways lead round something")) << outcome.err;
+    const Ended is_clean = drive();
+    EXPECT_EQ(is_clean.status, 0) << is_clean.out << is_clean.err;
 }
 
 TEST_F(AutopathInCell, WhatTheMachineDoesNotReachIsSaidWithItsContour) {
     cell(kPlate);
-    const Ended made = run_program(tests::program_path("autopath"),
-                                   {"holes.svg", "--speed", "400", "--kerf", "1", "--at", "1700", "500",
-                                    "100", "--machine", "af5", "-o", "holes.path.json"},
-                                   folder_);
-    EXPECT_EQ(made.status, 1) << made.err;
-    EXPECT_TRUE(holds(made.err, "contour 2")) << made.err;
-    EXPECT_TRUE(holds(made.err, "X")) << made.err;
+    const Ended outcome = run_program(tests::program_path("autopath"),
+                                      {"holes.svg", "--speed", "400", "--kerf", "1", "--at", "1700", "500",
+                                       "100", "--machine", "af5", "-o", "holes.path.json"},
+                                      folder_);
+    EXPECT_EQ(outcome.status, 1) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "contour 2")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "X")) << outcome.err;
 }
 
 TEST_F(AutopathInCell, ACellThatIsNotThereIsAnError) {
-    const Ended made = autopath({"--cell", "nowhere.toml"});
-    EXPECT_NE(made.status, 0);
-    EXPECT_TRUE(holds(made.err, "nowhere.toml")) << made.err;
+    const Ended outcome = autopath({"--cell", "nowhere.toml"});
+    EXPECT_NE(outcome.status, 0);
+    EXPECT_TRUE(contains(outcome.err, "nowhere.toml")) << outcome.err;
     EXPECT_FALSE(exists("holes.path.json"));
 }
 

@@ -127,9 +127,9 @@ TEST_F(Cell, TheSampleRunsWithItsMachine) {
     const std::string cell = tests::source_path("samples/cell/table.toml");
     const Ended e = gsim_run({part, "--cell", cell});
     EXPECT_EQ(e.status, 1);
-    EXPECT_TRUE(holds(e.out, "nozzle end and mould")) << e.out;
+    EXPECT_TRUE(contains(e.out, "nozzle end and mould")) << e.out;
     const Ended quiet = gsim_run({part, "--cell", cell, "--quiet"});
-    EXPECT_TRUE(holds(quiet.err, "collisions: ")) << quiet.err;
+    EXPECT_TRUE(contains(quiet.err, "collisions: ")) << quiet.err;
 }
 
 /// Returns a cell file text with one of its clamps moved along the clamp's own X.
@@ -152,9 +152,9 @@ TEST_F(Cell, TheTestPartIsCutInItsCellAndAClampInTheWayIsFound) {
         EXPECT_EQ(e.status, status) << e.err;
         return text::parse_json<json>(e.out);
     };
-    const json clean = run(samples + "cell/wheel.toml", 0);
-    EXPECT_EQ(clean["collisions"].size() + clean["clearances"].size(), 0U);
-    const json& looked = clean["cell"]["looked_at"];
+    const json is_clean = run(samples + "cell/wheel.toml", 0);
+    EXPECT_EQ(is_clean["collisions"].size() + is_clean["clearances"].size(), 0U);
+    const json& looked = is_clean["cell"]["looked_at"];
     EXPECT_EQ(looked["objects"], 12);
     EXPECT_EQ(looked["jets"], 1);
     EXPECT_GT(looked["pairs"], 300);
@@ -181,7 +181,7 @@ TEST_F(Cell, FaultsOfTheFileAreErrorsOfUsage) {
     const std::string part = write("part.nc", "G0 X1\n");
     const Ended e = gsim_run({part, "--cell", write("bad.toml", "[cell]\nname = 3\n")});
     EXPECT_EQ(e.status, 2);
-    EXPECT_TRUE(holds(e.err, "bad.toml:2:")) << e.err;
+    EXPECT_TRUE(contains(e.err, "bad.toml:2:")) << e.err;
     EXPECT_EQ(gsim_run({part, "--cell", "none.toml"}).status, 2);
 }
 

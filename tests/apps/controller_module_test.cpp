@@ -79,38 +79,39 @@ TEST_F(ControllerModule, ItLeadsTheTip) {
 
 TEST_F(ControllerModule, OneThatCannotBeUsedIsAnErrorOfUsage) {
     const std::string part = write("part.nc", kPart);
-    const auto refused = [&](const std::string& name, const std::string& why) {
+    const auto rejected = [&](const std::string& name, const std::string& reason) {
         const Ended e = gsim_run({part, "--rcs", test_module(name)});
         EXPECT_EQ(e.status, 2) << name;
-        EXPECT_TRUE(holds(e.err, why)) << e.err;
+        EXPECT_TRUE(contains(e.err, reason)) << e.err;
     };
-    refused("crash_on_load",
-            "the controller module crash_on_load.so crashed (signal 11) while it was loaded");
-    refused("no_module", "no_module.so is no controller module: it has no gsim_rcs_version");
-    refused("other_version", "version 3 of the interface");
-    refused("no_initialize", "no_initialize.so does not offer the service Initialize");
-    refused("there_is_none", "there_is_none.so");
+    rejected("crash_on_load",
+             "the controller module crash_on_load.so crashed (signal 11) while it was loaded");
+    rejected("no_module", "no_module.so is no controller module: it has no gsim_rcs_version");
+    rejected("other_version", "version 3 of the interface");
+    rejected("no_initialize", "no_initialize.so does not offer the service Initialize");
+    rejected("there_is_none", "there_is_none.so");
 }
 
 TEST_F(ControllerModule, OneThatAnswersGarbageEndsTheRunWithAnAlarm) {
     const Ended e =
         gsim_run({write("part.nc", "G1 X10 F600\nM2\n"), "--quiet", "--rcs", test_module("nan_answer")});
     EXPECT_EQ(e.status, 1);
-    EXPECT_TRUE(holds(e.err, "The controller module nan_answer.so answered GetNextStep with the value nan"))
+    EXPECT_TRUE(
+        contains(e.err, "The controller module nan_answer.so answered GetNextStep with the value nan"))
         << e.err;
 }
 
 TEST_F(ControllerModule, WithoutTheProgramThatItRunsInItIsRefusedButMayRunInThisOne) {
     const std::string part = write("part.nc", kPart);
-    const std::string alone = folder_ / "gsim";
-    std::filesystem::copy_file(std::filesystem::canonical(tests::program_path("gsim")), alone);
+    const std::string standalone = folder_ / "gsim";
+    std::filesystem::copy_file(std::filesystem::canonical(tests::program_path("gsim")), standalone);
     std::vector<std::string> arguments{"run", "--quiet", part, "--rcs", tests::default_module_path()};
-    const Ended refused = run_program(alone, arguments, folder_);
-    EXPECT_EQ(refused.status, 2);
-    EXPECT_TRUE(holds(refused.err, "the program gsim-rcs-host is neither in '")) << refused.err;
-    EXPECT_TRUE(holds(refused.err, "(--rcs-in-process does without)")) << refused.err;
+    const Ended rejected = run_program(standalone, arguments, folder_);
+    EXPECT_EQ(rejected.status, 2);
+    EXPECT_TRUE(contains(rejected.err, "the program gsim-rcs-host is neither in '")) << rejected.err;
+    EXPECT_TRUE(contains(rejected.err, "(--rcs-in-process does without)")) << rejected.err;
     arguments.emplace_back("--rcs-in-process");
-    EXPECT_EQ(run_program(alone, arguments, folder_).status, 0);
+    EXPECT_EQ(run_program(standalone, arguments, folder_).status, 0);
 }
 
 /// Programs for machines with a turning tool: heads, tables, arms; with joints, poses and TCP control.
@@ -213,9 +214,9 @@ TEST_P(TurningTools, EveryByteIsThatOfTheModuleInThisProcess) {
         part,     "--machine", sample(std::string("machines/") + GetParam().machine),
         "--json", "--rcs",     tests::default_module_path()};
     const Ended own = run(usual, {"--trajectory", "a.csv", "--moves", "a.moves"});
-    const Ended here = run(usual, {"--trajectory", "b.csv", "--moves", "b.moves", "--rcs-in-process"});
-    EXPECT_EQ(own.status, here.status);
-    EXPECT_EQ(own.out, here.out);
+    const Ended current = run(usual, {"--trajectory", "b.csv", "--moves", "b.moves", "--rcs-in-process"});
+    EXPECT_EQ(own.status, current.status);
+    EXPECT_EQ(own.out, current.out);
     EXPECT_EQ(read("a.csv"), read("b.csv"));
     EXPECT_EQ(read("a.moves"), read("b.moves"));
 }
@@ -261,7 +262,7 @@ class HostileModule : public ControllerModule {
         for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
             std::ifstream file(entry.path() / "cmdline");
             const std::string line{std::istreambuf_iterator<char>(file), {}};
-            if (holds(line, "gsim-rcs-host") && holds(line, module)) return true;
+            if (contains(line, "gsim-rcs-host") && contains(line, module)) return true;
         }
         return false;
     }
@@ -279,15 +280,15 @@ TEST_F(HostileModule, ACrashIsAnAlarmAndWhatWasMovedBeforeIsThere) {
     EXPECT_EQ(report["alarm"]["file"], part_);
     EXPECT_GT(report["alarm"]["line"], 0);
     EXPECT_NEAR(report["cycle_time_s"].get<double>(), 0.05, 1e-9) << "50 steps of 1 ms";
-    EXPECT_TRUE(holds(read("moves"), "\"to\":{\"X\":4,"));
-    EXPECT_TRUE(holds(read("way.csv"), "\n0.05,"));
+    EXPECT_TRUE(contains(read("moves"), "\"to\":{\"X\":4,"));
+    EXPECT_TRUE(contains(read("way.csv"), "\n0.05,"));
 }
 
 TEST_F(HostileModule, WhatItPrintsIsNotInTheReport) {
     const Ended e = gsim_run({part_, "--json", "--rcs", test_module("prints")});
     EXPECT_EQ(e.status, 0) << e.err;
     EXPECT_EQ(text::parse_json<json>(e.out)["status"], "completed");
-    EXPECT_TRUE(holds(e.err, "rubbish"));
+    EXPECT_TRUE(contains(e.err, "rubbish"));
 }
 
 TEST_F(HostileModule, ARunThatIsInterruptedLeavesNoProcessBehind) {

@@ -35,7 +35,7 @@ void expect_wrong_word(const json& found) {
     EXPECT_EQ(found["severity"], "error");
     EXPECT_EQ(found["code"], "word-out-of-place");
     EXPECT_TRUE(found["hint"].is_null());
-    EXPECT_TRUE(holds(found["text"], "Q has no meaning")) << found;
+    EXPECT_TRUE(contains(found["text"], "Q has no meaning")) << found;
 }
 
 TEST_F(DiagnosticsOutside, OfATranslation) {
@@ -51,7 +51,7 @@ TEST_F(DiagnosticsOutside, GoToStandardErrorBesideTheLua) {
     write("part.nc", "M98 P7\n");
     const Ended e = gcode2lua({"--json", "part.nc"});
     EXPECT_EQ(e.status, 0);
-    EXPECT_TRUE(holds(e.out, "M98")) << e.out;
+    EXPECT_TRUE(contains(e.out, "M98")) << e.out;
     const json found = only(e.err);
     EXPECT_EQ(found["code"], "program-missing");
     EXPECT_EQ(found["severity"], "warning");
@@ -61,8 +61,8 @@ TEST_F(DiagnosticsOutside, AHintStandsByItself) {
     write("part.nc", "G33.1 Z5 K1\n");
     const json found = only(gcode2lua({"--json", "part.nc"}).out);
     EXPECT_EQ(found["code"], "code-unknown");
-    EXPECT_TRUE(holds(found["hint"], "--dialect")) << found;
-    EXPECT_FALSE(holds(found["text"], "--dialect")) << found;
+    EXPECT_TRUE(contains(found["hint"], "--dialect")) << found;
+    EXPECT_FALSE(contains(found["text"], "--dialect")) << found;
 }
 
 TEST_F(DiagnosticsOutside, AReportHasThemWithTheLineOfASyntaxError) {
@@ -151,7 +151,7 @@ TEST_F(DiagnosticsOutside, AsSarif) {
     write("a part.nc", kWrong);
     const Ended e = gcode2lua({"--sarif", "found.sarif", "--check", "a part.nc"});
     EXPECT_EQ(e.status, 1);
-    EXPECT_TRUE(holds(e.err, "a part.nc:2:7: error: ")) << "text as ever: " << e.err;
+    EXPECT_TRUE(contains(e.err, "a part.nc:2:7: error: ")) << "text as ever: " << e.err;
     const json sarif = text::try_parse_json<json>(read("found.sarif"));
     EXPECT_EQ(sarif["version"], "2.1.0");
     const json& run = sarif["runs"][0];
@@ -161,18 +161,18 @@ TEST_F(DiagnosticsOutside, AsSarif) {
     const json& result = run["results"][0];
     EXPECT_EQ(result["ruleId"], "word-out-of-place");
     EXPECT_EQ(result["level"], "error");
-    const json& place = result["locations"][0]["physicalLocation"];
-    EXPECT_EQ(place["artifactLocation"]["uri"], "a%20part.nc") << "a reference, not a name";
-    EXPECT_EQ(place["region"]["startLine"], 2);
-    EXPECT_EQ(place["region"]["startColumn"], 7);
-    EXPECT_EQ(place["region"]["endColumn"], 9);
+    const json& location = result["locations"][0]["physicalLocation"];
+    EXPECT_EQ(location["artifactLocation"]["uri"], "a%20part.nc") << "a reference, not a name";
+    EXPECT_EQ(location["region"]["startLine"], 2);
+    EXPECT_EQ(location["region"]["startColumn"], 7);
+    EXPECT_EQ(location["region"]["endColumn"], 9);
 }
 
 TEST_F(DiagnosticsOutside, SarifOfARunIsOfTheRun) {
     write("part.nc", "G1 X1\n");
     const Ended e = gsim_run({"--sarif", "-", "part.nc"});
     EXPECT_EQ(e.status, 1);
-    EXPECT_TRUE(holds(e.err, "program")) << "the report makes way";
+    EXPECT_TRUE(contains(e.err, "program")) << "the report makes way";
     const json sarif = text::try_parse_json<json>(e.out);
     EXPECT_EQ(sarif["runs"][0]["results"][0]["ruleId"], "feed") << e.out;
 }
@@ -181,7 +181,7 @@ TEST_F(DiagnosticsOutside, SarifThatCannotBeWrittenIsTold) {
     write("part.nc", "G0 X1\n");
     const Ended e = gcode2lua({"--check", "--sarif", "none/found.sarif", "part.nc"});
     EXPECT_EQ(e.status, 2);
-    EXPECT_TRUE(holds(e.err, "none/found.sarif")) << e.err;
+    EXPECT_TRUE(contains(e.err, "none/found.sarif")) << e.err;
 }
 
 }  // namespace

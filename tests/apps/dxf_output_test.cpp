@@ -74,9 +74,9 @@ class DxfOutput : public Apps {
     }
 };
 
-double length_of(const Drawing& drawing) {
+double move_length(const Drawing& drawing) {
     double sum_mm = 0;
-    for (const geometry::Contour& piece : drawing.pieces) sum_mm += length_mm(piece);
+    for (const geometry::Contour& drawn_contour : drawing.drawn_contours) sum_mm += length_mm(drawn_contour);
     return sum_mm;
 }
 
@@ -97,11 +97,11 @@ TEST_F(DxfOutput, HasAnEntityForEachMoveWithItsEnds) {
         EXPECT_EQ(drawing.entities[n].kind, arc ? "ARC" : "LINE") << n;
         Point first, last;
         double radius = 0;
-        for (const geometry::Contour& piece : drawing.pieces) {
-            if (piece.vertices.front().source != n) continue;
-            first = piece.vertices.front().position;
-            last = piece.vertices.back().position;
-            if (arc) radius = geometry::radius_mm(piece.edge(0));
+        for (const geometry::Contour& drawn_contour : drawing.drawn_contours) {
+            if (drawn_contour.vertices.front().source != n) continue;
+            first = drawn_contour.vertices.front().position;
+            last = drawn_contour.vertices.back().position;
+            if (arc) radius = geometry::radius_mm(drawn_contour.edge(0));
         }
         if (moves[n]["kind"] == "arc_cw") std::swap(first, last);  // DXF knows them counter-clockwise alone
         EXPECT_LT(distance(first, at), kSame_mm) << n;
@@ -121,9 +121,9 @@ TEST_F(DxfOutput, LengthsAreThoseOfTheReport) {
             .status,
         0);
     const json report = text::parse_json<json>(read("r.json"));
-    EXPECT_NEAR(length_of(on({"RAPID"})), report["length"]["rapid_mm"].get<double>(), 1e-6);
+    EXPECT_NEAR(move_length(on({"RAPID"})), report["length"]["rapid_mm"].get<double>(), 1e-6);
     const double circle_mm = 2 * std::numbers::pi * 5;
-    EXPECT_NEAR(length_of(on({"FEED"})), report["length"]["feed_mm"].get<double>() - 2 * circle_mm, 1e-6);
+    EXPECT_NEAR(move_length(on({"FEED"})), report["length"]["feed_mm"].get<double>() - 2 * circle_mm, 1e-6);
     EXPECT_EQ(kinds_on("FEED"), "LINE ARC CIRCLE CIRCLE ") << "three turns on one circle are drawn once";
 }
 
@@ -149,18 +149,18 @@ TEST_F(DxfOutput, OtherCurvesAreLinesWithinTheTolerance) {
     EXPECT_EQ(kinds_on("FEED_Z"), "POLYLINE POLYLINE ");
     const std::vector<Line> lines = polylines();
     ASSERT_EQ(lines.size(), 2U);
-    const auto off_mm = [](const Line& line, const auto& distance_from_axis) {
-        double most = 0;
+    const auto deviation_mm = [](const Line& line, const auto& distance_from_axis) {
+        double max = 0;
         for (std::size_t i = 1; i < line.size(); ++i) {
-            most = std::max(most, std::abs(distance_from_axis(line[i]) - 10));
-            most = std::max(most, std::abs(distance_from_axis((line[i - 1] + line[i]) / 2) - 10));
+            max = std::max(max, std::abs(distance_from_axis(line[i]) - 10));
+            max = std::max(max, std::abs(distance_from_axis((line[i - 1] + line[i]) / 2) - 10));
         }
-        return most;
+        return max;
     };
     constexpr double kTolerance_mm = 0.005;
-    EXPECT_LE(off_mm(lines[0], [](const Vector3d& p) { return std::hypot(p.x() - 10, p.y()); }),
+    EXPECT_LE(deviation_mm(lines[0], [](const Vector3d& p) { return std::hypot(p.x() - 10, p.y()); }),
               kTolerance_mm);
-    EXPECT_LE(off_mm(lines[1], [](const Vector3d& p) { return std::hypot(p.x() - 30, p.z() + 6); }),
+    EXPECT_LE(deviation_mm(lines[1], [](const Vector3d& p) { return std::hypot(p.x() - 30, p.z() + 6); }),
               kTolerance_mm);
     EXPECT_LT((lines[0].back() - Vector3d(20, 0, -6)).norm(), kSame_mm);
     EXPECT_LT((lines[1].back() - Vector3d(40, 0, -6)).norm(), kSame_mm);
@@ -198,7 +198,7 @@ TEST_F(DxfOutput, EachRobotHasItsOwn) {
     for (const auto& [robot, length] : {std::pair("left", 10.0), {"right", 20.0}}) {
         const auto drawing = drawing::read_dxf(read(fmt::format("p.{}.dxf", robot).c_str()), {});
         ASSERT_TRUE(drawing) << drawing.error();
-        EXPECT_NEAR(length_of(*drawing), length, kSame_mm) << robot;
+        EXPECT_NEAR(move_length(*drawing), length, kSame_mm) << robot;
     }
 }
 

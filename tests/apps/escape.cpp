@@ -19,10 +19,10 @@
 namespace {
 
 void try_to_escape() {
-    const char* const asked = std::getenv("GSIM_ESCAPE");
-    if (asked == nullptr) return;
+    const char* const requested = std::getenv("GSIM_ESCAPE");
+    if (requested == nullptr) return;
     ::unsetenv("GSIM_ESCAPE");
-    std::istringstream names(asked);
+    std::istringstream names(requested);
     for (std::string name; std::getline(names, name, ' ');) {
         const int flags = name[0] == 'r' ? O_RDONLY : O_WRONLY | O_CREAT;
         const int opened =

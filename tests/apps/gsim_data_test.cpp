@@ -52,9 +52,9 @@ TEST_F(GsimData, ListsInColumns) {
               "OFFSET\n  ID  X        Y  Z  UNIT\n  54  200.000  1  2  metric\n  55  1        2  3  inch\n");
     const std::string all = gsim_data({"d.txt", "list"}).out;
     EXPECT_TRUE(
-        holds(all, "\nTOOL\n  ID  LENGTH  DIAMETER  KIND  UNIT\n  1   50      10        JET   metric\n"))
+        contains(all, "\nTOOL\n  ID  LENGTH  DIAMETER  KIND  UNIT\n  1   50      10        JET   metric\n"))
         << all;
-    EXPECT_FALSE(holds(all, "FIXED"));
+    EXPECT_FALSE(contains(all, "FIXED"));
 }
 
 TEST_F(GsimData, Gets) {
@@ -121,9 +121,9 @@ TEST_F(GsimData, ChecksAllLines) {
     const Ended e = gsim_data({"d.txt", "check"});
     EXPECT_EQ(e.status, 1);
     for (const char* where : {"d.txt:3:1: ", "d.txt:4:1: ", "d.txt:5:8: ", "d.txt:6:1: ", "d.txt:9:1: "})
-        EXPECT_TRUE(holds(e.err, where)) << where << '\n' << e.err;
-    EXPECT_FALSE(holds(e.err, "d.txt:7:")) << "what stands behind a misspelled keyword is in no section\n"
-                                           << e.err;
+        EXPECT_TRUE(contains(e.err, where)) << where << '\n' << e.err;
+    EXPECT_FALSE(contains(e.err, "d.txt:7:")) << "what stands behind a misspelled keyword is in no section\n"
+                                              << e.err;
 }
 
 TEST_F(GsimData, WarnsOfWhatIsSuspect) {
@@ -133,13 +133,13 @@ TEST_F(GsimData, WarnsOfWhatIsSuspect) {
     const Ended e = gsim_data({"d.txt", "--machine", machine(), "check"});
     EXPECT_EQ(e.status, 0);
     EXPECT_TRUE(
-        holds(e.err, "d.txt:3:6: warning: Y of OFFSET 54 is 3000 mm, beyond the machine's 0 to 2438.4\n"))
+        contains(e.err, "d.txt:3:6: warning: Y of OFFSET 54 is 3000 mm, beyond the machine's 0 to 2438.4\n"))
         << e.err;
-    EXPECT_TRUE(holds(e.err, "d.txt:6:6: warning: Turn stands for 'G777', which is no word of")) << e.err;
-    EXPECT_TRUE(holds(e.err, "d.txt:7:3: warning: 'X' is not a name for an alias")) << e.err;
-    EXPECT_TRUE(holds(e.err, "d.txt:9:3: warning: XMIN of WORKING 1 is -1 mm")) << e.err;
-    EXPECT_TRUE(holds(e.err, "d.txt:11:11: warning: zone 3 is off at the start")) << e.err;
-    EXPECT_FALSE(holds(e.err, "d.txt:5:")) << e.err;
+    EXPECT_TRUE(contains(e.err, "d.txt:6:6: warning: Turn stands for 'G777', which is no word of")) << e.err;
+    EXPECT_TRUE(contains(e.err, "d.txt:7:3: warning: 'X' is not a name for an alias")) << e.err;
+    EXPECT_TRUE(contains(e.err, "d.txt:9:3: warning: XMIN of WORKING 1 is -1 mm")) << e.err;
+    EXPECT_TRUE(contains(e.err, "d.txt:11:11: warning: zone 3 is off at the start")) << e.err;
+    EXPECT_FALSE(contains(e.err, "d.txt:5:")) << e.err;
     const Ended sample = gsim_data({tests::source_path("samples/jet.txt"), "check", "--machine", machine()});
     EXPECT_EQ(sample.status, 0);
     EXPECT_EQ(sample.err, "");

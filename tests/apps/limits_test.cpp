@@ -18,7 +18,7 @@ json stopped(const Ended& run) {
     json report = text::parse_json<json>(run.out);
     EXPECT_EQ(report["status"], "stopped");
     EXPECT_EQ(report["alarm"]["code"], "run-limit");
-    EXPECT_TRUE(holds(report["alarm"]["message"], kReached)) << report["alarm"];
+    EXPECT_TRUE(contains(report["alarm"]["message"], kReached)) << report["alarm"];
     return report;
 }
 
@@ -47,11 +47,11 @@ TEST_F(Limits, CpuTimeEndsATranslation) {
     const json report =
         stopped(gsim_run({"part.nc", "--max-cpu-seconds", kAtOnce, "--json", "--report", "report.json"}));
     EXPECT_EQ(report["alarm"]["file"], "part.nc");
-    const Ended alone = gcode2lua({"part.nc", "--max-cpu-seconds", kAtOnce});
-    EXPECT_EQ(alone.status, 1);
-    EXPECT_TRUE(holds(alone.err, kReached)) << alone.err;
-    EXPECT_FALSE(holds(alone.err, "G999")) << alone.err;
-    EXPECT_EQ(alone.out, "");
+    const Ended standalone = gcode2lua({"part.nc", "--max-cpu-seconds", kAtOnce});
+    EXPECT_EQ(standalone.status, 1);
+    EXPECT_TRUE(contains(standalone.err, kReached)) << standalone.err;
+    EXPECT_FALSE(contains(standalone.err, "G999")) << standalone.err;
+    EXPECT_EQ(standalone.out, "");
 }
 
 TEST_F(Limits, CpuTimeIsOfEachProgramThatIsChecked) {
@@ -70,13 +70,13 @@ TEST_F(Limits, CpuTimeEndsARunOfRobotsAndAScriptOfAPath) {
     const Ended robots =
         gsim_run({"part.lua", "--robots", "cell.toml", "--max-cpu-seconds", "0.1", "--json"});
     EXPECT_EQ(robots.status, 1) << robots.err;
-    EXPECT_TRUE(holds(robots.out, kReached)) << robots.out << robots.err;
+    EXPECT_TRUE(contains(robots.out, kReached)) << robots.out << robots.err;
     write("path.lua", "local n = 0\nwhile true do\n  n = n + 1\nend\n");
     const Ended path =
         run_program(tests::program_path("path2gcode"), {"path.lua", "--max-cpu-seconds", kAtOnce}, folder_);
     EXPECT_EQ(path.status, 1);
-    EXPECT_TRUE(holds(path.out + path.err, "path.lua:")) << path.out << path.err;
-    EXPECT_TRUE(holds(path.out + path.err, kReached)) << path.out << path.err;
+    EXPECT_TRUE(contains(path.out + path.err, "path.lua:")) << path.out << path.err;
+    EXPECT_TRUE(contains(path.out + path.err, kReached)) << path.out << path.err;
 }
 
 TEST_F(Limits, AProgramThatIsRunAgainAndAgainIsKeptOnce) {
@@ -94,8 +94,8 @@ TEST_F(Limits, ARefusalTellsWhatAsksForHowMuch) {
     const Ended run = gsim_run({"part.lua", "--memory", "64", "--json"});
     EXPECT_EQ(run.status, 1);
     const std::string message = text::parse_json<json>(run.out)["alarm"]["message"];
-    EXPECT_TRUE(holds(message, "needs more memory than the run may use, 64 MB (--memory): ")) << message;
-    EXPECT_TRUE(holds(message, "in use, and it asks for 1024.0 MB")) << message;
+    EXPECT_TRUE(contains(message, "needs more memory than the run may use, 64 MB (--memory): ")) << message;
+    EXPECT_TRUE(contains(message, "in use, and it asks for 1024.0 MB")) << message;
 }
 
 TEST_F(Limits, TextsOfScriptsAreOfTheMemory) {
@@ -103,8 +103,8 @@ TEST_F(Limits, TextsOfScriptsAreOfTheMemory) {
     write("part.lua", filler + "G0{x=1}\n");
     const Ended run = gsim_run({"part.lua", "--memory", "16"});
     EXPECT_EQ(run.status, 2);
-    EXPECT_TRUE(holds(run.err + run.out,
-                      "the text of the script part.lua has 9.0 MB, which is more than half of the 16 MB"))
+    EXPECT_TRUE(contains(run.err + run.out,
+                         "the text of the script part.lua has 9.0 MB, which is more than half of the 16 MB"))
         << run.err;
     EXPECT_EQ(gsim_run({"part.lua", "--memory", "32", "--quiet"}).status, 0);
     write("main.lua", "require \"part\"\n");
@@ -114,7 +114,7 @@ TEST_F(Limits, TextsOfScriptsAreOfTheMemory) {
     write("main.lua", "require \"two\"\nrequire \"three\"\n");
     const Ended several = gsim_run({"main.lua", "--memory", "16", "--quiet"});
     EXPECT_EQ(several.status, 1);
-    EXPECT_TRUE(holds(several.err, "the text of the script needs more memory than the run may use, 16 MB"))
+    EXPECT_TRUE(contains(several.err, "the text of the script needs more memory than the run may use, 16 MB"))
         << several.err;
 }
 
@@ -122,7 +122,7 @@ TEST_F(Limits, WhatIsKeptOfARunIsOfTheMemory) {
     write("part.lua", "for i = 1, 100000 do G0{x = i % 7} end\n");
     const Ended path = gsim_run({"part.lua", "--memory", "16", "--record", "path.json", "--quiet"});
     EXPECT_EQ(path.status, 1);
-    EXPECT_TRUE(holds(
+    EXPECT_TRUE(contains(
         path.err,
         "part.lua:1: stopped: the path of the run (--record) needs more memory than the run may use, 16 MB"))
         << path.err;
@@ -131,7 +131,7 @@ TEST_F(Limits, WhatIsKeptOfARunIsOfTheMemory) {
     write("part.lua",
           "for i = 1, 1e9 do signal(\"s\" .. i, true) if i % 1000 == 0 then G0{x = i % 7} end end\n");
     const Ended signals = gsim_run({"part.lua", "--memory", "16", "--quiet"});
-    EXPECT_TRUE(holds(signals.err, "needs more memory than the run may use, 16 MB (--memory)"))
+    EXPECT_TRUE(contains(signals.err, "needs more memory than the run may use, 16 MB (--memory)"))
         << signals.err;
 }
 
@@ -142,7 +142,7 @@ TEST_F(Limits, AFileOfVariablesIsSmall) {
     write("part.nc", "G0 X1\n");
     const Ended run = gsim_run({"part.nc", "--variables", "kept.var"});
     EXPECT_EQ(run.status, 2);
-    EXPECT_TRUE(holds(run.err + run.out, "larger than 4 MiB")) << run.err;
+    EXPECT_TRUE(contains(run.err + run.out, "larger than 4 MiB")) << run.err;
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ class NamedFiles : public Apps {
                            folder_);
     }
     /// Returns the error message, without the program's name and the hint after it.
-    std::string refused(const std::vector<std::string>& arguments) const {
+    std::string rejected(const std::vector<std::string>& arguments) const {
         const std::size_t before = files();
         const Ended ended = gsim(arguments);
         EXPECT_EQ(ended.status, 2) << fmt::format("{}", arguments.back());
@@ -47,7 +47,7 @@ std::string destroys(const std::string& output, const std::string& input) {
 }
 
 TEST_F(NamedFiles, AnOutputIsNoInput) {
-    EXPECT_EQ(refused({"run", "p.nc", "--moves", "p.nc"}),
+    EXPECT_EQ(rejected({"run", "p.nc", "--moves", "p.nc"}),
               destroys("--moves 'p.nc'", "part.lua|part.nc 'p.nc'"));
     fs::create_symlink("p.nc", folder_ / "link");
     fs::create_hard_link(folder_ / "p.nc", folder_ / "hard");
@@ -55,23 +55,23 @@ TEST_F(NamedFiles, AnOutputIsNoInput) {
     for (const OutputNames::File& file : OutputNames::files()) options.emplace_back(file.option);
     for (const std::string name : {"./p.nc", "link", "hard"}) {
         for (const std::string& option : options)
-            EXPECT_EQ(refused({"run", "p.nc", option, name}),
+            EXPECT_EQ(rejected({"run", "p.nc", option, name}),
                       destroys(fmt::format("{} '{}'", option, name), "part.lua|part.nc 'p.nc'"));
     }
-    EXPECT_EQ(refused({"run", "p.nc", "--machine-data", "d.txt", "--report", "d.txt"}),
+    EXPECT_EQ(rejected({"run", "p.nc", "--machine-data", "d.txt", "--report", "d.txt"}),
               destroys("--report 'd.txt'", "--machine-data 'd.txt'"));
-    EXPECT_EQ(refused({"check", "x.nc", "p.nc", "--sarif", "p.nc"}),
+    EXPECT_EQ(rejected({"check", "x.nc", "p.nc", "--sarif", "p.nc"}),
               destroys("--sarif 'p.nc'", "part.nc|part.lua 'p.nc'"));
-    EXPECT_EQ(refused({"translate", "p.nc", "-o", "p.nc"}), destroys("--output 'p.nc'", "part.nc 'p.nc'"));
-    EXPECT_EQ(refused({"write", "p.nc", "-o", "p.nc"}),
+    EXPECT_EQ(rejected({"translate", "p.nc", "-o", "p.nc"}), destroys("--output 'p.nc'", "part.nc 'p.nc'"));
+    EXPECT_EQ(rejected({"write", "p.nc", "-o", "p.nc"}),
               destroys("--output 'p.nc'", "part.path.json|part.lua 'p.nc'"));
-    EXPECT_EQ(refused({"path", "p.nc", "-o", "p.nc"}), destroys("--output 'p.nc'", "drawing 'p.nc'"));
-    EXPECT_EQ(refused({"path", "x.svg", "--materials", "d.txt", "-o", "d.txt"}),
+    EXPECT_EQ(rejected({"path", "p.nc", "-o", "p.nc"}), destroys("--output 'p.nc'", "drawing 'p.nc'"));
+    EXPECT_EQ(rejected({"path", "x.svg", "--materials", "d.txt", "-o", "d.txt"}),
               destroys("--output 'd.txt'", "--materials 'd.txt'"));
-    EXPECT_EQ(refused({"data", "import", "d.txt", "--data", "d.txt"}).find("--data 'd.txt'"), 0U);
-    EXPECT_EQ(refused({"data", "d.txt", "convert", "--from-json", "d.txt"}),
+    EXPECT_EQ(rejected({"data", "import", "d.txt", "--data", "d.txt"}).find("--data 'd.txt'"), 0U);
+    EXPECT_EQ(rejected({"data", "d.txt", "convert", "--from-json", "d.txt"}),
               destroys("FILE 'd.txt'", "--from-json 'd.txt'"));
-    EXPECT_EQ(refused({"run", "p.nc", "--machine-data", "d.txt", "--variables", "d.txt"}),
+    EXPECT_EQ(rejected({"run", "p.nc", "--machine-data", "d.txt", "--variables", "d.txt"}),
               destroys("--variables 'd.txt'", "--machine-data 'd.txt'"));
 }
 
@@ -80,32 +80,34 @@ TEST_F(NamedFiles, TwoOutputsAreTwoFiles) {
         return fmt::format("{} and {} are the same file; give each output a file of its own", a, b);
     };
     fs::create_directory_symlink(".", folder_ / "here");
-    EXPECT_EQ(refused({"run", "p.nc", "--report", "a", "--moves", "a"}), same("--report 'a'", "--moves 'a'"));
-    EXPECT_EQ(refused({"run", "p.nc", "--report", "a", "--moves", "./a"}),
+    EXPECT_EQ(rejected({"run", "p.nc", "--report", "a", "--moves", "a"}),
+              same("--report 'a'", "--moves 'a'"));
+    EXPECT_EQ(rejected({"run", "p.nc", "--report", "a", "--moves", "./a"}),
               same("--report 'a'", "--moves './a'"));
-    EXPECT_EQ(refused({"run", "p.nc", "--variables", "a", "--record", "here/a"}),
+    EXPECT_EQ(rejected({"run", "p.nc", "--variables", "a", "--record", "here/a"}),
               same("--record 'here/a'", "--variables 'a'"));
-    EXPECT_EQ(refused({"run", "--envelope", "a.csv", "--envelope", "./a.csv"}),
+    EXPECT_EQ(rejected({"run", "--envelope", "a.csv", "--envelope", "./a.csv"}),
               same("--envelope 'a.csv'", "--envelope './a.csv'"));
-    EXPECT_EQ(refused({"translate", "p.nc", "-o", "a", "--sarif", "a"}), same("--output 'a'", "--sarif 'a'"));
-    EXPECT_EQ(refused({"data", "d.txt", "convert", "--inch", "-o", "d.txt"}),
+    EXPECT_EQ(rejected({"translate", "p.nc", "-o", "a", "--sarif", "a"}),
+              same("--output 'a'", "--sarif 'a'"));
+    EXPECT_EQ(rejected({"data", "d.txt", "convert", "--inch", "-o", "d.txt"}),
               same("FILE 'd.txt'", "--output 'd.txt'"));
 }
 
 TEST_F(NamedFiles, RobotsFilesAreTheirOwn) {
     write("robots.toml", "[[robot]]\nname = \"left\"\nmachine_data = \"d.left.txt\"\n");
     write("d.left.txt", kData);
-    EXPECT_EQ(
-        refused({"run", "p.nc", "--robots", "robots.toml", "--moves", "m.json", "--report", "./m.left.json"}),
-        "'m.left.json', of the robot left, is the report, too; give one of them another name");
-    EXPECT_EQ(refused({"run", "p.nc", "--robots", "robots.toml", "--moves", "d.txt"}),
+    EXPECT_EQ(rejected({"run", "p.nc", "--robots", "robots.toml", "--moves", "m.json", "--report",
+                        "./m.left.json"}),
+              "'m.left.json', of the robot left, is the report, too; give one of them another name");
+    EXPECT_EQ(rejected({"run", "p.nc", "--robots", "robots.toml", "--moves", "d.txt"}),
               "'d.left.txt', of the robot left, is its machine data, too; give one of them another name");
     EXPECT_EQ(read("d.left.txt"), kData);
 }
 
 TEST_F(NamedFiles, WhatACellNamesIsRead) {
     write("cell.toml", "[cell]\nname = \"c\"\nmachine_data = \"d.txt\"\n");
-    EXPECT_EQ(refused({"run", "p.nc", "--cell", "cell.toml", "--moves", "./d.txt"}),
+    EXPECT_EQ(rejected({"run", "p.nc", "--cell", "cell.toml", "--moves", "./d.txt"}),
               "--moves './d.txt' is the machine data of the cell, which would be overwritten; give it "
               "another name");
     EXPECT_EQ(gsim({"run", "p.nc", "--quiet", "--cell", "cell.toml", "--save-machine-data", "d.txt"}).status,
@@ -115,7 +117,8 @@ TEST_F(NamedFiles, WhatACellNamesIsRead) {
 TEST_F(NamedFiles, StandardStreamsAreFilesWhereTheyAreRedirected) {
     const Ended output = shell("$G run p.nc --moves m.jsonl >m.jsonl");
     EXPECT_EQ(output.status, 2);
-    EXPECT_TRUE(holds(output.err, "--moves 'm.jsonl' and standard output are the same file")) << output.err;
+    EXPECT_TRUE(contains(output.err, "--moves 'm.jsonl' and standard output are the same file"))
+        << output.err;
     EXPECT_EQ(shell("$G run p.nc >>p.nc").status, 2);
     EXPECT_EQ(read("p.nc"), kPart);
     EXPECT_EQ(shell("$G translate - -o p.nc <p.nc").status, 2);
@@ -131,11 +134,11 @@ TEST_F(NamedFiles, StandardOutputTakesOne) {
                                                {"check", "--json", "--sarif", "-", "p.nc"}}) {
         const Ended ended = gsim(arguments);
         EXPECT_EQ(ended.status, 2);
-        EXPECT_TRUE(holds(ended.err + ended.out, "both want standard output")) << ended.err << ended.out;
+        EXPECT_TRUE(contains(ended.err + ended.out, "both want standard output")) << ended.err << ended.out;
     }
     const Ended check = gsim({"check", "--sarif", "-", "p.nc"});
     EXPECT_TRUE(check.out.starts_with("{")) << "text makes way";
-    EXPECT_TRUE(holds(check.err, "p.nc: nothing wrong"));
+    EXPECT_TRUE(contains(check.err, "p.nc: nothing wrong"));
 }
 
 TEST_F(NamedFiles, WhatIsMeantStaysAllowed) {

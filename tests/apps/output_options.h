@@ -12,7 +12,7 @@ namespace gsim::apps {
 inline std::vector<std::string> output_options() {
     std::vector<std::string> options;
     for (const OutputNames::File& file : OutputNames::files()) {
-        const bool is_odd = file.document == engine::Document::plot || file.name == &OutputNames::view;
+        const bool is_odd = file.output_kind == engine::OutputKind::plot || file.name == &OutputNames::view;
         if (!is_odd) options.emplace_back(file.option);
     }
     return options;

@@ -69,34 +69,34 @@ TEST_F(Path2Gcode, TheThesisTestPartWordByWord) {
     if (reference.empty()) GTEST_SKIP() << "no appendix_j.nc in GSIM_REFERENCE";
     const Ended ended = path2gcode({"--rotary", "as-given", kWheel});
     ASSERT_EQ(ended.status, 0) << ended.err;
-    const std::vector<Block> wanted = blocks_of(reference), got = blocks_of(ended.out);
-    ASSERT_EQ(got.size(), wanted.size());
+    const std::vector<Block> expected_value = blocks_of(reference), got = blocks_of(ended.out);
+    ASSERT_EQ(got.size(), expected_value.size());
     int wanted_motion = -1, got_motion = -1;
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-        ASSERT_EQ(got[i].words.size(), wanted[i].words.size()) << wanted[i].name;
-        for (const auto& [letter, value] : wanted[i].words) {
-            ASSERT_TRUE(got[i].words.contains(letter)) << wanted[i].name << letter;
-            EXPECT_NEAR(got[i].words.at(letter), value, 0.001 + 1e-9) << wanted[i].name << letter;
+    for (std::size_t i = 0; i < expected_value.size(); ++i) {
+        ASSERT_EQ(got[i].words.size(), expected_value[i].words.size()) << expected_value[i].name;
+        for (const auto& [letter, value] : expected_value[i].words) {
+            ASSERT_TRUE(got[i].words.contains(letter)) << expected_value[i].name << letter;
+            EXPECT_NEAR(got[i].words.at(letter), value, 0.001 + 1e-9) << expected_value[i].name << letter;
         }
-        if (wanted[i].motion >= 0) wanted_motion = wanted[i].motion;
+        if (expected_value[i].motion >= 0) wanted_motion = expected_value[i].motion;
         if (got[i].motion >= 0) got_motion = got[i].motion;
-        const bool other_sense = kMendedArcs.contains(wanted[i].name);
-        EXPECT_EQ(got_motion, other_sense ? 5 - wanted_motion : wanted_motion) << wanted[i].name;
+        const bool other_sense = kMendedArcs.contains(expected_value[i].name);
+        EXPECT_EQ(got_motion, other_sense ? 5 - wanted_motion : wanted_motion) << expected_value[i].name;
     }
 }
 
 TEST_F(Path2Gcode, LessTurningWithTheSameOrientations) {
     const std::vector<Block> given =
         blocks_of(path2gcode({"--rotary", "as-given", "--verbose-words", kWheel}).out);
-    const std::vector<Block> least = blocks_of(path2gcode({"--verbose-words", kWheel}).out);
-    ASSERT_EQ(least.size(), given.size());
+    const std::vector<Block> min = blocks_of(path2gcode({"--verbose-words", kWheel}).out);
+    ASSERT_EQ(min.size(), given.size());
     double turned_given = 0, turned_least = 0;
     for (std::size_t i = 0; i < given.size(); ++i) {
-        EXPECT_NEAR(std::remainder(least[i].words.at('B') - given[i].words.at('B'), 360), 0, 1e-9) << i;
-        EXPECT_EQ(least[i].words.at('C'), given[i].words.at('C'));
+        EXPECT_NEAR(std::remainder(min[i].words.at('B') - given[i].words.at('B'), 360), 0, 1e-9) << i;
+        EXPECT_EQ(min[i].words.at('C'), given[i].words.at('C'));
         if (i == 0) continue;
         turned_given += std::abs(given[i].words.at('B') - given[i - 1].words.at('B'));
-        turned_least += std::abs(least[i].words.at('B') - least[i - 1].words.at('B'));
+        turned_least += std::abs(min[i].words.at('B') - min[i - 1].words.at('B'));
     }
     EXPECT_LT(turned_least, 0.5 * turned_given);
 }
@@ -117,17 +117,17 @@ TEST_F(Path2Gcode, SubPathsInFilesOfTheirOwnAreFound) {
 
 TEST_F(Path2Gcode, FilesOfSubPathsReplaceNoOthers) {
     write("wheel_O0002.ppg", "of somebody else");
-    const std::vector<std::string> again = {"--separate-files", "-o", "wheel.nc", kWheel};
-    const Ended refused = path2gcode(again);
-    EXPECT_EQ(refused.status, 2);
+    const std::vector<std::string> relist = {"--separate-files", "-o", "wheel.nc", kWheel};
+    const Ended rejected = path2gcode(relist);
+    EXPECT_EQ(rejected.status, 2);
     EXPECT_EQ(
-        refused.err,
+        rejected.err,
         "path2gcode: the post calls the file of a subprogram 'wheel_O0002.ppg', which is there already; "
         "--overwrite replaces it\n");
     EXPECT_EQ(read("wheel_O0002.ppg"), "of somebody else");
     EXPECT_EQ(files(), 1U) << "nothing is written";
     EXPECT_EQ(path2gcode({"--separate-files", "--overwrite", "-o", "wheel.nc", kWheel}).status, 0);
-    EXPECT_TRUE(holds(read("wheel_O0002.ppg"), "X"));
+    EXPECT_TRUE(contains(read("wheel_O0002.ppg"), "X"));
     EXPECT_EQ(path2gcode({"--overwrite", "-o", "wheel.nc", kWheel}).status, 2) << "has nothing to say";
 }
 
@@ -135,13 +135,13 @@ TEST_F(Path2Gcode, FilesOfSubPathsAreNeitherTheProgramNorWhatIsRead) {
     const std::string post = built_in_post("ab9");
     write("mine.toml",
           std::regex_replace(post, std::regex("\\nfile = .*\n"), "\nfile = \"sub{number}.nc\"\n"));
-    const auto refused = [this](const std::string& output, const std::string& input) {
+    const auto rejected = [this](const std::string& output, const std::string& input) {
         const Ended ended =
             path2gcode({"--dialect", "mine.toml", "--separate-files", "--overwrite", "-o", output, input});
         EXPECT_EQ(ended.status, 2);
         return ended.err;
     };
-    EXPECT_EQ(refused("./sub0002.nc", kWheel),
+    EXPECT_EQ(rejected("./sub0002.nc", kWheel),
               "path2gcode: the post calls the file of a subprogram './sub0002.nc', which is the program "
               "itself; give "
               "the output another name or another folder\n");
@@ -149,11 +149,11 @@ TEST_F(Path2Gcode, FilesOfSubPathsAreNeitherTheProgramNorWhatIsRead) {
     const std::string path{std::istreambuf_iterator<char>(file), {}};
     write("sub0002.nc", path);
     std::filesystem::create_hard_link(folder_ / "sub0002.nc", folder_ / "in.path.json");
-    EXPECT_TRUE(holds(refused("wheel.nc", "in.path.json"), "which is the path;"));
+    EXPECT_TRUE(contains(rejected("wheel.nc", "in.path.json"), "which is the path;"));
     EXPECT_EQ(read("sub0002.nc"), path);
     std::filesystem::remove(folder_ / "sub0002.nc");
     std::filesystem::create_symlink("in.path.json", folder_ / "sub0002.nc");
-    EXPECT_TRUE(holds(refused("wheel.nc", kWheel), "which is there and no regular file"));
+    EXPECT_TRUE(contains(rejected("wheel.nc", kWheel), "which is there and no regular file"));
     EXPECT_EQ(read("in.path.json"), path);
 }
 
@@ -166,7 +166,7 @@ TEST_F(Path2Gcode, AccelerationsAreKeptOrNoted) {
     const Ended written = path2gcode({"-o", "a.nc", "a.path.json"});
     EXPECT_EQ(written.status, 0);
     EXPECT_EQ(written.err, "");
-    EXPECT_TRUE(holds(read("a.nc"), " G48\n")) << "taken back at the end";
+    EXPECT_TRUE(contains(read("a.nc"), " G48\n")) << "taken back at the end";
     ASSERT_EQ(gsim_run({"--quiet", "--moves", "m.jsonl", "a.nc"}).status, 0);
     std::istringstream lines(read("m.jsonl"));
     std::vector<double> seconds;
@@ -185,7 +185,7 @@ TEST_F(Path2Gcode, AccelerationsAreKeptOrNoted) {
 }
 
 TEST_F(Path2Gcode, ErrorsNameThePlaceAndLeaveNoFile) {
-    const auto refused = [this](const std::string& text, std::vector<std::string> options = {}) {
+    const auto rejected = [this](const std::string& text, std::vector<std::string> options = {}) {
         write("p.path.json", text);
         options.insert(options.end(), {"-o", "out.nc", "p.path.json"});
         const Ended ended = path2gcode(options);
@@ -198,18 +198,18 @@ TEST_F(Path2Gcode, ErrorsNameThePlaceAndLeaveNoFile) {
                              "\n";
     const std::string start =
         R"({"position_mm": [1, 2, 3], "rotary_deg": {"B": 0, "C": 0}, "feed_mm_min": 100})";
-    EXPECT_EQ(refused(head),
+    EXPECT_EQ(rejected(head),
               "p.path.json:2:1: error: syntax error while parsing value - unexpected end of input; "
               "expected '[', '{', or a literal\n");
-    EXPECT_TRUE(holds(refused(head + R"({"position_mm": [1, 2, 3], "feed_mm_min": 1}]}]})"),
-                      "p.path.json:2:1: error: the point needs an orientation"));
-    EXPECT_TRUE(holds(refused(head + start + ",\n" + R"({"position_mm": [1, 2, 3000]}]}]})"),
-                      "p.path.json:3:1: error: out of reach: Z 3000 is outside 0 to 609.6"));
-    EXPECT_TRUE(holds(refused(head + start + ",\n" + R"({"path": "a"}]}]})"),
-                      "p.path.json:3:1: error: the path 'a' leads back to itself"));
-    EXPECT_TRUE(holds(refused(head + R"({"position_mm": [1, 2, 3], "rotary_deg": {"B": 0}}]}]})"),
-                      "p.path.json:2:1: error: the motion needs 'feed_mm_min'"));
-    EXPECT_TRUE(holds(refused(head + start + "]}]}", {"--dialect", "grbl"}), "axes XYZ"));
+    EXPECT_TRUE(contains(rejected(head + R"({"position_mm": [1, 2, 3], "feed_mm_min": 1}]}]})"),
+                         "p.path.json:2:1: error: the point needs an orientation"));
+    EXPECT_TRUE(contains(rejected(head + start + ",\n" + R"({"position_mm": [1, 2, 3000]}]}]})"),
+                         "p.path.json:3:1: error: out of reach: Z 3000 is outside 0 to 609.6"));
+    EXPECT_TRUE(contains(rejected(head + start + ",\n" + R"({"path": "a"}]}]})"),
+                         "p.path.json:3:1: error: the path 'a' leads back to itself"));
+    EXPECT_TRUE(contains(rejected(head + R"({"position_mm": [1, 2, 3], "rotary_deg": {"B": 0}}]}]})"),
+                         "p.path.json:2:1: error: the motion needs 'feed_mm_min'"));
+    EXPECT_TRUE(contains(rejected(head + start + "]}]}", {"--dialect", "grbl"}), "axes XYZ"));
 }
 
 TEST_F(Path2Gcode, OptionsThatMakeNoSenseAreUsageErrors) {
@@ -226,7 +226,7 @@ TEST_F(Path2Gcode, StandardInputAndScripts) {
     EXPECT_EQ(path2gcode({"-"}, text).out, path2gcode({kWheel}).out);
     const Ended flange = path2gcode({tests::source_path("samples/flange.path.lua")});
     EXPECT_EQ(flange.status, 0) << flange.err;
-    EXPECT_TRUE(holds(flange.out, "G17 G03 X348.000 Y369.282 I-8.000 J0.000 F900.000")) << flange.out;
+    EXPECT_TRUE(contains(flange.out, "G17 G03 X348.000 Y369.282 I-8.000 J0.000 F900.000")) << flange.out;
 }
 
 /// The post is the user's own.
@@ -234,7 +234,7 @@ TEST_F(Path2Gcode, APostFromAFile) {
     std::ifstream file(tests::source_path("samples/posts/fanuc.toml"));
     std::string text{std::istreambuf_iterator<char>(file), {}};
     write("mine.toml", text.replace(text.find("M30"), 3, "M99"));
-    EXPECT_TRUE(holds(path2gcode({"--dialect", "mine.toml", kWheel}).out, " M99\n%\n"));
+    EXPECT_TRUE(contains(path2gcode({"--dialect", "mine.toml", kWheel}).out, " M99\n%\n"));
 }
 
 TEST_F(Path2Gcode, LinuxCncGoesToTheSamePlaces) {
@@ -259,11 +259,12 @@ TEST_F(Path2Gcode, LinuxCncGoesToTheSamePlaces) {
         ASSERT_EQ(canon.status, 0) << canon.err.substr(0, 2000);
         const Ended ran = gsim_run({"--dialect", "rs274ngc", "--quiet", "--moves", "m.jsonl", "part.ngc"});
         ASSERT_EQ(ran.status, 0) << ran.err;
-        const Ends wanted = ends_of_canon(canon.out), got = ends_of_moves(read("m.jsonl"));
-        ASSERT_EQ(got.size(), wanted.size());
-        ASSERT_GT(wanted.size(), 20U);
-        for (std::size_t i = 0; i < wanted.size(); ++i) {
-            for (std::size_t k = 0; k < 5; ++k) EXPECT_NEAR(got[i][k], wanted[i][k], 1e-4) << i << "XYZBC"[k];
+        const Ends expected_value = ends_of_canon(canon.out), got = ends_of_moves(read("m.jsonl"));
+        ASSERT_EQ(got.size(), expected_value.size());
+        ASSERT_GT(expected_value.size(), 20U);
+        for (std::size_t i = 0; i < expected_value.size(); ++i) {
+            for (std::size_t k = 0; k < 5; ++k)
+                EXPECT_NEAR(got[i][k], expected_value[i][k], 1e-4) << i << "XYZBC"[k];
         }
     }
 }

@@ -56,8 +56,8 @@ class ProbeOffset : public Apps {
         return ended.out;
     }
     Ended run(const std::string& program, const std::string& dialect, std::vector<std::string> more) const {
-        const std::string reads_as = dialect == "fanuc" ? "ab9" : dialect == "grbl" ? "rs274ngc" : dialect;
-        more.insert(more.end(), {write("x.nc", program), "--machine", kRouter, "--dialect", reads_as,
+        const std::string run_dialect = dialect == "fanuc" ? "ab9" : dialect == "grbl" ? "rs274ngc" : dialect;
+        more.insert(more.end(), {write("x.nc", program), "--machine", kRouter, "--dialect", run_dialect,
                                  "--cell", write("cell.toml", kCell), "--json", "--moves", "m.jsonl"});
         return gsim_run(more);
     }
@@ -99,13 +99,13 @@ TEST_F(ProbeOffset, TheFrameIsWhereTheBodyIs) {
                 ASSERT_EQ(ran.status, 0) << ran.err << ran.out << program;
                 const json report = text::parse_json<json>(ran.out);
                 EXPECT_TRUE(report["collisions"].empty()) << report["collisions"];
-                const double digit_mm = inch ? 0.00254 : 2e-6;  // that of a contact
-                const std::array<double, 3> wanted{300, 100, -70}, got = frame("s.txt");
+                const double resolution_mm = inch ? 0.00254 : 2e-6;  // that of a contact
+                const std::array<double, 3> expected_value{300, 100, -70}, got = frame("s.txt");
                 for (std::size_t i = 0; i < 3; ++i)
-                    EXPECT_NEAR(got[i], wanted[i], digit_mm) << "XYZ"[i] << program;
-                EXPECT_NEAR(cut()["X"], 310, digit_mm + 1e-3);
-                EXPECT_NEAR(cut()["Y"], 120, digit_mm + 1e-3);
-                EXPECT_NEAR(cut()["Z"], -63, digit_mm + 1e-3);
+                    EXPECT_NEAR(got[i], expected_value[i], resolution_mm) << "XYZ"[i] << program;
+                EXPECT_NEAR(cut()["X"], 310, resolution_mm + 1e-3);
+                EXPECT_NEAR(cut()["Y"], 120, resolution_mm + 1e-3);
+                EXPECT_NEAR(cut()["Z"], -63, resolution_mm + 1e-3);
             }
         }
     }
@@ -125,15 +125,16 @@ TEST_F(ProbeOffset, GrblsFrameIsWhereTheToolHasComeToRest) {
 TEST_F(ProbeOffset, EachControlSaysItInItsWords) {
     write("p.path.json", path_with(R"("set_offset_mm": [304, 97, -66], )" + kTouches));
     const std::string behind_z = "G53 G00 Z0\nG00 X-15 Y20\nG00 Z-10\n";
-    EXPECT_TRUE(holds(
+    EXPECT_TRUE(contains(
         written("rs274ngc"),
         "G10 L2 P2 X304 Y97 Z-66 R0\nG53 G00 Z0\nG55\nG00 X20 Y20\nG00 Z15\nG38.2 Z-10 F120\nG1 Z#5063\n"
         "G10 L20 P2 Z0\nG00 Z15\n" +
             behind_z + "G38.2 X10 F60\nG1 X#5061\nG10 L20 P2 X-3\nG00 X-15\n"))
         << written("rs274ngc");
-    EXPECT_TRUE(holds(written("grbl"), "G38.2 Y55 F60\nG10 L20 P2 Y63\nG00 Y90\nG53 G00 Z0\nX10 Y20 Z30\n"))
+    EXPECT_TRUE(
+        contains(written("grbl"), "G38.2 Y55 F60\nG10 L20 P2 Y63\nG00 Y90\nG53 G00 Z0\nX10 Y20 Z30\n"))
         << written("grbl");
-    EXPECT_TRUE(holds(
+    EXPECT_TRUE(contains(
         written("fanuc"),
         "G31 Z-10. F120.\nN90 IF [ABS[#5063-[-10.]] LT 0.001] THEN #3000=1 (THE PROBE TOUCHED NOTHING)\n"
         "N100 G91 G10 L2 P2 Z[#5063-[0.]]\nN110 G90\nN120 G55\nN130 G00 Z15.\n"))
@@ -146,14 +147,14 @@ TEST_F(ProbeOffset, WhatTouchesNothingIsAnAlarm) {
           path_with(R"("probe_offset": [{"axis": "Z", "from_mm": [-50, 20, 15], "to_mm": -10, "surface_mm": 0,
                         "feed_mm_min": 120}])"));
     write("d.txt", "NCFILE\nOFFSET\n55 304 97 -66\nENDFILE\n");
-    for (const auto& [dialect, sentence] :
+    for (const auto& [dialect, message] :
          {std::pair<std::string, std::string>{"ab9", "THE PROBE TOUCHED NOTHING"},
           {"rs274ngc", "the probe has not touched anything"},
           {"grbl", "the probe has not touched anything"}}) {
         const Ended ran =
             run(written(dialect), dialect, {"--machine-data", "d.txt", "--save-machine-data", "s.txt"});
         EXPECT_EQ(ran.status, 1) << dialect;
-        EXPECT_TRUE(holds(ran.out, sentence)) << ran.out;
+        EXPECT_TRUE(contains(ran.out, message)) << ran.out;
         EXPECT_EQ(frame("s.txt"), (std::array<double, 3>{304, 97, -66}));
     }
 }
@@ -164,8 +165,8 @@ TEST_F(ProbeOffset, AToolOfItsOwn) {
     touches = std::regex_replace(touches, std::regex("\"feed_mm_min\""), "\"tool\": 9, \"feed_mm_min\"");
     write("p.path.json", path_with(R"("set_offset_mm": [304, 97, -66], "tool": 3, )" + touches));
     const std::string program = written("rs274ngc");
-    EXPECT_TRUE(holds(program, "R0\nG53 G00 Z0\nT9\nM6\nG43 H9\nG55\nG00 X20 Y20\n")) << program;
-    EXPECT_TRUE(holds(program, "G00 Y90\nG53 G00 Z0\nT3\nM6\nG43 H3\nX10 Y20 Z30\n")) << program;
+    EXPECT_TRUE(contains(program, "R0\nG53 G00 Z0\nT9\nM6\nG43 H9\nG55\nG00 X20 Y20\n")) << program;
+    EXPECT_TRUE(contains(program, "G00 Y90\nG53 G00 Z0\nT3\nM6\nG43 H3\nX10 Y20 Z30\n")) << program;
     EXPECT_EQ(program.find("T9"), program.rfind("T9")) << program;
     // In the model the lengths count, and the stylus is there with each tool: the frame is off by the
     // probe's.
@@ -197,7 +198,7 @@ TEST_F(ProbeOffset, EachFrameIsFoundOnceBeforeAllElse) {
 }
 
 TEST_F(ProbeOffset, WhatCannotBeIsRefused) {
-    const auto refused = [this](const std::string& keys, const std::vector<std::string>& more = {}) {
+    const auto rejected = [this](const std::string& keys, const std::vector<std::string>& more = {}) {
         write("p.path.json", path_with(keys));
         std::vector<std::string> options = {"p.path.json"};
         options.insert(options.end(), more.begin(), more.end());
@@ -208,19 +209,19 @@ TEST_F(ProbeOffset, WhatCannotBeIsRefused) {
     std::ifstream file(tests::source_path("samples/posts/grbl.toml"));
     const std::string post{std::istreambuf_iterator<char>(file), {}};
     write("mine.toml", std::regex_replace(post, std::regex("\\[probe\\]\ntouch.*\n"), ""));
-    EXPECT_TRUE(holds(refused(kTouches, {"--dialect", "mine.toml"}),
-                      "the post 'grbl' has no words that find a work offset by touches ([probe] touch)"));
-    EXPECT_TRUE(holds(refused(R"("set_offset_mm": [304, 97, 0], )" + kTouches),
-                      "p.path.json:1:12: error: out of reach: Z 15 is outside -120 to 0"));
+    EXPECT_TRUE(contains(rejected(kTouches, {"--dialect", "mine.toml"}),
+                         "the post 'grbl' has no words that find a work offset by touches ([probe] touch)"));
+    EXPECT_TRUE(contains(rejected(R"("set_offset_mm": [304, 97, 0], )" + kTouches),
+                         "p.path.json:1:12: error: out of reach: Z 15 is outside -120 to 0"));
     std::string with_tool = kTouches;
     with_tool.replace(with_tool.find("\"axis\""), 0, "\"tool\": 9, ");
-    EXPECT_TRUE(holds(refused(with_tool),
-                      "a touch names its tool, so that the path that the program begins with must "
-                      "name its own"));
+    EXPECT_TRUE(contains(rejected(with_tool),
+                         "a touch names its tool, so that the path that the program begins with must "
+                         "name its own"));
     EXPECT_TRUE(
-        holds(refused(with_tool + R"(, "tool": 3)", {"--dialect", "grbl"}),
-              "the post 'grbl' has no words for 'tool_change T3', 'tool_change T9', 'tool_length H3', "
-              "'tool_length H9'"));
+        contains(rejected(with_tool + R"(, "tool": 3)", {"--dialect", "grbl"}),
+                 "the post 'grbl' has no words for 'tool_change T3', 'tool_change T9', 'tool_length H3', "
+                 "'tool_length H9'"));
 }
 
 }  // namespace

@@ -128,13 +128,13 @@ DEBUG("%.4f", v[5061])
 
 TEST_F(Probe, TheOptionSaysWhatItTakes) {
     const std::string program = "G21 F600\nG38.2 X30\nM2\n";
-    const std::string takes =
+    const std::string accepts =
         "--probe takes none, or where a plane lies that stops probes, as x=, y= or z= in mm of machine "
         "coordinates (z=-3.2), not '";
     for (const std::string value : {"z", "z=", "z=1mm", "a=1", "all", "z=nan", "z=inf", "=3"}) {
         const Ended e = gsim_run(arguments(program, {"--probe", value}));
         EXPECT_EQ(e.status, 2);
-        EXPECT_EQ(text::parse_json<json>(e.out)["diagnostics"][0]["text"], takes + value + "'");
+        EXPECT_EQ(text::parse_json<json>(e.out)["diagnostics"][0]["text"], accepts + value + "'");
     }
     EXPECT_EQ(report(program, {"--probe", "X=+2.5"})["status"], "completed");
     const Ended arm =
@@ -156,14 +156,14 @@ TEST_F(Probe, ACheckTakesTheOptionToo) {
     EXPECT_EQ(check("x=20").status, 0);
     const Ended nothing = check("none");
     EXPECT_EQ(nothing.status, 1);
-    EXPECT_TRUE(holds(nothing.out, "G38.2 has come to its end, and the probe has not touched anything"));
+    EXPECT_TRUE(contains(nothing.out, "G38.2 has come to its end, and the probe has not touched anything"));
 }
 
 TEST_F(Probe, TheRecordedPathEndsWhereTheMachineStood) {
     const Ended e = gsim_run({write("part.ngc", "G21 F600\nG38.2 X300\nG1 X0\nM2\n"), "--dialect", "rs274ngc",
                               "--probe", "x=100", "--record", "-"});
     ASSERT_EQ(e.status, 0) << e.err;
-    EXPECT_TRUE(holds(e.out, fmt::format("{:.6f}", 100 + kBraking_mm))) << e.out;
+    EXPECT_TRUE(contains(e.out, fmt::format("{:.6f}", 100 + kBraking_mm))) << e.out;
 }
 
 // A module is stopped at the end of the step in which it touches; ours brakes as the planner in process does.

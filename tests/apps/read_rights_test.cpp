@@ -25,7 +25,7 @@ TEST_F(ReadRights, APipeThatAFileNamesIsAnError) {
     make_pipe("pipe.stl");
     make_pipe("pipe.txt");
     write("part.nc", "G0 X1\nM2\n");
-    const std::string sentence = "it is a pipe; a file or script may name regular files only";
+    const std::string message = "it is a pipe; a file or script may name regular files only";
     for (const std::string cell :
          {"[cell]\nname = \"c\"\nmachine = \"pipe.toml\"\n",
           "[cell]\nname = \"c\"\nmachine_data = \"pipe.txt\"\n",
@@ -33,11 +33,11 @@ TEST_F(ReadRights, APipeThatAFileNamesIsAnError) {
         write("cell.toml", cell);
         const Ended ended = gsim_run({"--cell", "cell.toml", "part.nc"});
         EXPECT_EQ(ended.status, 2) << cell;
-        EXPECT_TRUE(holds(ended.err, holds(cell, "mesh") ? "pipe.stl: " : sentence)) << ended.err;
+        EXPECT_TRUE(contains(ended.err, contains(cell, "mesh") ? "pipe.stl: " : message)) << ended.err;
     }
     write("machine.toml", "[machine]\nname = \"m\"\n[controller]\nmodel = \"pipe.toml\"\n");
     const Ended ended = gsim_run({"--machine", "machine.toml", "part.nc"});
-    EXPECT_TRUE(holds(ended.err, sentence)) << ended.err;
+    EXPECT_TRUE(contains(ended.err, message)) << ended.err;
 }
 
 TEST_F(ReadRights, PipesOfTheCommandLineAreRead) {
@@ -49,7 +49,7 @@ TEST_F(ReadRights, PipesOfTheCommandLineAreRead) {
         shell(fmt::format("{} --machine <(cat {}) --cell <(cat cell.toml) --machine-data <(cat data.txt) "
                           "--variables <(true) <(cat part.nc)",
                           tests::program_path("gsim-run"), machine));
-    EXPECT_TRUE(holds(ended.out, "completed")) << ended.out << ended.err;
+    EXPECT_TRUE(contains(ended.out, "completed")) << ended.out << ended.err;
     const Ended translated = shell(
         fmt::format("{} --machine <(cat {}) <(cat part.nc)", tests::program_path("gcode2lua"), machine));
     EXPECT_EQ(translated.status, 0) << translated.err;
@@ -64,12 +64,13 @@ TEST_F(ReadRights, CalledProgramsStayInTheFolderOfTheScript) {
     write("inside/main.lua", "run('sub')\n");
     const Ended ended = gsim_run({"inside/main.lua"});
     EXPECT_NE(ended.status, 0);
-    EXPECT_FALSE(holds(ended.out + ended.err, "secret\n")) << ended.out;
-    EXPECT_TRUE(holds(ended.out + ended.err, "sub.lua is a link that leads out of the folder of the script"))
+    EXPECT_FALSE(contains(ended.out + ended.err, "secret\n")) << ended.out;
+    EXPECT_TRUE(
+        contains(ended.out + ended.err, "sub.lua is a link that leads out of the folder of the script"))
         << ended.out << ended.err;
     write("inside/main.lua", "run('near')\n");
     const Ended near = gsim_run({"inside/main.lua"});
-    EXPECT_TRUE(holds(near.out + near.err, "own\n")) << near.out << near.err;
+    EXPECT_TRUE(contains(near.out + near.err, "own\n")) << near.out << near.err;
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ TemporaryFile temporary_file(const std::string& text = {}) {
     return file;
 }
 
-std::string text_of(std::FILE* file) {
+std::string read_file_text(std::FILE* file) {
     std::string text;
     std::rewind(file);
     for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) text += static_cast<char>(c);
@@ -59,8 +59,8 @@ Ended run_program(const std::string& program, const std::vector<std::string>& ar
     ::waitpid(child, &state, 0);
     Ended ended;
     if (WIFEXITED(state)) ended.status = WEXITSTATUS(state);
-    ended.out = text_of(out.get());
-    ended.err = text_of(err.get());
+    ended.out = read_file_text(out.get());
+    ended.err = read_file_text(err.get());
     return ended;
 }
 

@@ -38,7 +38,7 @@ class Apps : public testing::Test {
     std::filesystem::path folder_;
 };
 
-inline bool holds(const std::string& text, const std::string& part) {
+inline bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 

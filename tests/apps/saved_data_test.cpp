@@ -36,17 +36,17 @@ TEST_F(SavedData, ARunThatChangesNothingLeavesEachByte) {
 }
 
 TEST_F(SavedData, G10AndSystemVariablesOfThe9Series) {
-    std::string wanted = changed(kData, "10.00 ", "12.5  ");
-    wanted = changed(wanted, "1  0  0  inch", "2  0  0  inch");
-    wanted = changed(wanted, "inch\r\nT", "inch\r\n505  0  0  3\r\nT");
-    wanted = changed(wanted, "50.8 10 JET  LENGTH_WEAR=0.1", "50.8 11 JET  LENGTH_WEAR=0.25");
-    wanted = changed(wanted, "2 1 2 inch\r\n", "2 1 2 inch\r\n7  5  0\r\n");
-    wanted = changed(wanted, "500 7", "500 8");
-    wanted = changed(wanted, "501 3\r\n", "502  9\r\n5203  -4\r\n");
+    std::string expected_value = changed(kData, "10.00 ", "12.5  ");
+    expected_value = changed(expected_value, "1  0  0  inch", "2  0  0  inch");
+    expected_value = changed(expected_value, "inch\r\nT", "inch\r\n505  0  0  3\r\nT");
+    expected_value = changed(expected_value, "50.8 10 JET  LENGTH_WEAR=0.1", "50.8 11 JET  LENGTH_WEAR=0.25");
+    expected_value = changed(expected_value, "2 1 2 inch\r\n", "2 1 2 inch\r\n7  5  0\r\n");
+    expected_value = changed(expected_value, "500 7", "500 8");
+    expected_value = changed(expected_value, "501 3\r\n", "502  9\r\n5203  -4\r\n");
     EXPECT_EQ(after(kData,
                     "G10 L2 P1 X12.5\nG20 G10 L2 P2 X2\nG21 G10 L20 P5 Z3\nG10 L12 P1 R11\n#2201=0.25\n"
                     "#2007=5\n#100=2\n#500=#500+1\n#501=#0\n#502=9\n#5203=-4\nM2\n"),
-              wanted);
+              expected_value);
 }
 
 TEST_F(SavedData, WhatWasSavedIsInForceInTheNextRun) {
@@ -59,12 +59,12 @@ TEST_F(SavedData, WhatWasSavedIsInForceInTheNextRun) {
 }
 
 TEST_F(SavedData, G10OfRs274ngc) {
-    std::string wanted = changed(kData, "10.00 ", "12.7  ");
-    wanted = changed(wanted, "2 1 2 inch", "2 1.5 2  X=0.25 inch");
-    wanted = changed(wanted, "500 7", "500 8");
-    wanted = changed(wanted, "501 3\r\n", "501 3\r\n5230  30\r\n");
+    std::string expected_value = changed(kData, "10.00 ", "12.7  ");
+    expected_value = changed(expected_value, "2 1 2 inch", "2 1.5 2  X=0.25 inch");
+    expected_value = changed(expected_value, "500 7", "500 8");
+    expected_value = changed(expected_value, "501 3\r\n", "501 3\r\n5230  30\r\n");
     EXPECT_EQ(after(kData, "G20 G10 L2 P1 X0.5 R30\nG10 L1 P2 Z1.5 X0.25\n#500=8\n#600=1\nM2\n", "rs274ngc"),
-              wanted);
+              expected_value);
 }
 
 TEST_F(SavedData, WithoutAFileToBeginWithThereIsANewOne) {

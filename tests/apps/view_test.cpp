@@ -56,10 +56,10 @@ class ViewOutput : public Apps {
     }
 };
 
-const std::string kPage = "<html>before<!-- run -->behind</html>\n";
+const std::string kPageFile = "<html>before<!-- run -->behind</html>\n";
 
 TEST_F(ViewOutput, HasTheRunItsSourceAndItsReport) {
-    install(kPage);
+    install(kPageFile);
     const Ended ended = view({"--quiet", "--view", "out.html", write("part.nc", kPart)});
     ASSERT_EQ(ended.status, 0) << ended.err;
     const auto all = frames("out.html");
@@ -76,7 +76,7 @@ TEST_F(ViewOutput, HasTheRunItsSourceAndItsReport) {
 }
 
 TEST_F(ViewOutput, OfAProgramFromAPipeHasNoSource) {
-    install(kPage);
+    install(kPageFile);
     write("stdin", "G0 X999\n");  // which is another program
     const Ended ended = view({"--quiet", "--view", "out.html", "-"}, kPart);
     ASSERT_EQ(ended.status, 0) << ended.err;
@@ -86,7 +86,7 @@ TEST_F(ViewOutput, OfAProgramFromAPipeHasNoSource) {
 }
 
 TEST_F(ViewOutput, HasSourcesThatAreLong) {
-    install(kPage);
+    install(kPageFile);
     std::string part = "G21 G90\n";
     while (part.size() < 5'000'000) part += "(A REMARK THAT MAKES THE PROGRAM LONGER)\n";
     part += "G0 X10\nM2\n";
@@ -99,7 +99,7 @@ TEST_F(ViewOutput, HasSourcesThatAreLong) {
 }
 
 TEST_F(ViewOutput, IsNoFileThatRobotsWriteOrRead) {
-    install(kPage);
+    install(kPageFile);
     write("robots.toml", "[[robot]]\nname = \"left\"\nmachine = \"left.toml\"\n");
     write("cell.lua",
           "local _ENV = require \"gsim\"\nprocess(\"a\", function() local _ENV = robot \"left\" G0{x=10} "
@@ -113,11 +113,11 @@ TEST_F(ViewOutput, IsNoFileThatRobotsWriteOrRead) {
     const Ended over_moves = view({"--quiet", "--view", "moves.left.jsonl", "--moves", "moves.jsonl",
                                    "--robots", "robots.toml", "cell.lua"});
     EXPECT_EQ(over_moves.status, 2) << over_moves.err;
-    EXPECT_TRUE(holds(over_moves.err, "moves.left.jsonl")) << over_moves.err;
+    EXPECT_TRUE(contains(over_moves.err, "moves.left.jsonl")) << over_moves.err;
 }
 
 TEST_F(ViewOutput, TwiceIsTheSame) {
-    install(kPage);
+    install(kPageFile);
     const std::string part = write("part.nc", kPart);
     EXPECT_EQ(view({"--quiet", "--view", "one.html", part}).status, 0);
     EXPECT_EQ(view({"--quiet", "--view", "other.html", part}).status, 0);
@@ -125,12 +125,12 @@ TEST_F(ViewOutput, TwiceIsTheSame) {
 }
 
 TEST_F(ViewOutput, WithoutThePageSaysHowToMakeIt) {
-    install(kPage);
+    install(kPageFile);
     fs::remove_all(folder_ / "here/share");
     const Ended ended = view({"--view", "out.html", write("part.nc", kPart)});
     EXPECT_EQ(ended.status, 2);
-    EXPECT_TRUE(holds(ended.err, "--view needs the page of the studio, which is not there")) << ended.err;
-    EXPECT_TRUE(holds(ended.err, "`make studio` makes it")) << ended.err;
+    EXPECT_TRUE(contains(ended.err, "--view needs the page of the studio, which is not there")) << ended.err;
+    EXPECT_TRUE(contains(ended.err, "`make studio` makes it")) << ended.err;
     EXPECT_FALSE(exists("out.html"));
 }
 
@@ -138,25 +138,25 @@ TEST_F(ViewOutput, APageWithoutAPlaceForARunIsNone) {
     install("<html></html>\n");
     const Ended ended = view({"--view", "out.html", write("part.nc", kPart)});
     EXPECT_EQ(ended.status, 2);
-    EXPECT_TRUE(holds(ended.err, "has no place for a run")) << ended.err;
+    EXPECT_TRUE(contains(ended.err, "has no place for a run")) << ended.err;
 }
 
 TEST_F(ViewOutput, NothingIsLeftOfAProgramThatIsRefused) {
-    install(kPage);
+    install(kPageFile);
     const Ended ended = view({"--quiet", "--view", "out.html", write("part.nc", "G999\n")});
     EXPECT_EQ(ended.status, 1);
     EXPECT_FALSE(exists("out.html"));
 }
 
 TEST_F(ViewOutput, AFullDiskIsTold) {
-    install(kPage);
+    install(kPageFile);
     const Ended ended = view({"--quiet", "--view", "/dev/full", write("part.nc", kPart)});
     EXPECT_EQ(ended.status, 2);
-    EXPECT_TRUE(holds(ended.err, "No space left on device")) << ended.err;
+    EXPECT_TRUE(contains(ended.err, "No space left on device")) << ended.err;
 }
 
 TEST_F(ViewOutput, OfSeveralRobotsIsOnePage) {
-    install(kPage);
+    install(kPageFile);
     write("robots.toml",
           "[[robot]]\nname = \"left\"\n[[robot]]\nname = \"right\"\nbase = { x_mm = 9000.0 }\n");
     write(

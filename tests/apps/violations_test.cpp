@@ -10,7 +10,7 @@ namespace {
 using nlohmann::json;
 
 const std::string kRouter = tests::source_path("samples/machines/router3.toml");
-const std::string kOff = "G54 M3 S1000\nG0 X100 Y10\nG1 X-12.5 F1000\nX50\nM30\n";
+const std::string kOutsideProgram = "G54 M3 S1000\nG0 X100 Y10\nG1 X-12.5 F1000\nX50\nM30\n";
 
 class Violations : public Apps {
   protected:
@@ -27,7 +27,7 @@ class Violations : public Apps {
 };
 
 TEST_F(Violations, OnePassTellsAllAndWhatMendsThem) {
-    const json r = report({"--machine", kRouter, write("off.nc", kOff)}, 1);
+    const json r = report({"--machine", kRouter, write("off.nc", kOutsideProgram)}, 1);
     EXPECT_EQ(r["status"], "violations");
     EXPECT_TRUE(r["alarm"].is_null());
     EXPECT_EQ(r["violation_count"], 1);
@@ -39,13 +39,13 @@ TEST_F(Violations, OnePassTellsAllAndWhatMendsThem) {
     EXPECT_EQ(first["offset"], "G54");
     EXPECT_EQ(r["valid_until_s"], first["t_s"]);
     EXPECT_EQ(r["remedy"], text::parse_json<json>(R"([{"offset": "G54", "axis": "X", "shift_mm": 12.5}])"));
-    EXPECT_TRUE(holds(gsim_run({"--machine", kRouter, "off.nc"}).out,
-                      "G54 X +12.5 mm would bring the whole program within the limits\n"));
+    EXPECT_TRUE(contains(gsim_run({"--machine", kRouter, "off.nc"}).out,
+                         "G54 X +12.5 mm would bring the whole program within the limits\n"));
     EXPECT_EQ(report({"--machine", kRouter, "--stop-at-first", "off.nc"}, 1)["status"], "alarm");
 }
 
 TEST_F(Violations, TheRemedyIsTrue) {
-    write("off.nc", kOff);
+    write("off.nc", kOutsideProgram);
     const json moved =
         report({"--machine", kRouter, "--dialect", "rs274ngc", "--variables", write("v.var", "5221 0.1\n"),
                 write("inch.nc", "G20 M3 S9\nG0 X0.1\nG1 X-1 F40\nM2\n")},
@@ -54,8 +54,8 @@ TEST_F(Violations, TheRemedyIsTrue) {
     EXPECT_EQ(moved["remedy"],
               text::parse_json<json>(R"([{"offset": "G54", "axis": "X", "shift_mm": 22.86}])"));
     write("data.txt", "NCFILE\nOFFSET\n54 12.5 0 0\nENDFILE\n");
-    const Ended again = gsim_run({"--machine", kRouter, "--machine-data", "data.txt", "off.nc"});
-    EXPECT_EQ(again.status, 0) << again.out;
+    const Ended relist = gsim_run({"--machine", kRouter, "--machine-data", "data.txt", "off.nc"});
+    EXPECT_EQ(relist.status, 0) << relist.out;
 }
 
 TEST_F(Violations, NoRemedyWhereTheShiftWouldBreakAnotherThing) {
@@ -70,16 +70,16 @@ TEST_F(Violations, NoRemedyWhereTheShiftWouldBreakAnotherThing) {
 }
 
 TEST_F(Violations, MovesAreMarked) {
-    write("off.nc", kOff);
+    write("off.nc", kOutsideProgram);
     gsim_run({"--machine", kRouter, "--moves", "m.jsonl", "off.nc"});
     const std::string moves = read("m.jsonl");
-    EXPECT_TRUE(holds(moves, R"("line":3,"kind":"linear","to":{"X":-12.5,)"));
-    EXPECT_TRUE(holds(moves, R"("beyond":["X"]})"));
+    EXPECT_TRUE(contains(moves, R"("line":3,"kind":"linear","to":{"X":-12.5,)"));
+    EXPECT_TRUE(contains(moves, R"("beyond":["X"]})"));
     EXPECT_EQ(moves.find("beyond"), moves.rfind("beyond"));
 }
 
 TEST_F(Violations, CheckTellsThemToo) {
-    write("off.nc", kOff);
+    write("off.nc", kOutsideProgram);
     write("jet.nc", "M8\nG1 X10 F1000\nG0 X20\nM9\nM30\n");
     const Ended off = check({"--machine", kRouter, "off.nc"});
     EXPECT_EQ(off.status, 1);
@@ -90,7 +90,7 @@ TEST_F(Violations, CheckTellsThemToo) {
     EXPECT_EQ(jet.status, 1);
     EXPECT_EQ(jet.out, "jet.nc:3: warning: a rapid move with the jet on\n");
     EXPECT_EQ(gsim_run({"jet.nc"}).status, 0);
-    EXPECT_TRUE(holds(gsim_run({"jet.nc"}).out, "warning: jet.nc:3: a rapid move with the jet on\n"));
+    EXPECT_TRUE(contains(gsim_run({"jet.nc"}).out, "warning: jet.nc:3: a rapid move with the jet on\n"));
 }
 
 TEST_F(Violations, RobotsAreTold) {

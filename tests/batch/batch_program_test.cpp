@@ -12,7 +12,7 @@
 #include "base/text/json.h"
 #include "batch/store/sqlite.h"
 #include "tests/apps/run_program.h"
-#include "tests/batch/one_number.h"
+#include "tests/batch/query_number.h"
 #include "tests/batch/slide.h"
 #include "tests/build_files/build_files.h"
 #include "tests/support/soon.h"
@@ -40,10 +40,10 @@ class BatchProgram : public apps::Apps {
     double number(const std::string& query, const std::string& file = "gsim-batch.sqlite") const {
         auto results = Database::open((folder_ / file).string(), true);
         EXPECT_TRUE(results) << results.error();
-        auto asked = results->prepare(query);
-        EXPECT_TRUE(asked) << asked.error();
-        EXPECT_TRUE(asked->step().value_or(false)) << query;
-        return asked->number(0);
+        auto statement = results->prepare(query);
+        EXPECT_TRUE(statement) << statement.error();
+        EXPECT_TRUE(statement->step().value_or(false)) << query;
+        return statement->number(0);
     }
 
     void write_programs(int count) const {
@@ -53,8 +53,8 @@ class BatchProgram : public apps::Apps {
 };
 
 /// Returns the time between standstills over a distance at a feed of 10 mm/s, with 1000 mm/s2.
-double time_s(double way_mm, double feed_mm_s = 10, double acceleration_mm_s2 = 1000) {
-    return way_mm / feed_mm_s + feed_mm_s / acceleration_mm_s2;
+double time_s(double distance_mm, double feed_mm_s = 10, double acceleration_mm_s2 = 1000) {
+    return distance_mm / feed_mm_s + feed_mm_s / acceleration_mm_s2;
 }
 
 TEST_F(BatchProgram, HasWhatEachRunComesToByItself) {
@@ -67,15 +67,15 @@ TEST_F(BatchProgram, HasWhatEachRunComesToByItself) {
     for (const int i : {0, 5, 11}) {
         EXPECT_NEAR(number(fmt::format("SELECT cycle_time_s FROM latest WHERE program LIKE '%p{}.ngc'", i)),
                     time_s(10 + i), 1e-9);
-        const Ended alone = gsim_run({"--machine", "m.toml", "--json", fmt::format("p{}.ngc", i)});
+        const Ended standalone = gsim_run({"--machine", "m.toml", "--json", fmt::format("p{}.ngc", i)});
         auto results = Database::open((folder_ / "gsim-batch.sqlite").string(), true);
         auto kept = results->prepare(fmt::format(
             "SELECT json FROM report JOIN run ON run.id = report.run WHERE program LIKE '%p{}.ngc'", i));
         ASSERT_TRUE(kept->step().value_or(false));
         json of_batch = text::parse_json<json>(std::string(kept->text(0))),
-             by_itself = text::parse_json<json>(alone.out);
-        for (json* report : {&of_batch, &by_itself}) report->erase("program");
-        EXPECT_EQ(of_batch, by_itself);
+             single_report = text::parse_json<json>(standalone.out);
+        for (json* report : {&of_batch, &single_report}) report->erase("program");
+        EXPECT_EQ(of_batch, single_report);
     }
     EXPECT_THAT(read("runs.csv"), HasSubstr("job,program,machine"));
 }
@@ -195,11 +195,11 @@ TEST_F(BatchProgram, WhatIsWrongWithAProgramIsOneRow) {
     EXPECT_EQ(ended.status, 1) << ended.err;
     const auto status = [&](const std::string& program) {
         auto results = Database::open((folder_ / "gsim-batch.sqlite").string(), true);
-        auto asked = results->prepare(
+        auto statement = results->prepare(
             "SELECT status || ' ' || cause FROM latest WHERE machine = 'm.toml' AND program LIKE '%" +
             program + "'");
-        EXPECT_TRUE(asked->step().value_or(false)) << program;
-        return std::string(asked->text(0));
+        EXPECT_TRUE(statement->step().value_or(false)) << program;
+        return std::string(statement->text(0));
     };
     EXPECT_EQ(status("good.ngc"), "completed ");
     EXPECT_EQ(status("far.ngc"), "violations axis-limit");
@@ -214,19 +214,19 @@ TEST_F(BatchProgram, WritesPagesOfANightlyCheck) {
     write("m.toml", kSlide);
     write("a<1>.ngc", "G21 F600\nG1 X10\nM2\n");
     write("b.ngc", "G21 F600\nG1 X5000\nM2\n");
-    const std::vector<std::string> night{"--machine", "m.toml", ".", "--pages", "site", "-q"};
-    EXPECT_EQ(batch(night).status, 1);
+    const std::vector<std::string> nightly{"--machine", "m.toml", ".", "--pages", "site", "-q"};
+    EXPECT_EQ(batch(nightly).status, 1);
     EXPECT_THAT(read("site/index.html"), HasSubstr("There is no batch before this one."));
     write("a<1>.ngc", "G21 F600\nG1 X5000\nM2\n");
     write("b.ngc", "G21 F600\nG1 X20\nM2\n");
-    EXPECT_EQ(batch(night).status, 1);
+    EXPECT_EQ(batch(nightly).status, 1);
     const std::string front = read("site/index.html");
     const std::size_t failing = front.find("<h3 id=\"newly-failing\">"),
-                      mended = front.find("<h3 id=\"mended\">");
-    ASSERT_NE(mended, std::string::npos);
-    EXPECT_THAT(front.substr(failing, mended - failing), HasSubstr("a&lt;1&gt;.ngc"));
-    EXPECT_THAT(front.substr(failing, mended - failing), HasSubstr("axis-limit"));
-    EXPECT_THAT(front.substr(mended), HasSubstr("b.ngc"));
+                      fixed = front.find("<h3 id=\"mended\">");
+    ASSERT_NE(fixed, std::string::npos);
+    EXPECT_THAT(front.substr(failing, fixed - failing), HasSubstr("a&lt;1&gt;.ngc"));
+    EXPECT_THAT(front.substr(failing, fixed - failing), HasSubstr("axis-limit"));
+    EXPECT_THAT(front.substr(fixed), HasSubstr("b.ngc"));
 
     EXPECT_EQ(batch({"--pages", "site"}).status, 0) << "of the results alone";
     EXPECT_EQ(read("site/index.html"), front);

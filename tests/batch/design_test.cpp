@@ -52,7 +52,7 @@ TEST(Design, LatinHypercubeHasOneValueInEachPart) {
 // The mean of a smooth function comes much nearer than by lot: Owen 1998.
 TEST(Design, SobolIsMoreEvenThanLot) {
     const auto worst = [](Sampling sampling) {
-        double most = 0;
+        double max = 0;
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
             const Design design(two_uniform(), {.sampling = sampling, .runs = 512, .seed = seed});
             double mean = 0;
@@ -60,9 +60,9 @@ TEST(Design, SobolIsMoreEvenThanLot) {
                 const auto variant = design.variant(run);
                 mean += variant[0].value.get<double>() * (variant[1].value.get<double>() + 3) / 8 / 512;
             }
-            most = std::max(most, std::abs(mean - 0.25));
+            max = std::max(max, std::abs(mean - 0.25));
         }
-        return most;
+        return max;
     };
     EXPECT_LT(worst(Sampling::sobol), 0.005);
     EXPECT_GT(worst(Sampling::random), 0.01);

@@ -26,7 +26,7 @@ mass_kg = 12.0
 
 std::string edited(const std::string& key, const nlohmann::json& value, SettingUse use = SettingUse::set) {
     const SettingValue setting{key, value, use};
-    const auto text = edited_toml(kMachine, "m.toml", {&setting, 1});
+    const auto text = edit_toml(kMachine, "m.toml", {&setting, 1});
     return text ? *text : "error: " + text.error();
 }
 
@@ -60,21 +60,21 @@ TEST(EditedToml, SaysWhatIsNotThere) {
 TEST(EditedData, ChangesAnEntry) {
     const std::string data = "NCFILE\nOFFSET\n54 100 200 0\nENDFILE\n";
     const std::vector<SettingValue> settings{{"OFFSET.54.X", 101.5}, {"OFFSET.54.Z", -3}};
-    const auto text = edited_data(data, "d.txt", settings);
+    const auto text = edit_data(data, "d.txt", settings);
     ASSERT_TRUE(text) << text.error();
     EXPECT_THAT(*text, HasSubstr("101.5"));
     EXPECT_THAT(*text, HasSubstr("-3"));
     const SettingValue none{"OFFSET.54.Q", 1};
-    EXPECT_FALSE(edited_data(data, "d.txt", {&none, 1}));
+    EXPECT_FALSE(edit_data(data, "d.txt", {&none, 1}));
 }
 
 TEST(SettingKey, IsOfAFileOrOfTheRun) {
-    EXPECT_EQ(fault_of_key("machine.axis.X.max_mm"), "");
-    EXPECT_EQ(fault_of_key("data.OFFSET.54.X"), "");
-    EXPECT_THAT(fault_of_key("axis.X.max_mm"), HasSubstr("should begin with 'machine.'"));
-    EXPECT_THAT(fault_of_key("machine.axis..max_mm"), HasSubstr("empty name"));
-    EXPECT_THAT(fault_of_key("data.OFFSET.54"), HasSubstr("data.SECTION.ID.FIELD"));
-    EXPECT_THAT(fault_of_key("option.a.b"), HasSubstr("no option"));
+    EXPECT_EQ(check_key_name("machine.axis.X.max_mm"), "");
+    EXPECT_EQ(check_key_name("data.OFFSET.54.X"), "");
+    EXPECT_THAT(check_key_name("axis.X.max_mm"), HasSubstr("should begin with 'machine.'"));
+    EXPECT_THAT(check_key_name("machine.axis..max_mm"), HasSubstr("empty name"));
+    EXPECT_THAT(check_key_name("data.OFFSET.54"), HasSubstr("data.SECTION.ID.FIELD"));
+    EXPECT_THAT(check_key_name("option.a.b"), HasSubstr("no option"));
 }
 
 }  // namespace

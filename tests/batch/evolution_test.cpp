@@ -22,12 +22,12 @@ struct Found {
 };
 
 /// Until a value is reached or the trials are used up.
-Found least_of(const Function& function, Eigen::Index dimensions, double wanted, std::uint64_t most,
+Found minimize(const Function& function, Eigen::Index dimensions, double expected_value, std::uint64_t max,
                std::uint64_t seed, double begin = 0.8) {
     Evolution evolution(VectorXd::Constant(dimensions, begin), 0.3, 0, Random(seed));
     Found found;
-    while (found.value > wanted && found.trials < most && !evolution.is_done()) {
-        const std::vector<VectorXd> trials = evolution.ask();
+    while (found.value > expected_value && found.trials < max && !evolution.has_converged()) {
+        const std::vector<VectorXd> trials = evolution.sample_population();
         std::vector<double> values;
         for (const VectorXd& trial : trials) {
             EXPECT_GE(trial.minCoeff(), 0);
@@ -39,7 +39,7 @@ Found least_of(const Function& function, Eigen::Index dimensions, double wanted,
         std::vector<std::size_t> places(trials.size());
         std::iota(places.begin(), places.end(), std::size_t{0});
         std::sort(places.begin(), places.end(), [&](auto a, auto b) { return values[a] < values[b]; });
-        evolution.tell(places);
+        evolution.update(places);
     }
     return found;
 }
@@ -72,24 +72,24 @@ double rosenbrock(const VectorXd& point) {
 // the ellipsoid and the function of Rosenbrock. Here to 1e-6, as the step ends at 1e-5 of the box.
 TEST(Evolution, TakesAsManyTrialsAsPublished) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        EXPECT_LT(least_of(sphere, 10, 1e-6, 2'000, seed).value, 1e-6) << seed;
-        EXPECT_LT(least_of(ellipsoid, 10, 1e-3, 7'000, seed).value, 1e-3) << seed;
+        EXPECT_LT(minimize(sphere, 10, 1e-6, 2'000, seed).value, 1e-6) << seed;
+        EXPECT_LT(minimize(ellipsoid, 10, 1e-3, 7'000, seed).value, 1e-3) << seed;
         // About once in ten runs it ends in the other valley, as documented there: 4 is the value of that.
-        const double value = least_of(rosenbrock, 10, 1e-5, 9'000, seed).value;
+        const double value = minimize(rosenbrock, 10, 1e-5, 9'000, seed).value;
         EXPECT_TRUE(value < 1e-5 || std::abs(value - 3.9866) < 0.1) << value;
     }
 }
 
 TEST(Evolution, FindsWhatLiesAtTheEdge) {
     const Function corner = [](const VectorXd& point) { return point[0] - point[1] + 0.1 * point[2]; };
-    const Found found = least_of(corner, 3, -1 + 1e-4, 2'000, 1, 0.5);
+    const Found found = minimize(corner, 3, -1 + 1e-4, 2'000, 1, 0.5);
     EXPECT_NEAR(found.point[0], 0, 1e-3);
     EXPECT_NEAR(found.point[1], 1, 1e-3);
 }
 
 TEST(Evolution, WorksInOneDimension) {
     const Function function = [](const VectorXd& point) { return std::abs(point[0] - 0.123); };
-    EXPECT_NEAR(least_of(function, 1, 1e-5, 500, 1).point[0], 0.123, 1e-4);
+    EXPECT_NEAR(minimize(function, 1, 1e-5, 500, 1).point[0], 0.123, 1e-4);
 }
 
 TEST(Evolution, EndsWhereNothingChanges) {
@@ -97,14 +97,14 @@ TEST(Evolution, EndsWhereNothingChanges) {
     std::vector<std::size_t> places(8);
     std::iota(places.begin(), places.end(), std::size_t{0});
     // Steps that are short come first: it draws itself together.
-    for (int i = 0; i < 1000 && !evolution.is_done(); ++i) {
-        const std::vector<VectorXd> trials = evolution.ask();
+    for (int i = 0; i < 1000 && !evolution.has_converged(); ++i) {
+        const std::vector<VectorXd> trials = evolution.sample_population();
         std::sort(places.begin(), places.end(), [&](auto a, auto b) {
             return (trials[a].array() - 0.5).matrix().norm() < (trials[b].array() - 0.5).matrix().norm();
         });
-        evolution.tell(places);
+        evolution.update(places);
     }
-    EXPECT_TRUE(evolution.is_done());
+    EXPECT_TRUE(evolution.has_converged());
 }
 
 TEST(Evolution, TheSameSeedTriesTheSame) {
@@ -115,9 +115,9 @@ TEST(Evolution, TheSameSeedTriesTheSame) {
         for (int i = 0; i < 5; ++i) {
             std::vector<std::size_t> places(one.population());
             std::iota(places.begin(), places.end(), std::size_t{0});
-            alike = alike && one.ask() == two.ask();
-            one.tell(places);
-            two.tell(places);
+            alike = alike && one.sample_population() == two.sample_population();
+            one.update(places);
+            two.update(places);
         }
         EXPECT_EQ(alike, other == 7);
     }

@@ -33,8 +33,8 @@ class FullDisk : public apps::Apps {
         write_program("p2.ngc", 12);
     }
 
-    void write_program(const std::string& name, int way_mm) const {
-        write(name, fmt::format("G21 G90 G94 F600\nG1 X{}\nM2\n", way_mm));
+    void write_program(const std::string& name, int distance_mm) const {
+        write(name, fmt::format("G21 G90 G94 F600\nG1 X{}\nM2\n", distance_mm));
     }
 
     /// Runs a program with files of at most `room_kib` KiB. Standard error is not limited.
@@ -52,18 +52,18 @@ class FullDisk : public apps::Apps {
     std::map<std::string, std::string> rows(const std::string& file) const {
         auto results = Database::open((folder_ / file).string(), true);
         EXPECT_TRUE(results) << results.error();
-        auto asked = results->prepare("SELECT program, status, cycle_time_s, extents FROM latest");
-        EXPECT_TRUE(asked) << asked.error();
+        auto statement = results->prepare("SELECT program, status, cycle_time_s, extents FROM latest");
+        EXPECT_TRUE(statement) << statement.error();
         std::map<std::string, std::string> found;
-        while (asked->step().value_or(false))
-            found[std::string(asked->text(0))] =
-                fmt::format("{} {} {}", asked->text(1), asked->number(2), asked->text(3));
+        while (statement->step().value_or(false))
+            found[std::string(statement->text(0))] =
+                fmt::format("{} {} {}", statement->text(1), statement->number(2), statement->text(3));
         return found;
     }
 
     void remove_results() const {
-        for (const char* ending : {"", "-wal", "-shm", "-journal"})
-            std::filesystem::remove(folder_ / (std::string("r.sqlite") + ending));
+        for (const char* extension : {"", "-wal", "-shm", "-journal"})
+            std::filesystem::remove(folder_ / (std::string("r.sqlite") + extension));
     }
 };
 
@@ -73,23 +73,23 @@ TEST_F(FullDisk, IsNamedAndTheNextRunGoesOn) {
     const std::vector<std::string> good = {"--machine", "m.toml",    "p.ngc",     "p1.ngc",
                                            "p2.ngc",    "--reports", "--results", "clean.sqlite"};
     ASSERT_EQ(batch(good).status, 0);
-    const auto clean = rows("clean.sqlite");
-    ASSERT_EQ(clean.size(), 3U);
-    int full = 0, whole = 0;
-    for (int room_kib = 0; room_kib <= kMost_kib && whole < 2; room_kib += kStep_kib) {
+    const auto is_clean = rows("clean.sqlite");
+    ASSERT_EQ(is_clean.size(), 3U);
+    int full = 0, complete = 0;
+    for (int room_kib = 0; room_kib <= kMost_kib && complete < 2; room_kib += kStep_kib) {
         remove_results();
         const Ended ended = within(room_kib, tests::program_path("gsim-batch"), kWords);
-        ++(ended.status == 0 ? whole : full);
+        ++(ended.status == 0 ? complete : full);
         if (ended.status != 0) {
             EXPECT_EQ(ended.status, 2) << room_kib << ": " << ended.err;
             EXPECT_THAT(ended.err, HasSubstr("'r.sqlite': ")) << room_kib;
         }
         const Ended next = within(kMost_kib, tests::program_path("gsim-batch"), kWords);
         EXPECT_EQ(next.status, 0) << room_kib << ": " << next.err;
-        EXPECT_EQ(rows("r.sqlite"), clean) << room_kib;
+        EXPECT_EQ(rows("r.sqlite"), is_clean) << room_kib;
     }
     EXPECT_GT(full, 10) << "it was not cut off in its rows";
-    EXPECT_EQ(whole, 2) << "with enough room all is well";
+    EXPECT_EQ(complete, 2) << "with enough room all is well";
 }
 
 // Existing rows stay, whatever comes after them.

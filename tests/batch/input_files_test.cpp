@@ -37,18 +37,18 @@ TEST_F(Inputs, AFileThatIsChangedIsReadAgain) {
     const std::string name = write("one");
     ASSERT_NE(files_.get(name), nullptr);
     EXPECT_EQ(files_.get(name)->bytes, "one");
-    EXPECT_EQ(files_.hash_of(name), sha256("one"));
+    EXPECT_EQ(files_.file_hash(name), sha256("one"));
     write("another");
     EXPECT_EQ(files_.get(name)->bytes, "another");
-    EXPECT_EQ(files_.hash_of(name), sha256("another"));
+    EXPECT_EQ(files_.file_hash(name), sha256("another"));
     fs::remove(name);
     EXPECT_EQ(files_.get(name), nullptr);
-    EXPECT_EQ(files_.hash_of(name), "");
+    EXPECT_EQ(files_.file_hash(name), "");
 }
 
 TEST_F(Inputs, WhatIsNoFileIsNotThere) {
     EXPECT_EQ(files_.get(folder_.string()), nullptr);
-    EXPECT_EQ(files_.hash_of("/dev/zero"), "");
+    EXPECT_EQ(files_.file_hash("/dev/zero"), "");
     EXPECT_EQ(files_.get(""), nullptr);
 }
 

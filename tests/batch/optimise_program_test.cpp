@@ -13,7 +13,7 @@
 #include "base/text/json.h"
 #include "batch/store/sqlite.h"
 #include "tests/apps/run_program.h"
-#include "tests/batch/one_number.h"
+#include "tests/batch/query_number.h"
 #include "tests/batch/slide.h"
 #include "tests/build_files/build_files.h"
 #include "tests/support/soon.h"
@@ -40,10 +40,10 @@ class OptimiseProgram : public apps::Apps {
     double number(const std::string& query, const std::string& file = "gsim-optimise.sqlite") const {
         auto results = Database::open((folder_ / file).string(), true);
         EXPECT_TRUE(results) << results.error();
-        auto asked = results->prepare(query);
-        EXPECT_TRUE(asked) << asked.error();
-        EXPECT_TRUE(asked->step().value_or(false)) << query;
-        return asked->number(0);
+        auto statement = results->prepare(query);
+        EXPECT_TRUE(statement) << statement.error();
+        EXPECT_TRUE(statement->step().value_or(false)) << query;
+        return statement->number(0);
     }
 
     void write_slide() const {
@@ -113,9 +113,9 @@ TEST_F(OptimiseProgram, GoesOnWhereItWasCutOff) {
     const char* all = "SELECT group_concat(value) FROM (SELECT value FROM evaluations ORDER BY number)";
     const auto text = [&](const std::string& file) {
         auto results = Database::open((folder_ / file).string(), true);
-        auto asked = results->prepare(all);
-        EXPECT_TRUE(asked->step().value_or(false));
-        return std::string(asked->text(0));
+        auto statement = results->prepare(all);
+        EXPECT_TRUE(statement->step().value_or(false));
+        return std::string(statement->text(0));
     };
     EXPECT_EQ(text("gsim-optimise.sqlite"), text("whole.sqlite")) << "the same trials with the same figures";
     EXPECT_EQ(number("SELECT count(*) FROM run"), number("SELECT count(*) FROM run", "whole.sqlite"))
@@ -161,11 +161,11 @@ TEST_F(OptimiseProgram, FindsTheOrderThatTryingAllFinds) {
               number("SELECT min(cycle_time_s) FROM latest", "all.sqlite"));
     EXPECT_LT(found()["best"]["value"].get<double>(), found()["start"]["value"].get<double>());
     // The written program has the same result by itself.
-    const Ended again = apps::run_program(
+    const Ended relist = apps::run_program(
         tests::program_path("gsim-run"),
         {"--machine", "router3", "--dialect", "rs274ngc", "--json", "best/slots.nc"}, folder_);
-    ASSERT_EQ(again.status, 0) << again.err;
-    EXPECT_NEAR(text::parse_json<json>(again.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
+    ASSERT_EQ(relist.status, 0) << relist.err;
+    EXPECT_NEAR(text::parse_json<json>(relist.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
 }
 
 // On the thesis's gantry, the plate with its clamps and the program are placed where the rotary axes' limits
@@ -181,14 +181,14 @@ TEST_F(OptimiseProgram, PlacesTheWheel) {
     EXPECT_NEAR(start_s, 88.331, 0.001);
     EXPECT_LT(best_s, 0.96 * start_s);
     EXPECT_GE(best_s, found()["proof"]["best"]["lower_bound_s"].get<double>());
-    const json figures = found()["best"]["runs"][0];
-    EXPECT_GE(figures["clearance_mm"].get<double>(), 0.25);
+    const json metrics = found()["best"]["runs"][0];
+    EXPECT_GE(metrics["clearance_mm"].get<double>(), 0.25);
     // By the program that everybody has, from the files that were written.
-    const Ended again = apps::run_program(
+    const Ended relist = apps::run_program(
         tests::program_path("gsim-run"),
         {"best/wheel.nc", "--machine", "af5-measured", "--cell", "best/wheel.cell.toml", "--json"}, folder_);
-    ASSERT_EQ(again.status, 0) << again.err;
-    const json report = text::parse_json<json>(again.out);
+    ASSERT_EQ(relist.status, 0) << relist.err;
+    const json report = text::parse_json<json>(relist.out);
     EXPECT_NEAR(report["cycle_time_s"], best_s, 1e-9);
     EXPECT_TRUE(report["collisions"].empty());
     EXPECT_TRUE(report["clearances"].empty());
@@ -218,10 +218,10 @@ to = 2000
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_THAT(read("there/best/p.ngc.machine.toml"), HasSubstr("kind = \"linear\""));
     EXPECT_THAT(ended.out, HasSubstr("# without variables, which it has no word for"));
-    const Ended again =
+    const Ended relist =
         apps::run_program(tests::program_path("gsim-run"),
                           {"p.ngc", "--machine", "there/best/p.ngc.machine.toml", "--json"}, folder_);
-    EXPECT_NEAR(text::parse_json<json>(again.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
+    EXPECT_NEAR(text::parse_json<json>(relist.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
     // The proof is made, not found.
     ASSERT_EQ(optimise({"plan.toml", "--best", "there/best", "--overwrite"}).status, 0);
     EXPECT_EQ(number("SELECT reused FROM batch_run ORDER BY batch DESC LIMIT 1"), 0);
@@ -292,9 +292,9 @@ TEST_F(OptimiseProgram, RefusesWhatItIsToldWrongly) {
     std::string nowhere = kOverride;
     nowhere.replace(nowhere.find("option.feed_override_percent"), 28, "machine.axis.Q.max_speed_mm_s");
     write("nowhere.toml", nowhere);
-    const Ended told = optimise({"nowhere.toml"});
-    EXPECT_EQ(told.status, 2);
-    EXPECT_THAT(told.err, HasSubstr("there is no 'Q'"));
+    const Ended reported = optimise({"nowhere.toml"});
+    EXPECT_EQ(reported.status, 2);
+    EXPECT_THAT(reported.err, HasSubstr("there is no 'Q'"));
     write("bare.toml", "programs = \"p.ngc\"\n");
     EXPECT_THAT(optimise({"bare.toml"}).err, HasSubstr("[objective]"));
     EXPECT_THAT(batch({"plan.toml"}).err, HasSubstr("no list of values"))

@@ -46,26 +46,26 @@ struct Told {
     }
 };
 
-RunRow row_of(const Told& told) {
-    RunRow row{.status = told.status,
-               .cause = told.cause,
+RunRow run_row(const Told& reported) {
+    RunRow row{.status = reported.status,
+               .cause = reported.cause,
                .machine = "M",
                .controller = "exact-stop",
-               .cycle_time_s = told.time_s,
+               .cycle_time_s = reported.time_s,
                .extents = R"({"X":[0,10]})",
                .findings = "[]",
-               .files = told.files};
-    if (row.status.empty()) row.status = told.cause.empty() ? "completed" : "violations";
-    if (told.cause.empty()) return row;
-    row.message = told.text;
-    row.file = told.program;
+               .files = reported.files};
+    if (row.status.empty()) row.status = reported.cause.empty() ? "completed" : "violations";
+    if (reported.cause.empty()) return row;
+    row.message = reported.text;
+    row.file = reported.program;
     row.line = 7;
     row.violations = 1;
     row.findings = nlohmann::json::array({{{"severity", "error"},
-                                           {"code", told.cause},
-                                           {"file", told.program},
+                                           {"code", reported.cause},
+                                           {"file", reported.program},
                                            {"line", 7},
-                                           {"text", told.text}}})
+                                           {"text", reported.text}}})
                        .dump();
     return row;
 }
@@ -76,11 +76,11 @@ std::string text_in(const fs::path& file) {
 }
 
 /// Returns all text below a node, parts separated by a blank.
-std::string words_of(const pugi::xml_node& node) {
+std::string page_words(const pugi::xml_node& node) {
     std::string words;
     if (node.type() == pugi::node_pcdata) words = node.value();
     for (const pugi::xml_node& child : node.children()) {
-        const std::string more = words_of(child);
+        const std::string more = page_words(child);
         if (!more.empty()) words += (words.empty() ? "" : " ") + more;
     }
     return words;
@@ -91,7 +91,7 @@ class Pages : public testing::Test {
     Pages() { fs::create_directories(folder_); }
     ~Pages() override { fs::remove_all(folder_); }
 
-    void batch(const std::vector<Told>& runs, bool whole = true, const std::string& plan = "plan.toml") {
+    void batch(const std::vector<Told>& runs, bool complete = true, const std::string& plan = "plan.toml") {
         auto results = Results::open(file_);
         ASSERT_TRUE(results) << results.error();
         ASSERT_TRUE(results->begin_batch(plan, runs.size(), "v"));
@@ -106,12 +106,12 @@ class Pages : public testing::Test {
                 known != runs_.end() ? known->second
                                      : results
                                            ->add(job, {"k", runs[i].program_sha256, runs[i].machine_sha256},
-                                                 row_of(runs[i]), runs[i].version)
+                                                 run_row(runs[i]), runs[i].version)
                                            .value();
-            ASSERT_TRUE(results->note(i, run, known != runs_.end()));
+            ASSERT_TRUE(results->record(i, run, known != runs_.end()));
             runs_[runs[i]] = run;
         }
-        ASSERT_TRUE(results->end_batch(whole));
+        ASSERT_TRUE(results->end_batch(complete));
     }
 
     tl::expected<void, std::string> write(std::int64_t since = 0) {
@@ -153,7 +153,7 @@ class Pages : public testing::Test {
 
     const pugi::xml_document& front() const { return pages_.at("index.html"); }
     std::string words_of_page(const std::string& program) const {
-        return words_of(pages_.at(page_name(program)).select_node("//main").node());
+        return page_words(pages_.at(page_name(program)).select_node("//main").node());
     }
 
     /// The rows of the list below a heading of the front page, cell by cell.
@@ -162,7 +162,7 @@ class Pages : public testing::Test {
         const auto heading = front().select_node(("//h3[@id='" + id + "']").c_str()).node();
         for (const auto& each : heading.next_sibling("div").select_nodes("table/tbody/tr")) {
             std::vector<std::string>& row = rows.emplace_back();
-            for (const pugi::xml_node& cell : each.node().children()) row.push_back(words_of(cell));
+            for (const pugi::xml_node& cell : each.node().children()) row.push_back(page_words(cell));
         }
         return rows;
     }
@@ -206,7 +206,7 @@ TEST_F(Pages, TellWhatHasChanged) {
     EXPECT_THAT(rows_below("findings"), ElementsAre(testing::Contains("violations : zone")));
     EXPECT_THAT(rows_below("new"), ElementsAre(testing::Contains("new.nc")));
     EXPECT_THAT(rows_below("gone"), ElementsAre(testing::Contains("gone.nc")));
-    EXPECT_THAT(words_of(front().select_node("//ul").node()), HasSubstr("2 as before"));
+    EXPECT_THAT(page_words(front().select_node("//ul").node()), HasSubstr("2 as before"));
     EXPECT_EQ(pages_.size(), 9U) << "the front page and eight programs";
     EXPECT_FALSE(pages_.contains(page_name("gone.nc")));
 }
@@ -219,12 +219,12 @@ TEST_F(Pages, TellWhatFailsByItsCause) {
     write_and_read();
     std::vector<std::string> causes;
     for (const auto& each : front().select_nodes("//h2[.='What fails']/following-sibling::h3"))
-        causes.push_back(words_of(each.node()));
+        causes.push_back(page_words(each.node()));
     EXPECT_THAT(causes, ElementsAre("violations : axis-limit, 2 runs of 2 programs",
                                     "violations : feed, 1 run of 1 program"));
-    const std::string all = words_of(front());
+    const std::string all = page_words(front());
     EXPECT_THAT(all, HasSubstr("There is no batch before this one."));
-    EXPECT_THAT(words_of(front().select_node("//dl").node()), HasSubstr("Without a fault 1 Failed 3"));
+    EXPECT_THAT(page_words(front().select_node("//dl").node()), HasSubstr("Without a fault 1 Failed 3"));
     EXPECT_THAT(words_of_page("b.nc"), HasSubstr("b.nc:7 error : too far  [axis-limit]"));
 }
 
@@ -249,11 +249,11 @@ TEST_F(Pages, SayWhyARunIsAnotherOne) {
                       {"further", "4"}},
             .version = "v2"}});
     write_and_read();
-    const std::string why =
+    const std::string reason =
         "the program, the machine, 'old.stl' is there no more, 'sub.nc', 'tools.txt' is there now, gsim "
         "itself";
-    EXPECT_THAT(rows_below("times"), ElementsAre(testing::Contains(why)));
-    EXPECT_THAT(words_of_page("a.nc"), HasSubstr("Run anew for: " + why));
+    EXPECT_THAT(rows_below("times"), ElementsAre(testing::Contains(reason)));
+    EXPECT_THAT(words_of_page("a.nc"), HasSubstr("Run anew for: " + reason));
     EXPECT_THAT(words_of_page("a.nc"), HasSubstr("old.stl looked for, and not there"));
 }
 
@@ -290,11 +290,11 @@ TEST_F(Pages, HaveTheHistoryOfAProgram) {
     EXPECT_THAT(words, HasSubstr("It was last without a fault in batch 2"));
     const pugi::xml_node svg = pages_.at(page_name("a.nc")).select_node("//svg").node();
     EXPECT_EQ(svg.select_nodes("circle/title").size(), 2U);
-    EXPECT_THAT(words_of(svg.select_node("path/title").node()), HasSubstr("violations 12.000 s"));
+    EXPECT_THAT(page_words(svg.select_node("path/title").node()), HasSubstr("violations 12.000 s"));
     std::vector<std::string> batches;
     for (const auto& each :
          pages_.at(page_name("a.nc")).select_nodes("//table[@aria-label='History']/tbody/tr/th"))
-        batches.push_back(words_of(each.node()));
+        batches.push_back(page_words(each.node()));
     EXPECT_THAT(batches, ElementsAre("4", "1 to 2")) << "a run that was found again is one row";
     EXPECT_THAT(words, HasSubstr("+2 s (+20 %)"));
 }
@@ -303,7 +303,7 @@ TEST_F(Pages, SayThatABatchIsNotWhole) {
     batch({{.program = "a.nc"}, {.program = "b.nc"}});
     batch({{.program = "a.nc"}}, false, "other.toml");
     write_and_read();
-    const std::string words = words_of(front());
+    const std::string words = page_words(front());
     EXPECT_THAT(words, HasSubstr("the batch was cut off, or is under way"));
     EXPECT_THAT(words, HasSubstr("Gone, or not run yet"));
     EXPECT_THAT(words, HasSubstr("That batch was of another plan: plan.toml."));
@@ -338,12 +338,12 @@ TEST_F(Pages, TakeNamesOfAnyKind) {
     for (const auto& [name, page] : pages_) EXPECT_FALSE(page.select_node("//script | //b | //i")) << name;
     for (const std::string& name : names) {
         EXPECT_LT(page_name(name).size(), 100U);
-        EXPECT_EQ(words_of(pages_.at(page_name(name)).select_node("//h1").node()), name);
+        EXPECT_EQ(page_words(pages_.at(page_name(name)).select_node("//h1").node()), name);
     }
     // Characters that turn the direction of a text, or move a cursor, are written out.
     batch({{.program = "\u202egnp.nc"}});
     write_and_read();
-    EXPECT_EQ(words_of(pages_.at(page_name("\u202egnp.nc")).select_node("//h1").node()), "\\u202egnp.nc");
+    EXPECT_EQ(page_words(pages_.at(page_name("\u202egnp.nc")).select_node("//h1").node()), "\\u202egnp.nc");
 }
 
 TEST_F(Pages, KeepTheirNames) {
@@ -430,7 +430,7 @@ TEST_F(Pages, OfManyRunsAreInParts) {
     batch({runs.front()});
     write_and_read();
     EXPECT_FALSE(pages_.contains("runs-2.html"));
-    EXPECT_THAT(words_of(front()), HasSubstr("1899 more are left out here.")) << "of 2,099 that are gone";
+    EXPECT_THAT(page_words(front()), HasSubstr("1899 more are left out here.")) << "of 2,099 that are gone";
 }
 
 // The failed ones of 60 variants have their details, at any position.
@@ -461,8 +461,8 @@ class Views : public Pages {
         views_ = ViewMaker{.program = maker, .version = "v1"};
     }
 
-    std::size_t made() const { return text_in(folder_ / "made").size() / 2; }
-    std::string view_of(const std::string& program) const {
+    std::size_t view_count() const { return text_in(folder_ / "made").size() / 2; }
+    std::string view_file_of(const std::string& program) const {
         return pages_.at(page_name(program))
             .select_node("//a[.='The finished run']")
             .node()
@@ -472,7 +472,7 @@ class Views : public Pages {
     /// As it is on the disk.
     ReadFile file(const std::string& name, const std::string& text) const {
         std::ofstream(folder_ / name) << text;
-        return {(folder_ / name).string(), InputFiles().hash_of((folder_ / name).string())};
+        return {(folder_ / name).string(), InputFiles().file_hash((folder_ / name).string())};
     }
 };
 
@@ -480,16 +480,16 @@ TEST_F(Views, AreOfWhatFailsOrHasChanged) {
     const Told failing{.program = "fails.nc", .cause = "feed", .files = {file("fails.nc", "G1")}};
     batch({failing, {.program = "good.nc"}});
     write_and_read();
-    ASSERT_THAT(view_of("fails.nc"), testing::MatchesRegex("views/run-[0-9a-f]{16}\\.html"));
-    EXPECT_THAT(text_in(site_ / view_of("fails.nc")), HasSubstr("run --view"));
-    EXPECT_THAT(text_in(site_ / view_of("fails.nc")), HasSubstr("--machine m.toml fails.nc"));
-    EXPECT_EQ(view_of("good.nc"), "");
+    ASSERT_THAT(view_file_of("fails.nc"), testing::MatchesRegex("views/run-[0-9a-f]{16}\\.html"));
+    EXPECT_THAT(text_in(site_ / view_file_of("fails.nc")), HasSubstr("run --view"));
+    EXPECT_THAT(text_in(site_ / view_file_of("fails.nc")), HasSubstr("--machine m.toml fails.nc"));
+    EXPECT_EQ(view_file_of("good.nc"), "");
     write_and_read();
-    EXPECT_EQ(made(), 1U) << "what is there is not made again";
+    EXPECT_EQ(view_count(), 1U) << "what is there is not made again";
     batch({failing, {.program = "good.nc", .time_s = 11, .program_sha256 = "3"}});
     write_and_read();
-    EXPECT_NE(view_of("good.nc"), "");
-    EXPECT_EQ(made(), 2U);
+    EXPECT_NE(view_file_of("good.nc"), "");
+    EXPECT_EQ(view_count(), 2U);
 }
 
 TEST_F(Views, AreNotOfOtherRunsThanTheOneThatIsTold) {
@@ -500,7 +500,7 @@ TEST_F(Views, AreNotOfOtherRunsThanTheOneThatIsTold) {
            {.program = "edited.nc", .cause = "feed", .settings = {{"machine.axis.X.max_mm", 5}}},
            {.program = "refused.nc", .cause = "syntax", .status = "refused"}});
     write_and_read();
-    EXPECT_EQ(made(), 0U);
+    EXPECT_EQ(view_count(), 0U);
     EXPECT_THAT(words_of_page("changed.nc"), HasSubstr("changed.nc' is another one by now."));
     EXPECT_THAT(words_of_page("old.nc"), HasSubstr("it was run by another version of gsim."));
     EXPECT_THAT(words_of_page("edited.nc"), HasSubstr("gsim run has no word for machine.axis.X.max_mm."));
@@ -510,7 +510,7 @@ TEST_F(Views, AreNotOfOtherRunsThanTheOneThatIsTold) {
 TEST_F(Views, GoWhenTheyAreNoLongerWantedAndOtherFilesStay) {
     batch({{.program = "a.nc", .cause = "feed"}});
     write_and_read();
-    const fs::path view = site_ / view_of("a.nc"), other = site_ / "views/run-0123456789abcdef.html";
+    const fs::path view = site_ / view_file_of("a.nc"), other = site_ / "views/run-0123456789abcdef.html";
     std::ofstream(other) << "mine";
     std::ofstream(site_ / "views/kept.html") << text_in(view);
     batch({{.program = "a.nc"}});

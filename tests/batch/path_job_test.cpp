@@ -33,30 +33,32 @@ Job job_in_cell(std::vector<SettingValue> settings) {
 }
 
 TEST(PathJob, KnowsPathsByTheirNames) {
-    EXPECT_TRUE(is_path("a/b.path.json"));
-    EXPECT_TRUE(is_path("B.PATH.LUA"));
-    for (const char* name : {"a.json", "a.lua", "path.json.nc", "apath.json"}) EXPECT_FALSE(is_path(name));
+    EXPECT_TRUE(is_path_file("a/b.path.json"));
+    EXPECT_TRUE(is_path_file("B.PATH.LUA"));
+    for (const char* name : {"a.json", "a.lua", "path.json.nc", "apath.json"})
+        EXPECT_FALSE(is_path_file(name));
 }
 
 TEST(PathJob, SaysWhatKeysThereAre) {
     for (const char* key : {"place.x_mm", "place.yaw_deg", "order", "feed_mm_min", "rim.feed_mm_min"})
-        EXPECT_EQ(fault_of_path_key(key), "") << key;
+        EXPECT_EQ(check_path_key(key), "") << key;
     for (const char* key : {"place.x", "orders", "feed", ".feed_mm_min", "place"})
-        EXPECT_THAT(fault_of_path_key(key), HasSubstr("path.place.x_mm")) << key;
+        EXPECT_THAT(check_path_key(key), HasSubstr("path.place.x_mm")) << key;
 }
 
 // The position of the path changes where the axes move, not how far the tool moves while it cuts.
 TEST(PathJob, APathThatIsPlacedIsCutAsItWas) {
     JobRunner runner;
-    const RunRow as_it_is = runner.run(wheel_job({}));
-    ASSERT_TRUE(as_it_is.is_clean()) << as_it_is.message;
+    const RunRow original_host = runner.run(wheel_job({}));
+    ASSERT_TRUE(original_host.is_clean()) << original_host.message;
     const RunRow placed = runner.run(wheel_job({{"path.place.x_mm", 300}, {"path.place.y_mm", 200}}));
     ASSERT_TRUE(placed.is_clean()) << placed.message;
-    EXPECT_NEAR(placed.jet_on_mm, as_it_is.jet_on_mm, 1e-2) << "but for what is rounded in the program";
-    EXPECT_EQ(placed.blocks, as_it_is.blocks);
+    EXPECT_NEAR(placed.process_on_mm, original_host.process_on_mm, 1e-2)
+        << "but for what is rounded in the program";
+    EXPECT_EQ(placed.blocks, original_host.blocks);
     // The rim's upper end lies 300 mm further: the first cut reaches farthest.
     EXPECT_THAT(placed.extents, HasSubstr("1015.8997"));
-    EXPECT_GT(placed.cycle_time_s, as_it_is.cycle_time_s) << "it is farther from home";
+    EXPECT_GT(placed.cycle_time_s, original_host.cycle_time_s) << "it is farther from home";
 }
 
 TEST(PathJob, FeedsAndOrderReachTheProgram) {
@@ -64,10 +66,10 @@ TEST(PathJob, FeedsAndOrderReachTheProgram) {
     const RunRow fast = runner.run(wheel_job({}));
     const RunRow slow = runner.run(wheel_job({{"path.feed_mm_min", 0.5, SettingUse::factor}}));
     EXPECT_GT(slow.cycle_time_s, fast.cycle_time_s);
-    EXPECT_NEAR(slow.jet_on_mm, fast.jet_on_mm, 1e-9);
+    EXPECT_NEAR(slow.process_on_mm, fast.process_on_mm, 1e-9);
     const RunRow other = runner.run(wheel_job({{"path.order", nlohmann::json::array({2U, 1U, 0U})}}));
     ASSERT_TRUE(other.is_clean()) << other.message;
-    EXPECT_NEAR(other.jet_on_mm, fast.jet_on_mm, 1e-2);
+    EXPECT_NEAR(other.process_on_mm, fast.process_on_mm, 1e-2);
     EXPECT_NE(other.cycle_time_s, fast.cycle_time_s);
 }
 
@@ -81,10 +83,10 @@ TEST(PathJob, APathGoesAlongWithAFrameOfTheCell) {
     // The turn is about the middle of the wheel, 500, 500: the rim's first point moves from below to the
     // right.
     job.settings = {{"cell.frame.wheel centre.frame.roll_deg", 90}};
-    const RunRow turned = runner.run(job);
-    ASSERT_TRUE(turned.is_clean()) << turned.message;
-    EXPECT_NEAR(turned.jet_on_mm, moved.jet_on_mm, 1e-2) << "what is cut is the same";
-    EXPECT_THAT(turned.extents, HasSubstr("\"X\":[0.0,715.9")) << turned.extents;
+    const RunRow overridden = runner.run(job);
+    ASSERT_TRUE(overridden.is_clean()) << overridden.message;
+    EXPECT_NEAR(overridden.process_on_mm, moved.process_on_mm, 1e-2) << "what is cut is the same";
+    EXPECT_THAT(overridden.extents, HasSubstr("\"X\":[0.0,715.9")) << overridden.extents;
 }
 
 #ifndef GSIM_SANITIZED  // bodies are looked at two hundred times as long there

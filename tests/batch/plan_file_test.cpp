@@ -30,7 +30,7 @@ class PlanFile : public testing::Test {
     tl::expected<Plan, std::string> read(const std::string& text) const {
         return read_plan(text, (folder_ / "plan.toml").string());
     }
-    std::string refusal(const std::string& text) const {
+    std::string rejection(const std::string& text) const {
         const auto plan = read(text);
         return plan ? "" : plan.error();
     }
@@ -73,45 +73,45 @@ steps = 3
     EXPECT_EQ(settings_json(job.settings).dump(),
               R"({"machine.axis.X.max_speed_mm_s":100.0,"machine.controller.model":"blend"})");
     EXPECT_THAT(job.options.at("cell").get<std::string>(), EndsWith("/m.toml"));
-    EXPECT_TRUE(job.keeps.report);
-    const auto again = read_job(print_job(job));
-    ASSERT_TRUE(again);
-    EXPECT_EQ(again->settings, job.settings);
-    EXPECT_EQ(again->options, job.options);
+    EXPECT_TRUE(job.stored_documents.report);
+    const auto relist = read_job(print_job(job));
+    ASSERT_TRUE(relist);
+    EXPECT_EQ(relist->settings, job.settings);
+    EXPECT_EQ(relist->options, job.options);
 }
 
 TEST_F(PlanFile, SaysWhereItIsWrong) {
-    EXPECT_THAT(refusal("programs = ["), HasSubstr("plan.toml:1:"));
-    EXPECT_THAT(refusal("machines = [\"a\"]"), HasSubstr("lacks the key 'programs'"));
-    EXPECT_THAT(refusal("programs = \"q\""), HasSubstr("there is no such file or folder"));
-    EXPECT_THAT(refusal("programs = \"*.xyz\""), HasSubstr("nothing is called"));
-    EXPECT_THAT(refusal("programs = [1]"), HasSubstr("must be a list of texts"));
+    EXPECT_THAT(rejection("programs = ["), HasSubstr("plan.toml:1:"));
+    EXPECT_THAT(rejection("machines = [\"a\"]"), HasSubstr("lacks the key 'programs'"));
+    EXPECT_THAT(rejection("programs = \"q\""), HasSubstr("there is no such file or folder"));
+    EXPECT_THAT(rejection("programs = \"*.xyz\""), HasSubstr("nothing is called"));
+    EXPECT_THAT(rejection("programs = [1]"), HasSubstr("must be a list of texts"));
     const std::string head = "programs = \"p\"\n";
-    EXPECT_THAT(refusal(head + "program = 1"), HasSubstr("did you mean 'programs'?"));
-    EXPECT_THAT(refusal(head + "[options]\ndialct = \"a\""), HasSubstr("did you mean 'dialect'?"));
-    EXPECT_THAT(refusal(head + "[options]\npasses = 1.5"), HasSubstr("'passes' must be a whole number"));
-    EXPECT_THAT(refusal(head + "[sampling]\nkind = \"sobol\""), HasSubstr("lacks the key 'runs'"));
+    EXPECT_THAT(rejection(head + "program = 1"), HasSubstr("did you mean 'programs'?"));
+    EXPECT_THAT(rejection(head + "[options]\ndialct = \"a\""), HasSubstr("did you mean 'dialect'?"));
+    EXPECT_THAT(rejection(head + "[options]\npasses = 1.5"), HasSubstr("'passes' must be a whole number"));
+    EXPECT_THAT(rejection(head + "[sampling]\nkind = \"sobol\""), HasSubstr("lacks the key 'runs'"));
     const std::string setting = head + "[[setting]]\n";
-    EXPECT_THAT(refusal(setting + "key = \"axis.X\"\nvalues = [1]"), HasSubstr("should begin with"));
-    EXPECT_THAT(refusal(setting + "key = \"machine.a\"\nvalues = []"), HasSubstr("a list of one at least"));
-    EXPECT_THAT(refusal(setting + "key = \"machine.a\"\nfrom = 1\nto = 0"), HasSubstr("must not be less"));
-    EXPECT_THAT(refusal(setting + "key = \"machine.a\"\nfrom = 1\nto = 2"), HasSubstr("as a grid needs"));
+    EXPECT_THAT(rejection(setting + "key = \"axis.X\"\nvalues = [1]"), HasSubstr("should begin with"));
+    EXPECT_THAT(rejection(setting + "key = \"machine.a\"\nvalues = []"), HasSubstr("a list of one at least"));
+    EXPECT_THAT(rejection(setting + "key = \"machine.a\"\nfrom = 1\nto = 0"), HasSubstr("must not be less"));
+    EXPECT_THAT(rejection(setting + "key = \"machine.a\"\nfrom = 1\nto = 2"), HasSubstr("as a grid needs"));
     const std::string two = setting + "key = \"machine.a\"\nvalues = [1]\n";
-    EXPECT_THAT(refusal(two + "[[setting]]\nkey = \"machine.a\"\nvalues = [2]"), HasSubstr("is set twice"));
-    EXPECT_THAT(refusal(two + "steps = 2"), HasSubstr("'steps' says nothing beside 'values'"));
-    EXPECT_THAT(refusal(head + "[sampling]\nruns = 5"), HasSubstr("a grid has as many runs"));
+    EXPECT_THAT(rejection(two + "[[setting]]\nkey = \"machine.a\"\nvalues = [2]"), HasSubstr("is set twice"));
+    EXPECT_THAT(rejection(two + "steps = 2"), HasSubstr("'steps' says nothing beside 'values'"));
+    EXPECT_THAT(rejection(head + "[sampling]\nruns = 5"), HasSubstr("a grid has as many runs"));
     const std::string normal = "key = \"machine.a\"\ndistribution = \"normal\"\nmean = 1\ndeviation = 1\n";
-    EXPECT_THAT(refusal(setting + normal + "from = 1\nto = 2"),
+    EXPECT_THAT(rejection(setting + normal + "from = 1\nto = 2"),
                 HasSubstr("'from' says nothing beside 'normal'"));
-    EXPECT_THAT(refusal(setting + "key = \"machine.a\"\ndistribution = \"triangular\""),
+    EXPECT_THAT(rejection(setting + "key = \"machine.a\"\ndistribution = \"triangular\""),
                 HasSubstr("lacks the key 'from'"));
-    EXPECT_THAT(refusal(setting + "key = \"option.passes\"\nfrom = 1\nto = 2"),
+    EXPECT_THAT(rejection(setting + "key = \"option.passes\"\nfrom = 1\nto = 2"),
                 HasSubstr("whole number from 1 on"));
-    EXPECT_THAT(refusal(setting + "key = \"machine.a\""), HasSubstr("has 'values', or 'from' and 'to'"));
-    EXPECT_THAT(refusal(setting + "key = \"option.passes\"\nvalues = [0]"),
+    EXPECT_THAT(rejection(setting + "key = \"machine.a\""), HasSubstr("has 'values', or 'from' and 'to'"));
+    EXPECT_THAT(rejection(setting + "key = \"option.passes\"\nvalues = [0]"),
                 HasSubstr("whole number from 1 on"));
-    EXPECT_THAT(refusal(setting + "key = \"option.x\"\nvalues = [0]"), HasSubstr("there is no option 'x'"));
-    EXPECT_THAT(refusal(setting + "key = \"data.OFFSET.54.X\"\nscale = true\nvalues = [2]"),
+    EXPECT_THAT(rejection(setting + "key = \"option.x\"\nvalues = [0]"), HasSubstr("there is no option 'x'"));
+    EXPECT_THAT(rejection(setting + "key = \"data.OFFSET.54.X\"\nscale = true\nvalues = [2]"),
                 HasSubstr("factors are of"));
 }
 
@@ -171,7 +171,7 @@ orders = 3
 
 TEST_F(PlanFile, SaysWhichKeysDoNotGoTogether) {
     const auto with = [&](const std::string& setting) {
-        return refusal("programs = \"p\"\n[[setting]]\n" + setting);
+        return rejection("programs = \"p\"\n[[setting]]\n" + setting);
     };
     EXPECT_THAT(with("values = [1]\n"), HasSubstr("a 'key', or a list of 'keys'"));
     EXPECT_THAT(with("key = \"machine.a\"\nkeys = [\"machine.b\"]\nvalues = [1]\n"),
@@ -202,7 +202,7 @@ TEST_F(PlanFile, EachKindOfSamplingIsItself) {
 
 TEST_F(PlanFile, RefusesWhatOnlyPathsCanHave) {
     for (const char* option : {"post = \"ab9\"", "path_frame = \"f\"", "rotary_as_given = true"})
-        EXPECT_THAT(refusal(std::string("programs = \"p\"\n[options]\n") + option + "\n"),
+        EXPECT_THAT(rejection(std::string("programs = \"p\"\n[options]\n") + option + "\n"),
                     HasSubstr("is of paths"));
 }
 

@@ -26,7 +26,7 @@ class ResultsFile : public testing::Test {
         const auto found = hashes_.find(name);
         return found == hashes_.end() ? "" : found->second;
     }
-    HashOf hash_of() const {
+    FileHash file_hash() const {
         return [this](const std::string& name) { return hash(name); };
     }
 
@@ -43,7 +43,7 @@ Job job_of(std::size_t number, const std::string& program) {
             .settings = {{"machine.axis.X.max_mm", 250.5}, {"option.dialect", "ab9"}}};
 }
 
-RunRow row_of(std::size_t number, const std::string& cause = {}) {
+RunRow run_row(std::size_t number, const std::string& cause = {}) {
     return {
         .number = number,
         .status = cause.empty() ? "completed" : "alarm",
@@ -58,11 +58,11 @@ RunRow row_of(std::size_t number, const std::string& cause = {}) {
         .files = {{"a.nc", "1"}, {"sub.nc", "2"}, {"gone.nc", ""}}};
 }
 
-std::string text_of(const std::string& file, SqlDone (*write)(Database&, const Sink&)) {
+std::string written_text(const std::string& file, SqlResult (*write)(Database&, const Sink&)) {
     auto database = Database::open(file, true);
     EXPECT_TRUE(database) << database.error();
     std::string text;
-    const auto done = write(*database, [&](std::string_view piece) { return text.append(piece), true; });
+    const auto done = write(*database, [&](std::string_view chunk) { return text.append(chunk), true; });
     EXPECT_TRUE(done) << done.error();
     return text;
 }
@@ -71,22 +71,22 @@ TEST_F(ResultsFile, FindsARunAsLongAsAllThatItReadIsAsItWas) {
     auto results = Results::open(file_);
     ASSERT_TRUE(results) << results.error();
     ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
-    EXPECT_FALSE(results->find("k", hash_of(), {}, false).value());
-    const auto run = results->add(job_of(0, "a.nc"), {"k", "1", ""}, row_of(0), "v");
+    EXPECT_FALSE(results->find("k", file_hash(), {}, false).value());
+    const auto run = results->add(job_of(0, "a.nc"), {"k", "1", ""}, run_row(0), "v");
     ASSERT_TRUE(run) << run.error();
-    ASSERT_TRUE(results->note(0, *run, false));
+    ASSERT_TRUE(results->record(0, *run, false));
     ASSERT_TRUE(results->end_batch(true));
 
-    ASSERT_TRUE(results->find("k", hash_of(), {}, false).value());
-    EXPECT_EQ(results->find("k", hash_of(), {}, false).value()->run, *run);
-    EXPECT_FALSE(results->find("k", hash_of(), {.report = true}, false).value()) << "it has no report";
-    EXPECT_FALSE(results->find("other", hash_of(), {}, false).value());
+    ASSERT_TRUE(results->find("k", file_hash(), {}, false).value());
+    EXPECT_EQ(results->find("k", file_hash(), {}, false).value()->run, *run);
+    EXPECT_FALSE(results->find("k", file_hash(), {.report = true}, false).value()) << "it has no report";
+    EXPECT_FALSE(results->find("other", file_hash(), {}, false).value());
     hashes_["sub.nc"] = "3";
-    EXPECT_FALSE(results->find("k", hash_of(), {}, false).value());
+    EXPECT_FALSE(results->find("k", file_hash(), {}, false).value());
     hashes_["sub.nc"] = "2";
-    EXPECT_TRUE(results->find("k", hash_of(), {}, false).value());
+    EXPECT_TRUE(results->find("k", file_hash(), {}, false).value());
     hashes_["gone.nc"] = "9";
-    EXPECT_FALSE(results->find("k", hash_of(), {}, false).value())
+    EXPECT_FALSE(results->find("k", file_hash(), {}, false).value())
         << "it was looked for, and now it is there";
 }
 
@@ -94,13 +94,13 @@ TEST_F(ResultsFile, WhatCrashedIsRunAgainWhereThatIsWanted) {
     auto results = Results::open(file_);
     ASSERT_TRUE(results);
     ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
-    RunRow row = row_of(0);
+    RunRow row = run_row(0);
     row.status = row.cause = "crashed";
     ASSERT_TRUE(results->add(job_of(0, "a.nc"), {"k", "1", ""}, row, "v"));
-    const auto found = results->find("k", hash_of(), {}, false).value();
+    const auto found = results->find("k", file_hash(), {}, false).value();
     ASSERT_TRUE(found);
     EXPECT_FALSE(found->is_clean);
-    EXPECT_FALSE(results->find("k", hash_of(), {}, true).value());
+    EXPECT_FALSE(results->find("k", file_hash(), {}, true).value());
     ASSERT_TRUE(results->end_batch(true));
 }
 
@@ -108,14 +108,14 @@ TEST_F(ResultsFile, WhatCrashedIsRunAgainWhereThatIsWanted) {
 TEST_F(ResultsFile, ATrueRunGoesBeforeOneThatWasLostLater) {
     auto results = Results::open(file_);
     ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
-    const auto good = results->add(job_of(0, "a.nc"), {"k", "1", ""}, row_of(0), "v");
-    RunRow lost = row_of(0);
+    const auto good = results->add(job_of(0, "a.nc"), {"k", "1", ""}, run_row(0), "v");
+    RunRow lost = run_row(0);
     lost.status = lost.cause = "timeout";
     lost.files = {};
     ASSERT_TRUE(results->add(job_of(0, "a.nc"), {"k", "1", ""}, lost, "v"));
-    EXPECT_EQ(results->find("k", hash_of(), {}, false).value()->run, *good);
+    EXPECT_EQ(results->find("k", file_hash(), {}, false).value()->run, *good);
     hashes_["sub.nc"] = "3";
-    EXPECT_FALSE(results->find("k", hash_of(), {}, false).value()->is_clean);
+    EXPECT_FALSE(results->find("k", file_hash(), {}, false).value()->is_clean);
     ASSERT_TRUE(results->end_batch(true));
 }
 
@@ -142,17 +142,17 @@ TEST_F(ResultsFile, IsReadByOthersWhileItIsWritten) {
     auto results = Results::open(file_);
     ASSERT_TRUE(results);
     ASSERT_TRUE(results->begin_batch("plan.toml", 2, "v"));
-    const auto run = results->add(job_of(0, "a.nc"), {"k", "1", ""}, row_of(0), "v");
-    ASSERT_TRUE(results->note(0, run.value(), false));
+    const auto run = results->add(job_of(0, "a.nc"), {"k", "1", ""}, run_row(0), "v");
+    ASSERT_TRUE(results->record(0, run.value(), false));
     ASSERT_TRUE(results->commit());
-    ASSERT_TRUE(results->add(job_of(1, "b.nc"), {"l", "1", ""}, row_of(1), "v"));
+    ASSERT_TRUE(results->add(job_of(1, "b.nc"), {"l", "1", ""}, run_row(1), "v"));
     auto reader = Database::open(file_, true);
     ASSERT_TRUE(reader);
     auto rows = reader->prepare(
         "SELECT count(*), max(cycle_time_s), max(batch_run.job) FROM run JOIN batch_run ON run.id = run");
     ASSERT_TRUE(rows) << rows.error();
     ASSERT_TRUE(rows->step().value());
-    EXPECT_EQ(rows->whole(0), 1);
+    EXPECT_EQ(rows->integer(0), 1);
     EXPECT_EQ(rows->number(1), 0.1 + 0.2) << "to the last bit";
 }
 
@@ -163,28 +163,29 @@ TEST_F(ResultsFile, ComesOutInOtherForms) {
         ASSERT_TRUE(results->begin_batch("plan.toml", 2, "v"));
         for (std::size_t i = 0; i < 2; ++i) {
             const auto run = results->add(job_of(i, "a<b>&.nc"), {std::to_string(i), "1", ""},
-                                          row_of(i, i == 0 ? "" : "feed"), "v");
-            ASSERT_TRUE(results->note(i, run.value(), false));
+                                          run_row(i, i == 0 ? "" : "feed"), "v");
+            ASSERT_TRUE(results->record(i, run.value(), false));
         }
         ASSERT_TRUE(results->end_batch(true));
     }
-    const std::string junit = text_of(file_, write_junit);
+    const std::string junit = written_text(file_, write_junit);
     EXPECT_THAT(junit, HasSubstr("<testsuite name=\"m.toml\" tests=\"2\" failures=\"1\">"));
     EXPECT_THAT(junit, HasSubstr("name=\"a&lt;b&gt;&amp;.nc {&quot;machine.axis.X.max_mm&quot;:250.5"));
     EXPECT_THAT(
         junit,
         HasSubstr(
             "<failure type=\"feed\" message=\"it says &quot;no&quot;, &lt;twice&gt;\">a.nc:3</failure>"));
-    const auto sarif = text::parse_json<nlohmann::json>(text_of(file_, write_sarif));
+    const auto sarif = text::parse_json<nlohmann::json>(written_text(file_, write_sarif));
     EXPECT_EQ(sarif["runs"][0]["results"].size(), 1U) << "the same finding of two runs is one";
-    const std::string csv = text_of(file_, [](Database& from, const Sink& sink) {
+    const std::string csv = written_text(file_, [](Database& from, const Sink& sink) {
         return write_csv(from, "SELECT message, cycle_time_s FROM latest", sink);
     });
     EXPECT_EQ(csv,
               "message,cycle_time_s\r\n,0.30000000000000004\r\n\"it says \"\"no\"\", "
               "<twice>\",0.30000000000000004\r\n");
-    const std::string lines = text_of(
-        file_, [](Database& from, const Sink& sink) { return write_json_lines(from, kWholeRuns, sink); });
+    const std::string lines = written_text(file_, [](Database& from, const Sink& sink) {
+        return write_json_lines(from, kAllColumnsQuery, sink);
+    });
     const auto first = text::parse_json<nlohmann::json>(lines.substr(0, lines.find('\n')));
     EXPECT_EQ(first["settings"]["machine.axis.X.max_mm"], 250.5);
     EXPECT_EQ(first["cycle_time_s"], 0.1 + 0.2);
@@ -197,11 +198,11 @@ TEST_F(ResultsFile, TakesOverWhatOthersHaveOnce) {
         EXPECT_TRUE(results) << results.error();
         EXPECT_TRUE(results->begin_batch("plan", end - first, "v"));
         for (std::size_t i = first; i < end; ++i) {
-            RunRow row = row_of(i);
+            RunRow row = run_row(i);
             row.report = "{}";
             const auto run =
                 results->add(job_of(i, "p" + std::to_string(i)), {std::to_string(i), "1", ""}, row, "v");
-            EXPECT_TRUE(results->note(i, run.value(), false));
+            EXPECT_TRUE(results->record(i, run.value(), false));
         }
         EXPECT_TRUE(results->end_batch(true));
         return file;
@@ -209,23 +210,23 @@ TEST_F(ResultsFile, TakesOverWhatOthersHaveOnce) {
     const std::vector<std::string> shards{file_with("a", 0, 3), file_with("b", 3, 5)};
     // A requeued task has begun a batch, and ended before it had recorded a run.
     {
-        auto again = Results::open(shards[0], Journal::rollback);
-        ASSERT_TRUE(again->begin_batch("plan", 3, "v"));
-        ASSERT_TRUE(again->end_batch(false));
+        auto relist = Results::open(shards[0], Journal::rollback);
+        ASSERT_TRUE(relist->begin_batch("plan", 3, "v"));
+        ASSERT_TRUE(relist->end_batch(false));
     }
     auto results = Results::open(file_, Journal::rollback);
     ASSERT_TRUE(results->begin_batch("plan", 5, "v"));
     for (int turn = 0; turn < 2; ++turn) {
         std::uint64_t taken = 0;
-        for (const std::string& shard : shards) taken += results->take_over(shard).value_or(99);
+        for (const std::string& shard : shards) taken += results->merge(shard).value_or(99);
         EXPECT_EQ(taken, turn == 0 ? 5U : 0U);
     }
     // One file is of a task killed before it had tables, the other is no database.
     ASSERT_TRUE(Database::open((folder_ / "empty").string())->execute("PRAGMA user_version = 0"));
-    EXPECT_EQ(results->take_over((folder_ / "empty").string()).value_or(99), 0U);
+    EXPECT_EQ(results->merge((folder_ / "empty").string()).value_or(99), 0U);
     std::ofstream(folder_ / "damaged") << std::string(5000, 'x');
-    EXPECT_FALSE(results->take_over((folder_ / "damaged").string()));
-    EXPECT_EQ(results->noted().value_or(99), 5U) << "it goes on behind a file that cannot be read";
+    EXPECT_FALSE(results->merge((folder_ / "damaged").string()));
+    EXPECT_EQ(results->recorded().value_or(99), 5U) << "it goes on behind a file that cannot be read";
     ASSERT_TRUE(results->end_batch(true));
     auto database = Database::open(file_, true);
     for (const auto& [query, count] : {std::pair{"SELECT count(*) FROM setting", 10},
@@ -233,9 +234,9 @@ TEST_F(ResultsFile, TakesOverWhatOthersHaveOnce) {
                                        {"SELECT count(*) FROM run_input", 15},
                                        {"SELECT count(*) FROM input", 3},
                                        {"SELECT count(DISTINCT program) FROM latest", 5}}) {
-        auto asked = database->prepare(query);
-        ASSERT_TRUE(asked->step().value_or(false));
-        EXPECT_EQ(asked->whole(0), count) << query;
+        auto statement = database->prepare(query);
+        ASSERT_TRUE(statement->step().value_or(false));
+        EXPECT_EQ(statement->integer(0), count) << query;
     }
 }
 
@@ -248,13 +249,13 @@ TEST_F(ResultsFile, IsReadWhereNothingCanBeWritten) {
         auto results = Results::open(file);
         ASSERT_TRUE(results);
         ASSERT_TRUE(results->begin_batch("plan", 1, "v"));
-        ASSERT_TRUE(
-            results->note(0, results->add(job_of(0, "a.nc"), {"k", "1", ""}, row_of(0), "v").value(), false));
+        ASSERT_TRUE(results->record(
+            0, results->add(job_of(0, "a.nc"), {"k", "1", ""}, run_row(0), "v").value(), false));
         ASSERT_TRUE(results->end_batch(true));
     }
     fs::permissions(file, fs::perms::owner_read);
     fs::permissions(odd, fs::perms::owner_read | fs::perms::owner_exec);
-    EXPECT_THAT(text_of(file, write_junit), HasSubstr("tests=\"1\""));
+    EXPECT_THAT(written_text(file, write_junit), HasSubstr("tests=\"1\""));
     fs::permissions(odd, fs::perms::owner_all);
 }
 
@@ -262,28 +263,28 @@ TEST_F(ResultsFile, IsReadWhereNothingCanBeWritten) {
 TEST_F(ResultsFile, PicturesAreKeptWhereTheyAreWanted) {
     auto results = Results::open(file_);
     ASSERT_TRUE(results->begin_batch("plan", 1, "v"));
-    RunRow row = row_of(0);
+    RunRow row = run_row(0);
     const auto bare = results->add(job_of(0, "a.nc"), {"k", "1", ""}, row, "v");
-    EXPECT_FALSE(results->find("k", hash_of(), {.picture = true}, false).value());
+    EXPECT_FALSE(results->find("k", file_hash(), {.picture = true}, false).value());
     row.picture = "<svg/>";
     const auto drawn = results->add(job_of(0, "a.nc"), {"k", "1", ""}, row, "v");
-    EXPECT_EQ(results->find("k", hash_of(), {.picture = true}, false).value()->run, *drawn);
-    EXPECT_EQ(results->find("k", hash_of(), {}, false).value()->run, *drawn) << "the newest";
-    EXPECT_FALSE(results->find("k", hash_of(), {.report = true, .picture = true}, false).value());
-    ASSERT_TRUE(results->note(0, *bare, false));
-    ASSERT_TRUE(results->note(1, *drawn, false));
+    EXPECT_EQ(results->find("k", file_hash(), {.picture = true}, false).value()->run, *drawn);
+    EXPECT_EQ(results->find("k", file_hash(), {}, false).value()->run, *drawn) << "the newest";
+    EXPECT_FALSE(results->find("k", file_hash(), {.report = true, .picture = true}, false).value());
+    ASSERT_TRUE(results->record(0, *bare, false));
+    ASSERT_TRUE(results->record(1, *drawn, false));
     ASSERT_TRUE(results->end_batch(true));
     // Those of shards come along.
     const std::string all = (folder_ / "all.sqlite").string();
     auto gathered = Results::open(all);
     ASSERT_TRUE(gathered->begin_batch("plan", 2, "v"));
-    ASSERT_TRUE(gathered->take_over(file_));
+    ASSERT_TRUE(gathered->merge(file_));
     ASSERT_TRUE(gathered->end_batch(true));
-    auto asked = Database::open(all, true);
-    auto rows = asked->prepare("SELECT group_concat(svg), count(*) FROM picture");
+    auto statement = Database::open(all, true);
+    auto rows = statement->prepare("SELECT group_concat(svg), count(*) FROM picture");
     ASSERT_TRUE(rows->step().value());
     EXPECT_EQ(rows->text(0), "<svg/>");
-    EXPECT_EQ(rows->whole(1), 1);
+    EXPECT_EQ(rows->integer(1), 1);
 }
 
 // As the version before had made it: what is in it stays, and is found again.
@@ -299,27 +300,29 @@ TEST_F(ResultsFile, OfTheFirstVersionIsBroughtUpToDate) {
             "INSERT INTO batch VALUES (1, 't', 'p', 'v', '', '', 1, 1); INSERT INTO batch_run VALUES (1, 0, "
             "1, 0)"));
     }
-    bring_up_to_date(file_);
+    upgrade_schema(file_);
     EXPECT_THAT(
-        text_of(file_, [](Database& from, const Sink& sink) { return write_csv(from, kPlainRuns, sink); }),
+        written_text(file_, [](Database& from,
+                               const Sink& sink) { return write_csv(from, kTableColumnsQuery, sink); }),
         HasSubstr("clearance_mm"));
     auto results = Results::open(file_);
     ASSERT_TRUE(results) << results.error();
-    EXPECT_EQ(results->find("k", hash_of(), {}, false).value()->run, 1);
+    EXPECT_EQ(results->find("k", file_hash(), {}, false).value()->run, 1);
     ASSERT_TRUE(results->begin_batch("plan", 1, "v"));
-    RunRow row = row_of(0);
+    RunRow row = run_row(0);
     row.clearance_mm = 1.25;
-    ASSERT_TRUE(results->note(0, results->add(job_of(0, "a.nc"), {"k2", "1", ""}, row, "v").value(), false));
+    ASSERT_TRUE(
+        results->record(0, results->add(job_of(0, "a.nc"), {"k2", "1", ""}, row, "v").value(), false));
     ASSERT_TRUE(results->end_batch(true));
-    auto asked = Database::open(file_, true);
-    auto rows = asked->prepare("SELECT clearance_mm, lower_bound_s FROM run ORDER BY id");
+    auto statement = Database::open(file_, true);
+    auto rows = statement->prepare("SELECT clearance_mm, lower_bound_s FROM run ORDER BY id");
     ASSERT_TRUE(rows->step().value());
     EXPECT_TRUE(rows->is_null(0)) << "nobody had looked";
     ASSERT_TRUE(rows->step().value());
     EXPECT_EQ(rows->number(0), 1.25);
     EXPECT_TRUE(rows->is_null(1));
     fs::remove(file_);
-    bring_up_to_date(file_);
+    upgrade_schema(file_);
     EXPECT_FALSE(fs::exists(file_)) << "nothing is made";
 }
 

@@ -25,7 +25,7 @@ TEST(OpenCommand, ServesAFolderThatHasAllFiles) {
 }
 
 TEST(OpenCommand, SaysWhatItHasNoWordFor) {
-    const RunTold run{
+    const RunInputs run{
         .program = "a.nc",
         .machine = "m.toml",
         .options = R"({"block_delete":true,"cell":"c.toml","collisions":false,"variables":"v"})",
@@ -47,13 +47,13 @@ TEST(OpenCommand, OfAJobIsTheSameRun) {
         .machine = "best/a.machine.toml",
         .options = {{"lower_bound", true}, {"joint_speeds", true}, {"cell", "c.toml"}, {"collisions", true}},
         .settings = {{"option.max_blocks", 5}}};
-    const OpenCommand run = run_command(told_of(job));
+    const OpenCommand run = run_command(run_inputs(job));
     EXPECT_EQ(shell_line(run.words),
               "gsim run --machine best/a.machine.toml --cell c.toml --explain --max-blocks 5 'best/a b.nc'");
     EXPECT_THAT(run.left_out, ElementsAre());
     const Job path{
         .program = "a.path.json", .machine = "", .options = nlohmann::json::object(), .settings = {}};
-    EXPECT_TRUE(run_command(told_of(path)).words.empty()) << "gsim run takes no path";
+    EXPECT_TRUE(run_command(run_inputs(path)).words.empty()) << "gsim run takes no path";
 }
 
 }  // namespace

@@ -46,15 +46,16 @@ class SearchFile : public testing::Test {
     tl::expected<SearchPlan, std::string> read(const std::string& text) const {
         return read_search(text, (folder_ / "plan.toml").string());
     }
-    std::string refusal(const std::string& text) const {
+    std::string rejection(const std::string& text) const {
         const auto search = read(text);
         return search ? "" : search.error();
     }
 
     /// Runs a batch as `row` says.
     Evaluate evaluate_by(std::function<RunRow(const Job&)> row) {
-        return [this, row = std::move(row)](const Plan& plan, bool) -> tl::expected<Evaluated, std::string> {
-            if (batches_left_-- == 0) return Evaluated{};
+        return [this, row = std::move(row)](const Plan& plan,
+                                            bool) -> tl::expected<EvaluatedBatch, std::string> {
+            if (batches_left_-- == 0) return EvaluatedBatch{};
             auto results = Results::open(results_);
             EXPECT_TRUE(results->begin_batch(plan.name, Jobs(plan).size(), "v"));
             const Jobs jobs(plan);
@@ -62,10 +63,10 @@ class SearchFile : public testing::Test {
                 const Job job = jobs.job(i);
                 ++evaluated_;
                 const auto run = results->add(job, {std::to_string(evaluated_), "", ""}, row(job), "v");
-                EXPECT_TRUE(run && results->note(i, *run, false));
+                EXPECT_TRUE(run && results->record(i, *run, false));
             }
             EXPECT_TRUE(results->end_batch(true));
-            return Evaluated{results->batch(), true};
+            return EvaluatedBatch{results->batch(), true};
         };
     }
 
@@ -76,9 +77,9 @@ class SearchFile : public testing::Test {
 
     double number(const std::string& query) const {
         auto database = Database::open(results_, true);
-        auto asked = database->prepare(query);
-        EXPECT_TRUE(asked && asked->step().value_or(false)) << query;
-        return asked->number(0);
+        auto statement = database->prepare(query);
+        EXPECT_TRUE(statement && statement->step().value_or(false)) << query;
+        return statement->number(0);
     }
 
     fs::path folder_ = fs::temp_directory_path() / ("gsim-search-" + std::to_string(::getpid()));
@@ -91,13 +92,13 @@ double setting(const Job& job, std::size_t place) {
     return job.settings.empty() ? 0 : job.settings[place].value.get<double>();
 }
 
-RunRow clean(double time_s) {
+RunRow is_clean(double time_s) {
     return {.status = "completed", .cycle_time_s = time_s, .extents = "{}", .findings = "[]"};
 }
 
 /// Returns a run with its minimum, 10, at 1, -2.
 RunRow bowl(const Job& job) {
-    return clean(10 + std::pow(setting(job, 0) - 1, 2) + 4 * std::pow(setting(job, 1) + 2, 2));
+    return is_clean(10 + std::pow(setting(job, 0) - 1, 2) + 4 * std::pow(setting(job, 1) + 2, 2));
 }
 
 TEST_F(SearchFile, FindsTheLeastOfABowl) {
@@ -108,9 +109,9 @@ TEST_F(SearchFile, FindsTheLeastOfABowl) {
     EXPECT_EQ(state->start.score.value.value(), 27) << "with the settings that the files have";
     EXPECT_NEAR(state->best.score.value.value(), 10, 1e-3);
     EXPECT_NEAR(state->best.settings[0].value.get<double>(), 1, 0.03);
-    EXPECT_EQ(state->tried, 151U);
+    EXPECT_EQ(state->trials, 151U);
     EXPECT_EQ(evaluated_, 151) << "no more than was allowed, and the start";
-    EXPECT_TRUE(state->whole);
+    EXPECT_TRUE(state->complete);
     EXPECT_EQ(number("SELECT count(*) FROM evaluations"), 151);
     EXPECT_EQ(number("SELECT min(value) FROM search_run"), state->best.score.value.value());
     EXPECT_EQ(number("SELECT best FROM search"), static_cast<double>(state->best_number));
@@ -121,9 +122,9 @@ TEST_F(SearchFile, FindsTheLeastOfABowl) {
 TEST_F(SearchFile, TheSamePlanTriesTheSame) {
     const auto plan = read(kPlan);
     std::vector<std::string> first, second;
-    for (auto* tried : {&first, &second}) {
+    for (auto* trials : {&first, &second}) {
         ASSERT_TRUE(search(*plan, [&](const Job& job) {
-            tried->push_back(settings_json(job.settings).dump());
+            trials->push_back(settings_json(job.settings).dump());
             return bowl(job);
         }));
     }
@@ -135,11 +136,11 @@ TEST_F(SearchFile, IsCutOffWithWhatItHas) {
     batches_left_ = 4;
     const auto state = search(*plan, bowl);
     ASSERT_TRUE(state) << state.error();
-    EXPECT_FALSE(state->whole);
-    EXPECT_GT(state->tried, 20U);
+    EXPECT_FALSE(state->complete);
+    EXPECT_GT(state->trials, 20U);
     EXPECT_LT(state->best.score.value.value(), 27);
     batches_left_ = 0;
-    EXPECT_EQ(search(*plan, bowl)->tried, 0U);
+    EXPECT_EQ(search(*plan, bowl)->trials, 0U);
 }
 
 // The minimum of the bowl is not allowed: beyond a line a run fails, and a limit bounds a value.
@@ -159,11 +160,11 @@ TEST_F(SearchFile, KeepsToWhatIsAllowed) {
     };
     const auto state = search(*plan, fenced);
     ASSERT_TRUE(state) << state.error();
-    ASSERT_TRUE(state->best.score.is_allowed());
+    ASSERT_TRUE(state->best.score.is_feasible());
     EXPECT_NEAR(state->best.score.value.value(), 14, 0.05) << "at 1, -1";
     EXPECT_GE(state->best.settings[1].value.get<double>(), -1);
     EXPECT_EQ(number("SELECT count(*) FROM search_run WHERE violation = 0"),
-              static_cast<double>(state->allowed));
+              static_cast<double>(state->feasible));
 }
 
 TEST_F(SearchFile, WhatIsNotAllowedIsOrderedByHowFarItIs) {
@@ -173,11 +174,12 @@ TEST_F(SearchFile, WhatIsNotAllowedIsOrderedByHowFarItIs) {
         one.settings.clear();
         const auto evaluated = evaluate_by([&](const Job&) { return row; })(one, false);
         auto results = Database::open(results_);
-        const auto runs = read_figures(*results, evaluated->batch, 1);
-        const std::vector<RunFigures> start{{.status = "completed", .figures = {{"process_findings", 1}}}};
-        return score_of(*plan, *runs, start).violation;
+        const auto runs = read_metrics(*results, evaluated->batch, 1);
+        const std::vector<RunMetrics> start{{.status = "completed", .metrics = {{"process_findings", 1}}}};
+        return compute_score(*plan, *runs, start).violation;
     };
-    RunRow touching = clean(1), past = clean(1), far = clean(1), findings = clean(1), alarm, early, refused;
+    RunRow touching = is_clean(1), past = is_clean(1), far = is_clean(1), findings = is_clean(1), alarm,
+           early, rejected;
     touching.cause = "collision";
     touching.collisions = 1;
     past.status = "violations";
@@ -186,14 +188,14 @@ TEST_F(SearchFile, WhatIsNotAllowedIsOrderedByHowFarItIs) {
     alarm.status = early.status = "alarm";
     alarm.blocks = 1000;
     early.blocks = 10;
-    refused.status = "refused";
-    EXPECT_EQ(violation(clean(1)), 0);
+    rejected.status = "refused";
+    EXPECT_EQ(violation(is_clean(1)), 0);
     EXPECT_EQ(violation(findings), 1) << "one more than the start has";
     EXPECT_EQ(violation(touching), 1);
     EXPECT_EQ(violation(past), 12);
     EXPECT_LT(violation(past), violation(alarm));
     EXPECT_LT(violation(alarm), violation(early)) << "it came farther";
-    EXPECT_LT(violation(early), violation(refused));
+    EXPECT_LT(violation(early), violation(rejected));
 }
 
 // A run that was not made has no value, least of all a good one.
@@ -229,10 +231,10 @@ TEST_F(SearchFile, ASettingThatNoRunCanHaveIsToldEarly) {
 TEST_F(SearchFile, MoreVariantsGoOnBehindFewer) {
     auto plan = read(kPlan);
     std::vector<std::string> fewer, more;
-    for (auto* tried : {&fewer, &more}) {
-        plan->variants = tried == &fewer ? 33 : 80;
+    for (auto* trials : {&fewer, &more}) {
+        plan->variants = trials == &fewer ? 33 : 80;
         ASSERT_TRUE(search(*plan, [&](const Job& job) {
-            tried->push_back(settings_json(job.settings).dump());
+            trials->push_back(settings_json(job.settings).dump());
             return bowl(job);
         }));
     }
@@ -263,7 +265,7 @@ TEST_F(SearchFile, SumsOverProgramsAndMachines) {
     ASSERT_TRUE(plan) << plan.error();
     // Each program has its minimum elsewhere; the sum has it halfway.
     const auto state = search(*plan, [](const Job& job) {
-        return clean(1 + std::pow(setting(job, 0) - (job.program.ends_with("p.nc") ? 2 : 0), 2));
+        return is_clean(1 + std::pow(setting(job, 0) - (job.program.ends_with("p.nc") ? 2 : 0), 2));
     });
     ASSERT_TRUE(state) << state.error();
     EXPECT_NEAR(state->best.score.value.value(), 4, 1e-3);
@@ -289,25 +291,25 @@ TEST_F(SearchFile, FindsAnOrder) {
     ASSERT_TRUE(plan) << plan.error();
     const auto state = search(*plan, [](const Job& job) {
         constexpr std::array kAt{3.0, 1.0, 4.0, 0.0, 2.0};
-        double at = 0, way = 0;
+        double at = 0, distance = 0;
         const std::vector<std::size_t> order = job.settings.empty()
                                                    ? std::vector<std::size_t>{0, 1, 2, 3, 4}
                                                    : job.settings[0].value.get<std::vector<std::size_t>>();
         for (const std::size_t place : order) {
-            way += std::abs(kAt[place] - at);
+            distance += std::abs(kAt[place] - at);
             at = kAt[place];
         }
-        return clean(way);
+        return is_clean(distance);
     });
     ASSERT_TRUE(state) << state.error();
     EXPECT_EQ(state->best.score.value.value(), 4);
     EXPECT_EQ(state->best.settings[0].value, (nlohmann::json{3U, 1U, 4U, 0U, 2U}));
 }
 
-TEST(Space, HasACoordinateForEachSettingAndEachThingOfAnOrder) {
-    const Space space({{{"machine.a", "machine.b"}, Uniform{10, 20}, SettingUse::shift},
-                       {{"path.order"}, Order{3}},
-                       {{"option.dialect"}, Choices{{"ab9", "rs274ngc"}}}});
+TEST(SearchSpace, HasACoordinateForEachSettingAndEachThingOfAnOrder) {
+    const SearchSpace space({{{"machine.a", "machine.b"}, Uniform{10, 20}, SettingUse::shift},
+                             {{"path.order"}, Order{3}},
+                             {{"option.dialect"}, Choices{{"ab9", "rs274ngc"}}}});
     ASSERT_EQ(space.dimensions(), 5U);
     Eigen::VectorXd point(5);
     point << 0.25, 0.9, 0.1, 0.5, 1;
@@ -324,9 +326,9 @@ TEST_F(SearchFile, SaysWhatIsWrong) {
         std::string less = text;
         return less.erase(less.find(part), part.size());
     };
-    EXPECT_THAT(refusal(without("[objective]\ncycle_time_s = 1\n")), HasSubstr("needs [objective]"));
-    EXPECT_THAT(refusal(text.substr(0, text.find("[[setting]]"))), HasSubstr("needs [[setting]]"));
-    const auto with = [&](const std::string& more) { return refusal(text + more); };
+    EXPECT_THAT(rejection(without("[objective]\ncycle_time_s = 1\n")), HasSubstr("needs [objective]"));
+    EXPECT_THAT(rejection(text.substr(0, text.find("[[setting]]"))), HasSubstr("needs [[setting]]"));
+    const auto with = [&](const std::string& more) { return rejection(text + more); };
     EXPECT_THAT(with("[[limit]]\nmost = 1\n"), HasSubstr("lacks the key 'figure'"));
     EXPECT_THAT(with("[[limit]]\nfigure = \"cycle_time_s\"\n"), HasSubstr("'least', 'most' or both"));
     EXPECT_THAT(with("[[limit]]\nfigure = \"cycle_time_s\"\nleast = 3\nmost = 1\n"),
@@ -336,20 +338,20 @@ TEST_F(SearchFile, SaysWhatIsWrong) {
         with("[[setting]]\nkey = \"machine.c\"\ndistribution = \"normal\"\nmean = 1\ndeviation = 1\n"),
         HasSubstr("no distribution"));
     std::string wrong = text;
-    EXPECT_THAT(refusal(wrong.replace(wrong.find("cycle_time_s"), 12, "cycle_tims_s")),
+    EXPECT_THAT(rejection(wrong.replace(wrong.find("cycle_time_s"), 12, "cycle_tims_s")),
                 HasSubstr("did you mean 'cycle_time_s'?"));
     wrong = text;
-    EXPECT_THAT(refusal(wrong.replace(wrong.find("= 1\n"), 3, "= 0")), HasSubstr("a weight of 0"));
+    EXPECT_THAT(rejection(wrong.replace(wrong.find("= 1\n"), 3, "= 0")), HasSubstr("a weight of 0"));
     wrong = text;
-    EXPECT_THAT(refusal(wrong.replace(wrong.find("variants = 150"), 14, "variants = 1.5")),
+    EXPECT_THAT(rejection(wrong.replace(wrong.find("variants = 150"), 14, "variants = 1.5")),
                 HasSubstr("whole number"));
-    EXPECT_THAT(refusal("objective = 1\n"), HasSubstr("programs"));
+    EXPECT_THAT(rejection("objective = 1\n"), HasSubstr("programs"));
     EXPECT_THAT(with("[sampling]\nkind = \"random\"\nruns = 3\n"), HasSubstr("draws its variants itself"));
-    EXPECT_THAT(refusal("controllers = [\"ab9\", \"blend\"]\n" + text), HasSubstr("takes one control"));
+    EXPECT_THAT(rejection("controllers = [\"ab9\", \"blend\"]\n" + text), HasSubstr("takes one control"));
     std::string many = text;
     for (int i = 0; i < 7; ++i)
         many += "[[setting]]\nkey = \"machine.s" + std::to_string(i) + "\"\nfrom = 1\nto = 2\nsteps = 31\n";
-    EXPECT_EQ(refusal(many), "") << "of which it tries 150";
+    EXPECT_EQ(rejection(many), "") << "of which it tries 150";
     std::string speeds = text;
     speeds.replace(speeds.find("cycle_time_s"), 12, "joint_speed_share");
     EXPECT_EQ(read(speeds)->plan.options["joint_speeds"], true);

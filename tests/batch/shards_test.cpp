@@ -15,18 +15,18 @@ namespace fs = std::filesystem;
 
 TEST(Shards, HaveEachJobOnceAndAreAlike) {
     Shards shards;
-    for (std::uint64_t job = 0; job < 1007; job += job % 3 + 1) shards.todo.push_back(job);
+    for (std::uint64_t job = 0; job < 1007; job += job % 3 + 1) shards.pending_jobs.push_back(job);
     shards.shards = 16;
     std::multiset<std::uint64_t> all;
-    std::size_t least = shards.todo.size(), most = 0;
+    std::size_t min = shards.pending_jobs.size(), max = 0;
     for (std::uint64_t shard = 0; shard < shards.shards; ++shard) {
-        const auto jobs = shards.jobs_of(shard);
+        const auto jobs = shards.shard_jobs(shard);
         all.insert(jobs.begin(), jobs.end());
-        least = std::min(least, jobs.size());
-        most = std::max(most, jobs.size());
+        min = std::min(min, jobs.size());
+        max = std::max(max, jobs.size());
     }
-    EXPECT_TRUE(std::equal(all.begin(), all.end(), shards.todo.begin(), shards.todo.end()));
-    EXPECT_LE(most - least, 1U);
+    EXPECT_TRUE(std::equal(all.begin(), all.end(), shards.pending_jobs.begin(), shards.pending_jobs.end()));
+    EXPECT_LE(max - min, 1U);
 }
 
 TEST(Shards, AreNoMoreThanAnArrayTakes) {
@@ -41,13 +41,13 @@ TEST(Shards, AreWrittenAndReadBack) {
     Shards shards;
     shards.results = "/a/r.sqlite";
     shards.jobs = 50;
-    shards.todo = {0, 1, 2, 7, 8, 40};
+    shards.pending_jobs = {0, 1, 2, 7, 8, 40};
     shards.shards = 3;
     shards.array_job = "12";
     ASSERT_TRUE(write_shards(folder, shards));
     const auto read = read_shards(folder);
     ASSERT_TRUE(read) << read.error();
-    EXPECT_EQ(read->todo, shards.todo);
+    EXPECT_EQ(read->pending_jobs, shards.pending_jobs);
     EXPECT_EQ(read->array_job, "12");
     Plan plan;
     plan.programs = {"a.nc"};
@@ -55,10 +55,10 @@ TEST(Shards, AreWrittenAndReadBack) {
                      {.keys = {"machine.b"}, .domain = Normal{5, 1}},
                      {.keys = {"option.dialect"}, .domain = Choices{{"ab9"}}}};
     plan.design = {.sampling = Sampling::sobol, .runs = 9, .seed = 4};
-    ASSERT_TRUE(write_plan_of(folder, plan));
-    const auto again = read_plan_of(folder);
-    ASSERT_TRUE(again) << again.error();
-    const Jobs ours(plan), theirs(*again);
+    ASSERT_TRUE(write_stored_plan(folder, plan));
+    const auto relist = read_stored_plan(folder);
+    ASSERT_TRUE(relist) << relist.error();
+    const Jobs ours(plan), theirs(*relist);
     ASSERT_EQ(theirs.size(), 9U);
     for (std::uint64_t job = 0; job < 9; ++job)
         EXPECT_EQ(print_job(ours.job(job)), print_job(theirs.job(job)));

@@ -25,46 +25,46 @@ TEST(Summary, HasTheMeanAndItsInterval) {
     const SampleSummary summary = summarize({10, 9, 8, 7, 6, 5, 4, 3, 2, 1});
     EXPECT_DOUBLE_EQ(summary.mean, 5.5);
     EXPECT_NEAR(summary.deviation, 3.0276503540974917, 1e-12);
-    EXPECT_NEAR(*summary.mean_interval.most - 5.5, 2.2621571628 * 3.0276503541 / std::sqrt(10.0), 1e-8);
+    EXPECT_NEAR(*summary.mean_interval.max - 5.5, 2.2621571628 * 3.0276503541 / std::sqrt(10.0), 1e-8);
     EXPECT_DOUBLE_EQ(summary.percentiles[3].value, 5.5);
     EXPECT_DOUBLE_EQ(summary.percentiles[2].value, 3.25) << "type 7 of Hyndman and Fan";
     // The second and the ninth of ten values are the narrowest that hold the median with 95 % (97.9 %).
-    EXPECT_EQ(summary.percentiles[3].interval.least, 2);
-    EXPECT_EQ(summary.percentiles[3].interval.most, 9);
-    EXPECT_FALSE(summary.percentiles[0].interval.least) << "ten runs do not tell how little there may be";
+    EXPECT_EQ(summary.percentiles[3].interval.min, 2);
+    EXPECT_EQ(summary.percentiles[3].interval.max, 9);
+    EXPECT_FALSE(summary.percentiles[0].interval.min) << "ten runs do not tell how little there may be";
     const SampleSummary one = summarize({7});
     EXPECT_EQ(one.mean, 7);
-    EXPECT_FALSE(one.mean_interval.least);
+    EXPECT_FALSE(one.mean_interval.min);
 }
 
 // The interval is 1 - 0.025^(1/n) for none of n; for 5 of 50 it is that of the tables of Clopper and Pearson.
 TEST(Share, HasItsInterval) {
-    EXPECT_EQ(*share_interval(0, 300).least, 0);
-    EXPECT_NEAR(*share_interval(0, 300).most, 1 - std::pow(0.025, 1.0 / 300), 1e-12);
-    EXPECT_NEAR(*share_interval(300, 300).least, std::pow(0.025, 1.0 / 300), 1e-12);
-    EXPECT_NEAR(*share_interval(5, 50).least, 0.0333, 5e-5);
-    EXPECT_NEAR(*share_interval(5, 50).most, 0.2181, 5e-5);
+    EXPECT_EQ(*proportion_interval(0, 300).min, 0);
+    EXPECT_NEAR(*proportion_interval(0, 300).max, 1 - std::pow(0.025, 1.0 / 300), 1e-12);
+    EXPECT_NEAR(*proportion_interval(300, 300).min, std::pow(0.025, 1.0 / 300), 1e-12);
+    EXPECT_NEAR(*proportion_interval(5, 50).min, 0.0333, 5e-5);
+    EXPECT_NEAR(*proportion_interval(5, 50).max, 0.2181, 5e-5);
 }
 
 TEST(Regression, FindsWhatAStraightLineIsMadeOf) {
     std::mt19937 random(3);
-    std::vector<double> a, b, constant, figure;
+    std::vector<double> a, b, constant, metric;
     for (int i = 0; i < 200; ++i) {
         a.push_back(static_cast<double>(random() % 1000) / 1000);
         b.push_back(static_cast<double>(random() % 1000));
         constant.push_back(4);
-        figure.push_back(7 + 3 * a.back() - 0.002 * b.back());
+        metric.push_back(7 + 3 * a.back() - 0.002 * b.back());
     }
-    const Sensitivity found = regress({"a", "b", "constant"}, {a, b, constant}, figure);
-    ASSERT_EQ(found.parts.size(), 2U);
-    EXPECT_NEAR(found.parts[0].slope, 3, 1e-9);
-    EXPECT_NEAR(found.parts[1].slope, -0.002, 1e-12);
+    const Sensitivity found = regress({"a", "b", "constant"}, {a, b, constant}, metric);
+    ASSERT_EQ(found.effects.size(), 2U);
+    EXPECT_NEAR(found.effects[0].slope, 3, 1e-9);
+    EXPECT_NEAR(found.effects[1].slope, -0.002, 1e-12);
     EXPECT_NEAR(found.explained, 1, 1e-12);
-    EXPECT_GT(found.parts[0].coefficient, 0.7);
-    EXPECT_LT(found.parts[1].coefficient, -0.4);
-    EXPECT_TRUE(regress({"a"}, {{1, 2}}, {1, 2}).parts.empty())
+    EXPECT_GT(found.effects[0].coefficient, 0.7);
+    EXPECT_LT(found.effects[1].coefficient, -0.4);
+    EXPECT_TRUE(regress({"a"}, {{1, 2}}, {1, 2}).effects.empty())
         << "two runs tell nothing of a slope and a mean";
-    EXPECT_TRUE(regress({"a"}, {{1, 2, 3, 4}}, {5, 5, 5, 5}).parts.empty());
+    EXPECT_TRUE(regress({"a"}, {{1, 2, 3, 4}}, {5, 5, 5, 5}).effects.empty());
 }
 
 TEST(Histogram, CountsEachValueOnce) {
@@ -132,32 +132,32 @@ class ClosedForm : public testing::Test {
 
 TEST_F(ClosedForm, PercentilesAreWithinTheirIntervalsIn95Of100Seeds) {
     constexpr std::uint64_t kRuns = 60;
-    std::vector<int> held(7);
+    std::vector<int> covered(7);
     int mean_held = 0;
     // The mean of 400 / p + p / 10000 over p from 40 to 160.
     const double mean_s = 400 * std::log(4.0) / 120 + 0.01;
     for (std::uint64_t seed = 1; seed <= 100; ++seed) {
         const SampleSummary summary = summarize(times_s(Sampling::random, kRuns, seed));
         for (std::size_t i = 0; i < summary.percentiles.size(); ++i)
-            held[i] +=
-                summary.percentiles[i].interval.holds(percentile_s(summary.percentiles[i].share)) ? 1 : 0;
-        mean_held += summary.mean_interval.holds(mean_s) ? 1 : 0;
+            covered[i] +=
+                summary.percentiles[i].interval.contains(percentile_s(summary.percentiles[i].share)) ? 1 : 0;
+        mean_held += summary.mean_interval.contains(mean_s) ? 1 : 0;
     }
-    EXPECT_THAT(held, testing::Each(testing::Ge(95)));
+    EXPECT_THAT(covered, testing::Each(testing::Ge(95)));
     EXPECT_GE(mean_held, 92) << "Student's t is for normal samples; this one is skew";
 }
 
 TEST_F(ClosedForm, EvenDesignsAreNearerThanLot) {
     const auto worst = [&](Sampling sampling) {
-        double most = 0;
+        double max = 0;
         for (std::uint64_t seed = 1; seed <= 5; ++seed)
-            most = std::max(most, std::abs(summarize(times_s(sampling, 64, seed)).percentiles[3].value -
-                                           percentile_s(0.5)));
-        return most;
+            max = std::max(max, std::abs(summarize(times_s(sampling, 64, seed)).percentiles[3].value -
+                                         percentile_s(0.5)));
+        return max;
     };
-    const double lot = worst(Sampling::random);
-    EXPECT_LT(worst(Sampling::latin_hypercube), lot / 3);
-    EXPECT_LT(worst(Sampling::sobol), lot / 3);
+    const double uniform_random = worst(Sampling::random);
+    EXPECT_LT(worst(Sampling::latin_hypercube), uniform_random / 3);
+    EXPECT_LT(worst(Sampling::sobol), uniform_random / 3);
 }
 
 TEST_F(ClosedForm, StudiesAndComparisonsComeFromResults) {
@@ -179,7 +179,7 @@ TEST_F(ClosedForm, StudiesAndComparisonsComeFromResults) {
             const Job job = jobs.job(number);
             RunRow row = runner_.run(job);
             if (number == 3) row.status = row.cause = "timeout";
-            ASSERT_TRUE(results->note(
+            ASSERT_TRUE(results->record(
                 number, results->add(job, {std::to_string(number), "", ""}, row, "v").value(), false));
         }
         ASSERT_TRUE(results->end_batch(true));
@@ -192,8 +192,8 @@ TEST_F(ClosedForm, StudiesAndComparisonsComeFromResults) {
     EXPECT_EQ(studies->front().failed, 1U);
     EXPECT_EQ(studies->front().time.count, 79U);
     EXPECT_NEAR(studies->front().time.percentiles[3].value, percentile_s(0.5), 0.1);
-    ASSERT_EQ(studies->front().sensitivity.parts.size(), 1U);
-    EXPECT_LT(studies->front().sensitivity.parts[0].coefficient, -0.9);
+    ASSERT_EQ(studies->front().sensitivity.effects.size(), 1U);
+    EXPECT_LT(studies->front().sensitivity.effects[0].coefficient, -0.9);
     const auto comparisons = compare_machines(*database);
     ASSERT_TRUE(comparisons) << comparisons.error();
     ASSERT_EQ(comparisons->size(), 1U);

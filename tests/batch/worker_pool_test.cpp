@@ -31,20 +31,20 @@ std::map<std::size_t, RunRow> run_all(const std::vector<std::string>& programs, 
     std::map<std::size_t, RunRow> rows;
     std::size_t next = 0;
     while (rows.size() < programs.size()) {
-        while (next < programs.size() && pool.has_room()) {
-            const auto given = pool.give({.number = next,
-                                          .program = programs[next],
-                                          .machine = "",
-                                          .options = nlohmann::json::object(),
-                                          .settings = {}});
+        while (next < programs.size() && pool.has_capacity()) {
+            const auto given = pool.submit({.number = next,
+                                            .program = programs[next],
+                                            .machine = "",
+                                            .options = nlohmann::json::object(),
+                                            .settings = {}});
             EXPECT_TRUE(given) << given.error();
             ++next;
         }
-        auto taken = pool.take(std::chrono::milliseconds(100));
+        auto taken = pool.collect(std::chrono::milliseconds(100));
         EXPECT_TRUE(taken) << taken.error();
         for (RunRow& row : *taken) EXPECT_TRUE(rows.emplace(row.number, row).second) << "a row twice";
     }
-    EXPECT_EQ(pool.in_work(), 0U);
+    EXPECT_EQ(pool.pending_count(), 0U);
     return rows;
 }
 
@@ -100,7 +100,7 @@ TEST(WorkerPool, EndsWhatTakesTooLong) {
 
 TEST(WorkerPool, SaysThatThereIsNoSuchProgram) {
     WorkerPool pool({.command = {"/no/such/program"}, .workers = 1, .timeout_s = 1});
-    const auto given = pool.give({});
+    const auto given = pool.submit({});
     ASSERT_FALSE(given);
     EXPECT_THAT(given.error(), HasSubstr("cannot run /no/such/program"));
 }
@@ -110,11 +110,11 @@ TEST(WorkerPool, LeavesNobodyBehind) {
     {
         WorkerPool pool({.command = {"/bin/sh", "-c", kWorker}, .workers = 2, .timeout_s = 60});
         for (std::size_t number = 0; number < 4; ++number)
-            ASSERT_TRUE(pool.give({.number = number,
-                                   .program = "sleep",
-                                   .machine = "",
-                                   .options = nlohmann::json::object(),
-                                   .settings = {}}));
+            ASSERT_TRUE(pool.submit({.number = number,
+                                     .program = "sleep",
+                                     .machine = "",
+                                     .options = nlohmann::json::object(),
+                                     .settings = {}}));
     }
     EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::seconds(20));
 }

@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "calibrate/geometry/compensation.h"
-#include "calibrate/geometry/geometry_outcome.h"
+#include "calibrate/geometry/geometry_output.h"
 #include "calibrate/geometry/simulate.h"
 #include "calibrate/geometry/squareness.h"
 #include "calibrate/geometry/suggest.h"
@@ -52,61 +52,62 @@ machine::Machine sample(const std::string& name) {
 
 /// Returns TCPs of a formula at poses spread over a machine's ranges.
 template <class Formula>
-std::vector<MeasuredTip> tips_of(const machine::Machine& machine, Formula formula) {
-    std::vector<MeasuredTip> tips = spread_poses(machine, 1, 30, false);
-    for (MeasuredTip& tip : tips) tip.tip.translation() = formula(tip.readings);
-    return tips;
+std::vector<MeasuredTcp> tips_of(const machine::Machine& machine, Formula formula) {
+    std::vector<MeasuredTcp> tcps = spread_poses(machine, 1, 30, false);
+    for (MeasuredTcp& tcp : tcps) tcp.tcp.translation() = formula(tcp.readings);
+    return tcps;
 }
 
 double value_of(const GeometryFit& fit, const std::string& name) {
-    for (const FoundDeviation& found : fit.found)
+    for (const FittedDeviation& found : fit.found)
         if (found.deviation.name == name) return found.value;
     ADD_FAILURE() << name << " was not found";
     return 0;
 }
 
-std::string why_held(const GeometryFit& fit, const std::string& name) {
-    for (const HeldDeviation& held : fit.held)
-        if (held.name == name) return held.why;
+std::string fixed_reason(const GeometryFit& fit, const std::string& name) {
+    for (const FixedDeviation& fixed : fit.fixed)
+        if (fixed.name == name) return fixed.reason;
     return "it is not held";
 }
 
-GeometryFit fitted(const machine::Machine& machine, const std::vector<MeasuredTip>& tips,
+GeometryFit fitted(const machine::Machine& machine, const std::vector<MeasuredTcp>& tcps,
                    const GeometryOptions& options = {}) {
-    return fit_geometry(machine, tips, options).value();
+    return fit_geometry(machine, tcps, options).value();
 }
 
 // Y is tilted towards X by 0.4 mrad, Z away from Y by 0.3 mrad; X moves 100 ppm too far.
 TEST(GeometryClosedForm, AGantryThatIsNotSquare) {
-    const double lean = 4e-4, back = 3e-4;
-    const auto tips = tips_of(gantry(), [&](const std::vector<double>& axes) -> Vector3d {
-        return axes[0] * 1.0001 * Vector3d::UnitX() + axes[1] * Vector3d(std::sin(lean), std::cos(lean), 0) +
+    const double compact = 4e-4, back = 3e-4;
+    const auto tcps = tips_of(gantry(), [&](const std::vector<double>& axes) -> Vector3d {
+        return axes[0] * 1.0001 * Vector3d::UnitX() +
+               axes[1] * Vector3d(std::sin(compact), std::cos(compact), 0) +
                axes[2] * Vector3d(0, -std::sin(back), std::cos(back));
     });
-    const GeometryFit fit = fitted(gantry(), tips);
-    EXPECT_LT(summary_of(fit.after).greatest_um, 1e-3);
-    EXPECT_NEAR(value_of(fit, "Y tilt_z_deg"), -lean / kDeg, 1e-7);
+    const GeometryFit fit = fitted(gantry(), tcps);
+    EXPECT_LT(summarize_errors(fit.after).max_um, 1e-3);
+    EXPECT_NEAR(value_of(fit, "Y tilt_z_deg"), -compact / kDeg, 1e-7);
     EXPECT_NEAR(value_of(fit, "Z tilt_x_deg"), back / kDeg, 1e-7);
     EXPECT_NEAR(value_of(fit, "X scale_ppm"), 100, 1e-3);
     EXPECT_NEAR(value_of(fit, "base turn_z_deg"), 0, 1e-7);
-    const auto square = squareness_of(gantry(), fit);
+    const auto square = compute_squareness(gantry(), fit);
     ASSERT_EQ(square.size(), 3U);  // X Y, X Z, Y Z
-    EXPECT_NEAR(square[0].value_um_m, 1e6 * std::sin(lean), 1e-2);
+    EXPECT_NEAR(square[0].value_um_m, 1e6 * std::sin(compact), 1e-2);
     EXPECT_NEAR(square[1].value_um_m, 0, 1e-2);
-    EXPECT_NEAR(square[2].value_um_m, -1e6 * std::sin(back) * std::cos(lean), 1e-2);
-    EXPECT_EQ(why_held(fit, "tool x_mm"), "does what -X zero_mm does");
-    EXPECT_EQ(why_held(fit, "tool turn_x_deg"), "moves no tip that was measured");
+    EXPECT_NEAR(square[2].value_um_m, -1e6 * std::sin(back) * std::cos(compact), 1e-2);
+    EXPECT_EQ(fixed_reason(fit, "tool x_mm"), "does what -X zero_mm does");
+    EXPECT_EQ(fixed_reason(fit, "tool turn_x_deg"), "moves no tip that was measured");
 }
 
 // The table turns about (c, d): a point p is at R (p - c) + c of it.
 TEST(GeometryClosedForm, ATableThatTurnsBesideItsMiddle) {
     const Vector3d centre(0.12, -0.07, 0);
-    const auto tips = tips_of(with_table(), [&](const std::vector<double>& axes) -> Vector3d {
-        const Vector3d place(axes[0], axes[1], axes[2]);
-        return Eigen::AngleAxisd(axes[3] * kDeg, Vector3d::UnitZ()) * (place - centre) + centre;
+    const auto tcps = tips_of(with_table(), [&](const std::vector<double>& axes) -> Vector3d {
+        const Vector3d position(axes[0], axes[1], axes[2]);
+        return Eigen::AngleAxisd(axes[3] * kDeg, Vector3d::UnitZ()) * (position - centre) + centre;
     });
-    const GeometryFit fit = fitted(with_table(), tips);
-    EXPECT_LT(summary_of(fit.after).greatest_um, 1e-3);
+    const GeometryFit fit = fitted(with_table(), tcps);
+    EXPECT_LT(summarize_errors(fit.after).max_um, 1e-3);
     EXPECT_NEAR(value_of(fit, "C shift_x_mm"), 0.12, 1e-6);
     EXPECT_NEAR(value_of(fit, "C shift_y_mm"), -0.07, 1e-6);
     EXPECT_NEAR(value_of(fit, "X zero_mm"), 0, 1e-6);
@@ -123,18 +124,19 @@ TEST(GeometryClosedForm, TheFileIsTheMachine) {
     for (const char* name : {"arm6", "af5", "mill-table-table", "gantry-offset-head"}) {
         const machine::Machine machine = sample(name);
         const auto poses = suggest_poses(machine, 40, true, {{}, {"scale"}}).value();
-        const auto hidden = hidden_machine(machine, poses, {{}, {"scale"}}, 3);
-        const GeometryFit fit = fitted(machine, simulated(hidden.geometry, poses, {0.002, 0.001}, 4),
-                                       {.choice = {{}, {"scale"}}, .noise_mm = {}, .noise_deg = {}});
+        const auto ground_truth = make_ground_truth(machine, poses, {{}, {"scale"}}, 3);
+        const GeometryFit fit =
+            fitted(machine, simulated_tcps(ground_truth.geometry, poses, {0.002, 0.001}, 4),
+                   {.deviation_options = {{}, {"scale"}}, .noise_mm = {}, .noise_deg = {}});
         const auto read = machine::read_machine(geometry_text(fit).value(), "fitted.toml");
         ASSERT_TRUE(read) << name << ": " << read.error();
         const auto kinematics = machine::make_kinematics(*read);
-        const TipFinder finder(fit.geometry);
-        for (const MeasuredTip& pose : poses) {
+        const TcpCalculator calculator(fit.geometry);
+        for (const MeasuredTcp& pose : poses) {
             rrs::JointPos joints(static_cast<Eigen::Index>(read->axes.size()));
             for (std::size_t i = 0; i < read->axes.size(); ++i)
                 joints[static_cast<Eigen::Index>(i)] = machine::joint_value(read->axes[i], pose.readings[i]);
-            const rrs::CartPos apart = kinematics->forward(joints).inverse() * finder.tip(pose.readings);
+            const rrs::CartPos apart = kinematics->forward(joints).inverse() * calculator.tcp(pose.readings);
             EXPECT_LT(apart.translation().norm(), 1e-9) << name;
             EXPECT_TRUE(apart.linear().isIdentity(1e-12)) << name;
         }
@@ -145,11 +147,11 @@ TEST(GeometryClosedForm, TheFileIsTheMachine) {
 // lie askew.
 TEST(GeometryClosedForm, TheToolKeepsItsDirectionWherePointsAloneAreMeasured) {
     const Eigen::Matrix3d askew = Eigen::AngleAxisd(6e-4, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-    const auto tips = tips_of(gantry(), [&](const std::vector<double>& axes) -> Vector3d {
+    const auto tcps = tips_of(gantry(), [&](const std::vector<double>& axes) -> Vector3d {
         return askew * Vector3d(axes[0], axes[1], axes[2]);
     });
-    const GeometryFit fit = fitted(gantry(), tips);
-    EXPECT_LT(summary_of(fit.after).greatest_um, 1e-3);
+    const GeometryFit fit = fitted(gantry(), tcps);
+    EXPECT_LT(summarize_errors(fit.after).max_um, 1e-3);
     const auto kinematics = machine::make_kinematics(fit.geometry.machine);
     rrs::CartPos pose = rrs::CartPos::Identity();
     pose.translation() = Vector3d(10, 20, -30);
@@ -165,12 +167,12 @@ TEST(GeometryClosedForm, ALineMovesAlone) {
         const DeviatedMachine deviated({.machine = machine, .scales = {}});
         std::vector<double> at_zero;
         for (const machine::Axis& axis : machine.axes) at_zero.push_back(axis.zero);
-        const rrs::CartPos before = TipFinder(deviated.nominal()).tip(at_zero);
+        const rrs::CartPos before = TcpCalculator(deviated.nominal()).tcp(at_zero);
         for (const Deviation& deviation : all_deviations(machine, {})) {
             if (deviation.of != Deviation::Of::tilt && deviation.of != Deviation::Of::shift) continue;
             const std::vector<Deviation> one{deviation};
-            const TipFinder finder(deviated.at(one, Eigen::VectorXd::Constant(1, 0.3)));
-            EXPECT_TRUE(finder.tip(at_zero).isApprox(before, 1e-12)) << name << ", " << deviation.name;
+            const TcpCalculator calculator(deviated.at(one, Eigen::VectorXd::Constant(1, 0.3)));
+            EXPECT_TRUE(calculator.tcp(at_zero).isApprox(before, 1e-12)) << name << ", " << deviation.name;
         }
     }
 }
@@ -178,17 +180,18 @@ TEST(GeometryClosedForm, ALineMovesAlone) {
 TEST(GeometryClosedForm, NoiseIsFoundAndOutliersCountForLittle) {
     const machine::Machine machine = with_table();
     const auto poses = suggest_poses(machine, 60, false, {}).value();
-    const auto hidden = hidden_machine(machine, poses, {}, 5);
-    auto tips = simulated(hidden.geometry, poses, {.mm = 0.008, .deg = 0}, 6);
-    tips[17].tip.translation().y() += 1.5;
-    const GeometryFit fit = fitted(machine, tips);
-    EXPECT_TRUE(fit.noise_is_found);
+    const auto ground_truth = make_ground_truth(machine, poses, {}, 5);
+    auto tcps = simulated_tcps(ground_truth.geometry, poses, {.mm = 0.008, .deg = 0}, 6);
+    tcps[17].tcp.translation().y() += 1.5;
+    const GeometryFit fit = fitted(machine, tcps);
+    EXPECT_TRUE(fit.noise_is_estimated);
     EXPECT_NEAR(fit.noise.mm, 0.008, 0.0015);
     EXPECT_TRUE(fit.outliers[17]);
     EXPECT_EQ(std::count(fit.outliers.begin(), fit.outliers.end(), true), 1);
     for (std::size_t i = 0; i < fit.found.size(); ++i) {
-        EXPECT_EQ(fit.found[i].deviation.name, hidden.deviations[i].name);
-        EXPECT_NEAR(fit.found[i].value, hidden.values[static_cast<Eigen::Index>(i)], 4 * fit.found[i].spread)
+        EXPECT_EQ(fit.found[i].deviation.name, ground_truth.deviations[i].name);
+        EXPECT_NEAR(fit.found[i].value, ground_truth.values[static_cast<Eigen::Index>(i)],
+                    4 * fit.found[i].standard_deviation)
             << fit.found[i].deviation.name;
     }
 }
@@ -198,60 +201,66 @@ TEST(GeometryClosedForm, WhatIsNotLookedForIsSeen) {
     const machine::Machine machine = with_table();
     const auto poses = suggest_poses(machine, 40, true, {}).value();
     const Geometry file{.machine = machine, .scales = std::vector<double>(machine.axes.size(), 1)};
-    auto tips = simulated(file, poses, {.mm = 0.005, .deg = 0.002}, 12);
-    const GeometryOptions options{.choice = {}, .noise_mm = 0.005, .noise_deg = {}};
-    const GeometryFit straight = fitted(machine, tips, options);
-    EXPECT_FALSE(straight.noise_is_found);
+    auto tcps = simulated_tcps(file, poses, {.mm = 0.005, .deg = 0.002}, 12);
+    const GeometryOptions options{.deviation_options = {}, .noise_mm = 0.005, .noise_deg = {}};
+    const GeometryFit straight = fitted(machine, tcps, options);
+    EXPECT_FALSE(straight.noise_is_estimated);
     EXPECT_NEAR(straight.noise.deg, 0.002, 0.0005);
-    EXPECT_NEAR(straight.left_over_noise, 1, 0.2);
+    EXPECT_NEAR(straight.residual_noise_ratio, 1, 0.2);
     EXPECT_THAT(geometry_table(straight, {}), Not(HasSubstr("more is left than noise")));
-    for (MeasuredTip& tip : tips) {
-        const double x = tip.readings[0] / 250;
+    for (MeasuredTcp& tcp : tcps) {
+        const double x = tcp.readings[0] / 250;
         const Vector3d bent(0, 0.1 * x * x, 0);
-        tip.tip.translation() += Eigen::AngleAxisd(tip.readings[3] * kDeg, Vector3d::UnitZ()) * bent;
+        tcp.tcp.translation() += Eigen::AngleAxisd(tcp.readings[3] * kDeg, Vector3d::UnitZ()) * bent;
     }
-    const GeometryFit bent = fitted(machine, tips, options);
-    EXPECT_GT(bent.left_over_noise, 1.5);
+    const GeometryFit bent = fitted(machine, tcps, options);
+    EXPECT_GT(bent.residual_noise_ratio, 1.5);
     EXPECT_THAT(geometry_table(bent, {}), HasSubstr("more is left than noise"));
 }
 
 TEST(GeometryClosedForm, AnInstrumentMayStandAnywhere) {
     const machine::Machine machine = with_table();
-    const auto poses = suggest_poses(machine, 40, false, {.own_frame = true, .held = {}}).value();
-    const auto hidden = hidden_machine(machine, poses, {.own_frame = true, .held = {}}, 8);
-    Geometry seen = hidden.geometry;
+    const auto poses = suggest_poses(machine, 40, false, {.instrument_frame = true, .fixed = {}}).value();
+    const auto ground_truth = make_ground_truth(machine, poses, {.instrument_frame = true, .fixed = {}}, 8);
+    Geometry seen = ground_truth.geometry;
     seen.instrument =
         Eigen::Translation3d(900, -2000, 400) * Eigen::AngleAxisd(2, Vector3d(1, 2, 3).normalized());
     const GeometryOptions options{
-        .choice = {.own_frame = true, .held = {}}, .noise_mm = 0.005, .noise_deg = {}};
-    const auto exact = fitted(machine, simulated(seen, poses, {.mm = 0, .deg = 0}, 9), options);
-    EXPECT_LT(summary_of(exact.after).rms_um, 0.01);
-    const auto tips = simulated(seen, poses, {.mm = 0.005, .deg = 0}, 9);
-    const GeometryFit fit = fitted(machine, tips, options);
+        .deviation_options = {.instrument_frame = true, .fixed = {}}, .noise_mm = 0.005, .noise_deg = {}};
+    const auto exact = fitted(machine, simulated_tcps(seen, poses, {.mm = 0, .deg = 0}, 9), options);
+    EXPECT_LT(summarize_errors(exact.after).rms_um, 0.01);
+    const auto tcps = simulated_tcps(seen, poses, {.mm = 0.005, .deg = 0}, 9);
+    const GeometryFit fit = fitted(machine, tcps, options);
     // The best fit is no worse than the truth.
-    EXPECT_LE(summary_of(fit.after).rms_um, summary_of(tip_errors(seen, tips)).rms_um);
+    EXPECT_LE(summarize_errors(fit.after).rms_um, summarize_errors(tcp_errors(seen, tcps)).rms_um);
     for (std::size_t i = 0; i < fit.found.size(); ++i) {
         if (fit.found[i].deviation.of == Deviation::Of::instrument) continue;
-        EXPECT_NEAR(fit.found[i].value, hidden.values[static_cast<Eigen::Index>(i)], 4 * fit.found[i].spread)
+        EXPECT_NEAR(fit.found[i].value, ground_truth.values[static_cast<Eigen::Index>(i)],
+                    4 * fit.found[i].standard_deviation)
             << fit.found[i].deviation.name;
     }
 }
 
 TEST(GeometryClosedForm, HeldDeviationsStay) {
-    const auto tips = tips_of(gantry(), [](const std::vector<double>& axes) -> Vector3d {
+    const auto tcps = tips_of(gantry(), [](const std::vector<double>& axes) -> Vector3d {
         return Vector3d(axes[0] + 0.1, axes[1], axes[2]);
     });
     const GeometryFit fit =
-        fitted(gantry(), tips, {.choice = {.own_frame = false, .held = {"scale", "X zero", "tilt"}}});
+        fitted(gantry(), tcps,
+               {.deviation_options = {.instrument_frame = false, .fixed = {"scale", "X zero", "tilt"}}});
     EXPECT_NEAR(value_of(fit, "tool x_mm"), 0.1, 1e-6);
-    for (const FoundDeviation& found : fit.found)
+    for (const FittedDeviation& found : fit.found)
         EXPECT_THAT(found.deviation.name, Not(testing::AnyOf(HasSubstr("scale"), HasSubstr("tilt"))));
-    EXPECT_EQ(unknown_held(gantry(), {.own_frame = false, .held = {"scale", "tool z", "tilts"}}), "tilts");
-    EXPECT_EQ(unknown_held(gantry(), {.own_frame = false, .held = {"X", "instrument"}}), "instrument");
-    EXPECT_EQ(unknown_held(gantry(), {.own_frame = true, .held = {"X", "instrument"}}), std::nullopt);
+    EXPECT_EQ(
+        find_unknown_fixed(gantry(), {.instrument_frame = false, .fixed = {"scale", "tool z", "tilts"}}),
+        "tilts");
+    EXPECT_EQ(find_unknown_fixed(gantry(), {.instrument_frame = false, .fixed = {"X", "instrument"}}),
+              "instrument");
+    EXPECT_EQ(find_unknown_fixed(gantry(), {.instrument_frame = true, .fixed = {"X", "instrument"}}),
+              std::nullopt);
     const auto none = fit_geometry(gantry(), {}, {});
     EXPECT_EQ(none.error(), "there are no measured tips");
-    const std::vector<MeasuredTip> one(tips.begin(), tips.begin() + 1);
+    const std::vector<MeasuredTcp> one(tcps.begin(), tcps.begin() + 1);
     EXPECT_EQ(fit_geometry(gantry(), one, {}).error(),
               "these tips tell nothing of the machine's geometry: there are too few, or all is held");
 }
@@ -259,10 +268,10 @@ TEST(GeometryClosedForm, HeldDeviationsStay) {
 // With the table LinuxCNC sends the motor to nominal + (nominal - forward). The axis is then where it should
 // be, to the square of the scale's error.
 TEST(GeometryClosedForm, CompensationBringsAxesHome) {
-    const auto tips = tips_of(gantry(), [](const std::vector<double>& axes) -> Vector3d {
+    const auto tcps = tips_of(gantry(), [](const std::vector<double>& axes) -> Vector3d {
         return Vector3d(axes[0] * 1.0002, axes[1], axes[2]);
     });
-    const auto tables = compensation_tables(fitted(gantry(), tips), tips);
+    const auto tables = compensation_tables(fitted(gantry(), tcps), tcps);
     ASSERT_EQ(tables.size(), 3U);
     EXPECT_EQ(tables[0].letter, 'X');
     double nominal = 0, forward = 0, reverse = 0, last = -1e9;
@@ -280,10 +289,10 @@ TEST(GeometryClosedForm, CompensationBringsAxesHome) {
 
 // The TCP is at the work frame's origin if the readings are those of the line.
 TEST(GeometryClosedForm, TheWorkOffsetIsWhereTheWorkIs) {
-    const auto tips = tips_of(gantry(), [](const std::vector<double>& axes) -> Vector3d {
+    const auto tcps = tips_of(gantry(), [](const std::vector<double>& axes) -> Vector3d {
         return Vector3d(axes[0] - 0.25, axes[1] + 0.5, axes[2] - 0.125);
     });
-    EXPECT_EQ(work_offset_line(gantry(), fitted(gantry(), tips)).value(),
+    EXPECT_EQ(work_offset_line(gantry(), fitted(gantry(), tcps)).value(),
               "G21\nG10 L2 P1 X0.2500 Y-0.5000 Z0.1250\n");
     const machine::Machine arm = sample("arm6");
     const auto poses = suggest_poses(arm, 30, true, {}).value();
@@ -295,21 +304,21 @@ TEST(GeometryClosedForm, TheWorkOffsetIsWhereTheWorkIs) {
 TEST(GeometryClosedForm, SuggestedPosesTellMore) {
     for (const char* name : {"mill-head-table", "arm6"}) {
         const machine::Machine machine = sample(name);
-        const auto log_volume = [&](const std::vector<MeasuredTip>& poses) {
+        const auto log_volume = [&](const std::vector<MeasuredTcp>& poses) {
             const Geometry file{.machine = machine, .scales = std::vector<double>(machine.axes.size(), 1)};
-            const GeometryFit fit = fitted(machine, simulated(file, poses, {.mm = 0, .deg = 0}, 1),
-                                           {.choice = {}, .noise_mm = 0.005, .noise_deg = 0.001});
+            const GeometryFit fit = fitted(machine, simulated_tcps(file, poses, {.mm = 0, .deg = 0}, 1),
+                                           {.deviation_options = {}, .noise_mm = 0.005, .noise_deg = 0.001});
             const Eigen::VectorXd sizes =
                 Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(fit.covariance).eigenvalues();
             return std::pair(fit.found.size(), sizes.array().log().sum());
         };
-        const auto suggested = suggest_poses(machine, 40, true, {}).value();
-        const auto [count, best] = log_volume(suggested);
-        const auto [same, even] = log_volume(spread_poses(machine, 1, 40, true));
+        const auto suggested_count = suggest_poses(machine, 40, true, {}).value();
+        const auto [count, best] = log_volume(suggested_count);
+        const auto [same, uniform] = log_volume(spread_poses(machine, 1, 40, true));
         EXPECT_EQ(count, same);
         // For an arm, evenly spread poses show nearly as much already.
-        EXPECT_LT(best, even - 0.1 * static_cast<double>(count)) << "a tenth less of each one's variance";
-        for (const MeasuredTip& pose : suggested) {
+        EXPECT_LT(best, uniform - 0.1 * static_cast<double>(count)) << "a tenth less of each one's variance";
+        for (const MeasuredTcp& pose : suggested_count) {
             for (std::size_t i = 0; i < machine.axes.size(); ++i) {
                 EXPECT_GE(pose.readings[i], machine.axes[i].min);
                 EXPECT_LE(pose.readings[i], machine.axes[i].max);
@@ -323,15 +332,16 @@ TEST(GeometryClosedForm, SuggestedPosesTellMore) {
 TEST(GeometryClosedForm, OutcomesTellBothWays) {
     const machine::Machine machine = with_table();
     const auto poses = suggest_poses(machine, 30, false, {}).value();
-    const auto hidden = hidden_machine(machine, poses, {}, 5);
-    const GeometryFit fit = fitted(machine, simulated(hidden.geometry, poses, {.mm = 0.005, .deg = 0}, 6));
-    const auto square = squareness_of(machine, fit);
+    const auto ground_truth = make_ground_truth(machine, poses, {}, 5);
+    const GeometryFit fit =
+        fitted(machine, simulated_tcps(ground_truth.geometry, poses, {.mm = 0.005, .deg = 0}, 6));
+    const auto square = compute_squareness(machine, fit);
     EXPECT_THAT(geometry_table(fit, square),
                 testing::AllOf(HasSubstr("C shift_x_mm"), HasSubstr("square X Y"), HasSubstr("noise found"),
                                HasSubstr("30 tips: ")));
     EXPECT_THAT(geometry_json(fit, square),
                 testing::AllOf(HasSubstr("\"covariance\""), HasSubstr("\"held\"")));
-    EXPECT_THAT(tips_svg(fit),
+    EXPECT_THAT(tcps_svg(fit),
                 testing::AllOf(HasSubstr("<svg"), HasSubstr("tip 30<"), HasSubstr("before, um")));
     EXPECT_THAT(geometry_text(fit).value(), HasSubstr("which a machine file cannot say"));
 }

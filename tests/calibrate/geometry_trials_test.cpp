@@ -27,7 +27,7 @@ constexpr int kTrials = 100;
 constexpr int kLeastWithin = 95;
 constexpr std::size_t kPoses = 40;
 constexpr Noise kNoise{.mm = 0.005, .deg = 0.0015};
-constexpr Noise kNone{.mm = 0, .deg = 0};
+constexpr Noise kNoNoise{.mm = 0, .deg = 0};
 constexpr double kHiddenShare = 0.2;  // of usual sizes: 0.1 mm, 0.02 deg, 200 ppm
 
 /// Returns the definition of a geometry: joints and where they can move, whatever their letters. Axes that
@@ -38,7 +38,7 @@ std::string geometry_of(const machine::Machine& machine) {
     bare.tool = machine.tool;
     bare.work = machine.work;
     for (const machine::Axis& axis : machine.axes) {
-        if (axis.carries == machine::Carries::nothing) continue;
+        if (axis.carries == machine::CarriedPart::none) continue;
         machine::Axis joint;
         joint.kind = axis.kind;
         joint.min = axis.min;
@@ -109,19 +109,23 @@ class Trials {
     // All parameters that may be off are off. Many of them cannot be distinguished, so the truth is the fit
     // to TCPs without noise.
     void run(std::uint64_t seed) {
-        const Geometry hidden = deviated_.at(all_, drawn_values(all_, kHiddenShare, 2 * seed));
-        const GeometryOptions options{.choice = {}, .noise_mm = kNoise.mm, .noise_deg = kNoise.deg};
-        const auto truth = fit_geometry(machine_, simulated(hidden, poses_, kNone, 0), options).value();
+        const Geometry ground_truth = deviated_.at(all_, random_deviations(all_, kHiddenShare, 2 * seed));
+        const GeometryOptions options{
+            .deviation_options = {}, .noise_mm = kNoise.mm, .noise_deg = kNoise.deg};
+        const auto truth =
+            fit_geometry(machine_, simulated_tcps(ground_truth, poses_, kNoNoise, 0), options).value();
         const auto fit =
-            fit_geometry(machine_, simulated(hidden, poses_, kNoise, 2 * seed + 1), options).value();
+            fit_geometry(machine_, simulated_tcps(ground_truth, poses_, kNoise, 2 * seed + 1), options)
+                .value();
         ASSERT_EQ(truth.found.size(), fit.found.size());
         compare(truth, fit);
-        const auto left = summary_of(tip_errors(fit.geometry, simulated(hidden, fresh_, kNone, 0)));
-        add(tally_.before_um, summary_of(fit.before).rms_um);
-        add(tally_.left_um, summary_of(fit.after).rms_um);
+        const auto left =
+            summarize_errors(tcp_errors(fit.geometry, simulated_tcps(ground_truth, fresh_, kNoNoise, 0)));
+        add(tally_.before_um, summarize_errors(fit.before).rms_um);
+        add(tally_.left_um, summarize_errors(fit.after).rms_um);
         add(tally_.fresh_um, left.rms_um);
         tally_.fresh_worst_um = std::max(tally_.fresh_worst_um, left.rms_um);
-        tally_.exact_um = std::max(tally_.exact_um, summary_of(truth.after).rms_um);
+        tally_.exact_um = std::max(tally_.exact_um, summarize_errors(truth.after).rms_um);
     }
 
     void compare(const GeometryFit& truth, const GeometryFit& fit) {
@@ -129,15 +133,15 @@ class Trials {
         for (std::size_t i = 0; i < fit.found.size(); ++i) {
             ASSERT_EQ(truth.found[i].deviation.name, fit.found[i].deviation.name);
             const double difference = fit.found[i].value - truth.found[i].value;
-            off[static_cast<Eigen::Index>(i)] = difference / fit.found[i].spread;
+            off[static_cast<Eigen::Index>(i)] = difference / fit.found[i].standard_deviation;
             tally_.within[fit.found[i].deviation.name] +=
-                std::abs(difference) < 3 * fit.found[i].spread ? 1 : 0;
+                std::abs(difference) < 3 * fit.found[i].standard_deviation ? 1 : 0;
         }
         Eigen::MatrixXd correlation = fit.covariance;
         for (Eigen::Index i = 0; i < off.size(); ++i) {
             for (Eigen::Index k = 0; k < off.size(); ++k)
-                correlation(i, k) /= fit.found[static_cast<std::size_t>(i)].spread *
-                                     fit.found[static_cast<std::size_t>(k)].spread;
+                correlation(i, k) /= fit.found[static_cast<std::size_t>(i)].standard_deviation *
+                                     fit.found[static_cast<std::size_t>(k)].standard_deviation;
         }
         const double squares = off.dot(correlation.ldlt().solve(off));
         tally_.together += squares < three_sigma_of(static_cast<double>(off.size())) ? 1 : 0;
@@ -149,18 +153,18 @@ class Trials {
     const machine::Machine& machine_;
     DeviatedMachine deviated_;
     std::vector<Deviation> all_;
-    std::vector<MeasuredTip> poses_;
-    std::vector<MeasuredTip> fresh_;
+    std::vector<MeasuredTcp> poses_;
+    std::vector<MeasuredTcp> fresh_;
     Tally tally_;
 };
 
 void expect_found_again(const std::string& name, const machine::Machine& machine, bool orientation) {
     SCOPED_TRACE(fmt::format("{}, {}", name, orientation ? "poses" : "points"));
     const Tally tally = Trials(machine, orientation).run();
-    int least = kTrials;
+    int min = kTrials;
     for (const auto& [deviation, times] : tally.within) {
         EXPECT_GE(times, kLeastWithin) << deviation;
-        least = std::min(least, times);
+        min = std::min(min, times);
     }
     EXPECT_GE(tally.together, kLeastWithin);
     // Each TCP has 3 errors, of which as many are used up as deviations exist; orientation has its own 3.
@@ -174,7 +178,7 @@ void expect_found_again(const std::string& name, const machine::Machine& machine
         "{} {:6} {:2} deviations: each in {:3} of 100 at least, together in {:3}; rms um before {:7.1f}, "
         "after "
         "{:.2f}, elsewhere {:.2f} (at most {:.2f})\n",
-        name, orientation ? "poses" : "points", tally.count, least, tally.together, tally.before_um,
+        name, orientation ? "poses" : "points", tally.count, min, tally.together, tally.before_um,
         tally.left_um, tally.fresh_um, tally.fresh_worst_um);
 }
 

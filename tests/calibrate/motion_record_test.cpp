@@ -11,8 +11,8 @@ namespace {
 
 using testing::HasSubstr;
 
-std::vector<MotionSample> read(const std::string& text, const RecordForm& form = {}) {
-    const auto samples = read_motion_record(text, form);
+std::vector<MotionSample> read(const std::string& text, const RecordFormat& record_format = {}) {
+    const auto samples = read_motion_record(text, record_format);
     EXPECT_TRUE(samples) << samples.error();
     return samples.value_or(std::vector<MotionSample>{});
 }
@@ -31,16 +31,16 @@ TEST(MotionRecord, MayBeCsv) {
 }
 
 TEST(MotionRecord, MayBeWhatHalsamplerPrints) {
-    const RecordForm form{.period_s = 0.002, .columns = "x-z"};
-    const auto plain = read("1.5 9 2.5 \n1.6 9 2.6 \n", form);
+    const RecordFormat record_format{.period_s = 0.002, .columns = "x-z"};
+    const auto plain = read("1.5 9 2.5 \n1.6 9 2.6 \n", record_format);
     ASSERT_EQ(plain.size(), 2U);
     expect_sample(plain[1], 0.002, 1.6, 0, 2.6);
-    const auto numbered = read("10 1 9 2\noverrun\n13 2 9 3\n", form);
+    const auto numbered = read("10 1 9 2\noverrun\n13 2 9 3\n", record_format);
     ASSERT_EQ(numbered.size(), 2U);
     expect_sample(numbered[0], 0.020, 1, 0, 2);
     expect_sample(numbered[1], 0.026, 2, 0, 3);
     EXPECT_THAT(read_motion_record("1 2 3\n", {}).error(), HasSubstr("--sample-period"));
-    EXPECT_THAT(read_motion_record("1 2\n", form).error(), HasSubstr("line 1: 2 columns"));
+    EXPECT_THAT(read_motion_record("1 2\n", record_format).error(), HasSubstr("line 1: 2 columns"));
 }
 
 TEST(MotionRecord, MayBeStatusReportsOfGrbl) {

@@ -99,7 +99,7 @@ class Programs : public testing::Test {
         auto run = engine::Run::open(std::move(request)).value();
         EXPECT_TRUE(run.prepare());
         double first_s = std::numeric_limits<double>::infinity();
-        run.take_moves([&](std::span<const engine::Move> moves) {
+        run.on_moves([&](std::span<const engine::Move> moves) {
             for (const engine::Move& move : moves) first_s = std::min(first_s, move.start_s);
         });
         const auto report = run.go();

@@ -18,21 +18,22 @@ constexpr double kPeriod_s = 0.001;
 AxisRecord strokes() {
     AxisRecord record;
     double at = 0;
-    const auto put = [&](double value) {
+    const auto append = [&](double value) {
         record.t_s.push_back(kPeriod_s * static_cast<double>(record.t_s.size()));
         record.set_points.push_back(value);
     };
-    for (const double way : {20.0, -5.0, 1.0, -16.0}) {
+    for (const double distance : {20.0, -5.0, 1.0, -16.0}) {
         constexpr double kAcceleration = 800;
-        const double ramp_s = std::sqrt(std::abs(way) / kAcceleration);
-        const double sense = std::copysign(1.0, way);
+        const double ramp_s = std::sqrt(std::abs(distance) / kAcceleration);
+        const double sense = std::copysign(1.0, distance);
         for (double t = 0; t < 2 * ramp_s; t += kPeriod_s) {
-            const double left_s = 2 * ramp_s - t;
-            put(at + sense * (t < ramp_s ? kAcceleration / 2 * t * t
-                                         : std::abs(way) - kAcceleration / 2 * left_s * left_s));
+            const double remaining_s = 2 * ramp_s - t;
+            append(at + sense * (t < ramp_s
+                                     ? kAcceleration / 2 * t * t
+                                     : std::abs(distance) - kAcceleration / 2 * remaining_s * remaining_s));
         }
-        at += way;
-        for (int i = 0; i < 200; ++i) put(at);
+        at += distance;
+        for (int i = 0; i < 200; ++i) append(at);
     }
     return record;
 }
@@ -40,27 +41,27 @@ AxisRecord strokes() {
 /// An encoder of 0.1 um steps on a machine that trembles by as much.
 AxisRecord recorded(const machine::Servo& servo, unsigned seed, double noise = 1e-4) {
     AxisRecord record = strokes();
-    record.places.assign(record.set_points.size(), record.set_points.front());
-    record.places = follow(servo, record);
+    record.positions.assign(record.set_points.size(), record.set_points.front());
+    record.positions = simulate_following(servo, record);
     std::mt19937 random(seed);
     std::normal_distribution<double> off(0, noise);
-    for (double& place : record.places) place += off(random);
+    for (double& place : record.positions) place += off(random);
     return record;
 }
 
 double value_of(const ServoFit& fit, const std::string& key) {
-    for (const ServoFigure& figure : fit.figures) {
-        if (figure.key == key) return figure.value;
+    for (const FittedServoParameter& parameter : fit.fitted_parameters) {
+        if (parameter.key == key) return parameter.value;
     }
     return 0;
 }
 
 TEST(ServoFit, AGainAloneIsTheTimeConstant) {
-    const machine::Servo hidden{.position_gain_1_s = 40};
-    const ServoFit fit = fit_servo(recorded(hidden, 1)).value();
-    ASSERT_EQ(fit.figures.size(), 1U) << "no figure that is not there";
+    const machine::Servo ground_truth{.position_gain_1_s = 40};
+    const ServoFit fit = fit_servo(recorded(ground_truth, 1)).value();
+    ASSERT_EQ(fit.fitted_parameters.size(), 1U) << "no figure that is not there";
     EXPECT_NEAR(fit.servo.position_gain_1_s, 40, 0.02);
-    EXPECT_NEAR(fit.left_rms, 1e-4, 1e-5);
+    EXPECT_NEAR(fit.residual_rms, 1e-4, 1e-5);
 }
 
 /// The test integrates the equations in fine steps, which the fit does not.
@@ -68,8 +69,8 @@ TEST(ServoFit, FollowsTheEquationsOfTheLoop) {
     const machine::Servo servo{
         .position_gain_1_s = 35, .velocity_feed_forward = 0.6, .velocity_lag_s = 0.004};
     AxisRecord record = strokes();
-    record.places.assign(record.set_points.size(), 0);
-    const auto places = follow(servo, record);
+    record.positions.assign(record.set_points.size(), 0);
+    const auto positions = simulate_following(servo, record);
     double x = 0, v = 0;
     for (std::size_t i = 1; i < record.t_s.size(); ++i) {
         const double speed = (record.set_points[i] - record.set_points[i - 1]) / kPeriod_s;
@@ -81,29 +82,29 @@ TEST(ServoFit, FollowsTheEquationsOfTheLoop) {
             v += h * (command - v) / 0.004;
             x += h * v;
         }
-        ASSERT_NEAR(places[i], x, 5e-4) << i;
+        ASSERT_NEAR(positions[i], x, 5e-4) << i;
     }
 }
 
 TEST(ServoFit, FindsAllFiguresWithinTheirSpreads) {
-    const machine::Servo hidden{.position_gain_1_s = 33,
-                                .velocity_feed_forward = 0.7,
-                                .acceleration_feed_forward = 0.4,
-                                .velocity_lag_s = 0.005,
-                                .command_delay_s = 0.002};
+    const machine::Servo ground_truth{.position_gain_1_s = 33,
+                                      .velocity_feed_forward = 0.7,
+                                      .acceleration_feed_forward = 0.4,
+                                      .velocity_lag_s = 0.005,
+                                      .command_delay_s = 0.002};
     int inside = 0, all = 0;
     for (unsigned seed = 0; seed < 10; ++seed) {
-        const ServoFit fit = fit_servo(recorded(hidden, seed)).value();
-        ASSERT_EQ(fit.figures.size(), 5U);
-        EXPECT_NEAR(fit.left_rms, 1e-4, 1e-5);
+        const ServoFit fit = fit_servo(recorded(ground_truth, seed)).value();
+        ASSERT_EQ(fit.fitted_parameters.size(), 5U);
+        EXPECT_NEAR(fit.residual_rms, 1e-4, 1e-5);
         for (const auto& [key, truth] :
              {std::pair{"position_gain_1_s", 33.0}, std::pair{"velocity_feed_forward", 0.7},
               std::pair{"acceleration_feed_forward", 0.4}, std::pair{"velocity_lag_s", 0.005},
               std::pair{"command_delay_s", 0.002}}) {
-            for (const ServoFigure& figure : fit.figures) {
-                if (figure.key != std::string(key)) continue;
+            for (const FittedServoParameter& parameter : fit.fitted_parameters) {
+                if (parameter.key != std::string(key)) continue;
                 ++all;
-                if (std::abs(figure.value - truth) < 3 * figure.spread) ++inside;
+                if (std::abs(parameter.value - truth) < 3 * parameter.standard_deviation) ++inside;
             }
             EXPECT_NEAR(value_of(fit, key), truth, 0.1 * truth) << key;
         }
@@ -114,10 +115,10 @@ TEST(ServoFit, FindsAllFiguresWithinTheirSpreads) {
 TEST(ServoFit, SaysWhatTellsNothing) {
     AxisRecord still = strokes();
     still.set_points.assign(still.set_points.size(), 3);
-    still.places = still.set_points;
+    still.positions = still.set_points;
     EXPECT_THAT(fit_servo(still).error(), testing::HasSubstr("does not move"));
     AxisRecord perfect = strokes();
-    perfect.places = perfect.set_points;
+    perfect.positions = perfect.set_points;
     EXPECT_THAT(fit_servo(perfect).error(), testing::HasSubstr("without an error"));
 }
 

@@ -14,14 +14,15 @@ namespace {
 using testing::HasSubstr;
 
 /// 25 lines of a form with three numbers: time or number, set point, and another one.
-std::string lines(const std::string& form, double first = 0) {
+std::string lines(const std::string& columns_format, double first = 0) {
     std::string text;
-    for (int i = 0; i < 25; ++i) text += fmt::format(fmt::runtime(form), first + i, 0.5 * i, 0.4 * i);
+    for (int i = 0; i < 25; ++i)
+        text += fmt::format(fmt::runtime(columns_format), first + i, 0.5 * i, 0.4 * i);
     return text;
 }
 
-std::string error_of(const std::string& text, const ServoForm& form = {}) {
-    const auto read = read_servo_record(text, form);
+std::string error_of(const std::string& text, const ServoFormat& columns_format = {}) {
+    const auto read = read_servo_record(text, columns_format);
     return read ? "no error" : read.error();
 }
 
@@ -33,7 +34,7 @@ TEST(ServoRecord, OfNamedColumnsHasPlaces) {
     ASSERT_EQ(read->front().t_s.size(), 25U);
     EXPECT_EQ(read->front().t_s[3], 3);
     EXPECT_EQ(read->front().set_points[3], 1.5);
-    EXPECT_DOUBLE_EQ(read->front().places[3], 1.2);
+    EXPECT_DOUBLE_EQ(read->front().positions[3], 1.2);
 }
 
 /// As a trajectory of gsim-run has them.
@@ -41,19 +42,19 @@ TEST(ServoRecord, OfErrorsHasPlacesToo) {
     const auto read = read_servo_record("t_s,x_mm,y_mm,x_error_mm\n" + lines("{0},{1},3,{2}\n"), {});
     ASSERT_TRUE(read) << read.error();
     ASSERT_EQ(read->size(), 1U) << "of Y nothing is known but its set points";
-    EXPECT_DOUBLE_EQ(read->front().places[10], 5.0 - 4.0);
+    EXPECT_DOUBLE_EQ(read->front().positions[10], 5.0 - 4.0);
 }
 
 TEST(ServoRecord, OfHalsamplerHasTheColumnsThatAreTold) {
-    const ServoForm form{0.002, "-Xx"};
+    const ServoFormat columns_format{0.002, "-Xx"};
     for (const std::string& text :
          {lines("9 {1} {2}\n"), lines("{0} 9 {1} {2}\n"), "overrun\n" + lines("{0} 9 {1} {2}\n")}) {
-        const auto read = read_servo_record(text, form);
+        const auto read = read_servo_record(text, columns_format);
         ASSERT_TRUE(read) << read.error();
         EXPECT_DOUBLE_EQ(read->front().t_s[4], 0.008);
-        EXPECT_DOUBLE_EQ(read->front().places[4], 1.6);
+        EXPECT_DOUBLE_EQ(read->front().positions[4], 1.6);
     }
-    const auto late = read_servo_record(lines("{0} 9 {1} {2}\n", 100), form);
+    const auto late = read_servo_record(lines("{0} 9 {1} {2}\n", 100), columns_format);
     EXPECT_DOUBLE_EQ(late->front().t_s[0], 0.2) << "by its number";
 }
 

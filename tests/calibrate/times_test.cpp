@@ -11,9 +11,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "calibrate/times/choice.h"
 #include "calibrate/times/fit.h"
-#include "calibrate/times/outcome.h"
+#include "calibrate/times/fit_output.h"
+#include "calibrate/times/model_selection.h"
 #include "engine/run.h"
 #include "machine/file/machine_file.h"
 
@@ -89,7 +89,7 @@ class Recordings : public testing::Test {
     void add_positions(const machine::Machine& machine) {
         for (RecordedRun& recorded : runs_) {
             auto run = run_of(recorded.program, machine::print_machine(machine));
-            EXPECT_TRUE(run.take_samples(
+            EXPECT_TRUE(run.on_samples(
                 [&](std::span<const engine::Sample> samples) {
                     for (const engine::Sample& sample : samples)
                         recorded.samples.push_back(
@@ -99,8 +99,8 @@ class Recordings : public testing::Test {
             EXPECT_TRUE(run.go());
         }
     }
-    static std::optional<engine::Report::Interval> interval_of(const std::string& machine,
-                                                               const std::string& program) {
+    static std::optional<engine::Report::Interval> make_interval(const std::string& machine,
+                                                                 const std::string& program) {
         auto run = run_of(program, machine);
         return run.go().value().cycle_time_95;
     }
@@ -110,9 +110,9 @@ class Recordings : public testing::Test {
     }
 
     /// Returns a generic controller with this machine's parameters, refined by the recordings.
-    Choice choose(const machine::Machine& start, const Predictor& predictor) const {
+    ModelSelection choose(const machine::Machine& start, const Predictor& predictor) const {
         const Candidate candidate{"velocity-step", start};
-        return choose_model(std::span(&candidate, 1), runs_, predictor, 3).value();
+        return select_model(std::span(&candidate, 1), runs_, predictor, 3).value();
     }
 
     fs::path folder_;
@@ -121,7 +121,7 @@ class Recordings : public testing::Test {
 
 const FittedParameter& named(const Fit& fit, const std::string& name) {
     for (const FittedParameter& parameter : fit.parameters) {
-        if (parameter.figure.key.find(name) != std::string::npos) return parameter;
+        if (parameter.parameter_id.key.find(name) != std::string::npos) return parameter;
     }
     throw std::out_of_range(name);
 }
@@ -142,7 +142,7 @@ TEST_F(Recordings, WithNoiseGiveThemWithinThreeStandardDeviations) {
          {std::pair{"max_acceleration", 730.0}, std::pair{"speed_step_s", 0.012}}) {
         const FittedParameter& parameter = named(found, name);
         ASSERT_TRUE(parameter.identified) << name;
-        EXPECT_LT(std::abs(std::log(parameter.value / truth)), 3 * parameter.spread) << name;
+        EXPECT_LT(std::abs(std::log(parameter.value / truth)), 3 * parameter.standard_deviation) << name;
     }
     EXPECT_NEAR(found.noise, 0.005, 0.004);
 }
@@ -169,13 +169,13 @@ TEST_F(Recordings, TellWhatWordsTake) {
     std::string dwells = "G21 G90 G17 G64\n";
     for (int k = 0; k < 20; ++k) dwells += fmt::format("G1 X{} F6000\nG4 P0.05\n", 7 * (k % 2));
     add(dwells + "M2\n");
-    machine::Machine hidden = router(730, 0.012);
-    hidden.times.tool_change_s = 6;
-    hidden.times.coolant_on_s = 0.2;
-    record(hidden, 0.002);
+    machine::Machine ground_truth = router(730, 0.012);
+    ground_truth.times.tool_change_s = 6;
+    ground_truth.times.coolant_on_s = 0.2;
+    record(ground_truth, 0.002);
     const machine::Machine start = router(400, 0.03);
     const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();
-    const Choice choice = choose(start, predictor);
+    const ModelSelection choice = choose(start, predictor);
     EXPECT_THAT(choice.candidate.name, HasSubstr("words that take time"));
     const Fit found = fit_times(choice.candidate.machine, runs_, predictor, {}).value();
     EXPECT_NEAR(named(found, "tool_change_s").value, 6, 0.1);
@@ -183,7 +183,7 @@ TEST_F(Recordings, TellWhatWordsTake) {
     EXPECT_NEAR(named(found, "max_acceleration").value, 730, 30);
     const std::string text = machine_text(found, runs_);
     EXPECT_THAT(text, HasSubstr("of = \"times\"\nkey = \"tool_change_s\""));
-    EXPECT_TRUE(interval_of(text, runs_.back().program));
+    EXPECT_TRUE(make_interval(text, runs_.back().program));
 }
 
 /// The time of a word that is one of a thousand things cannot be found: the program for it has it ten times.
@@ -204,12 +204,12 @@ TEST_F(Recordings, TellWhatABlockTakes) {
         for (int k = 1; k < 60 * i; ++k) text += fmt::format("G1 X{:.2f}\n", 0.5 * k);
         add(text + "M2\n");
     }
-    machine::Machine hidden = router(730, 0.012);
-    hidden.controller.block_time_s = 0.008;
-    record(hidden, 0.002);
+    machine::Machine ground_truth = router(730, 0.012);
+    ground_truth.controller.block_time_s = 0.008;
+    record(ground_truth, 0.002);
     const machine::Machine start = router(400, 0.03);
     const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();
-    const Choice choice = choose(start, predictor);
+    const ModelSelection choice = choose(start, predictor);
     EXPECT_THAT(choice.candidate.name, HasSubstr("a time for each block"));
     EXPECT_NEAR(choice.candidate.machine.controller.block_time_s, 0.008, 0.0002);
 }
@@ -217,9 +217,9 @@ TEST_F(Recordings, TellWhatABlockTakes) {
 /// Long paths run at the speeds of the axes.
 TEST_F(Recordings, TellSpeedsThatAreAskedFor) {
     for (int i = 1; i < 5; ++i) add(fmt::format("G21 G90\nG0 X{0} Y{1}\nX0\nY{0}\nM2\n", 90 * i, 70 * i));
-    machine::Machine hidden = router(730, 0.012);
-    for (machine::Axis& axis : hidden.axes) axis.max_speed = 240;
-    record(hidden, 0.002);
+    machine::Machine ground_truth = router(730, 0.012);
+    for (machine::Axis& axis : ground_truth.axes) axis.max_speed = 240;
+    record(ground_truth, 0.002);
     const machine::Machine start = router(400, 0.03);
     const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();
     const Fit found = fit_times(start, runs_, predictor, {.open = {.speeds = true}}).value();
@@ -230,9 +230,9 @@ TEST_F(Recordings, TellSpeedsThatAreAskedFor) {
 TEST_F(Recordings, OfCurvesTellOfThem) {
     for (const double radius : {2.0, 5.0, 10.0})
         add(fmt::format("G21 G90 G17 G64\nG1 X1 F6000\nG2 X1 Y0 I{0} J0\nG2 X1 Y0 I{0} J0\nM2\n", radius));
-    machine::Machine hidden = router(730, 0.012);
-    hidden.controller.centripetal_share = 0.6;
-    record(hidden, 0);
+    machine::Machine ground_truth = router(730, 0.012);
+    ground_truth.controller.centripetal_share = 0.6;
+    record(ground_truth, 0);
     const Fit found = fit(router(400, 0.03));
     EXPECT_TRUE(named(found, "centripetal_share").identified);
     EXPECT_NEAR(named(found, "centripetal_share").value, 0.6, 0.02);
@@ -241,12 +241,12 @@ TEST_F(Recordings, OfCurvesTellOfThem) {
 /// v = sqrt(s a r) is as fast by a great share, which leaves little to speed up with, as by a small one.
 TEST_F(Recordings, OfOneCurveLeaveTwoShares) {
     add("G21 G90 G17 G64\nG1 X1 F6000\nG2 X1 Y0 I10 J0\nG2 X1 Y0 I10 J0\nM2\n");
-    machine::Machine hidden = router(730, 0.012);
-    hidden.controller.centripetal_share = 0.5;
-    record(hidden, 0.005);
+    machine::Machine ground_truth = router(730, 0.012);
+    ground_truth.controller.centripetal_share = 0.5;
+    record(ground_truth, 0.005);
     const machine::Machine start = router(400, 0.03);
     const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();
-    const Fit found = fit_times(start, runs_, predictor, {.other_starts = true}).value();
+    const Fit found = fit_times(start, runs_, predictor, {.multi_start = true}).value();
     EXPECT_TRUE(named(found, "max_acceleration").identified);
     EXPECT_FALSE(named(found, "centripetal_share").identified);
 }
@@ -254,11 +254,11 @@ TEST_F(Recordings, OfOneCurveLeaveTwoShares) {
 TEST_F(Recordings, BecomeAMachineFileThatIsReadAgain) {
     record(router(730, 0.012), 0.005);
     const Fit found = fit(router(400, 0.03));
-    const auto again = machine::read_machine(machine_text(found, runs_), "fitted.toml");
-    ASSERT_TRUE(again) << again.error();
+    const auto relist = machine::read_machine(machine_text(found, runs_), "fitted.toml");
+    ASSERT_TRUE(relist) << relist.error();
     machine::Machine calibrated = found.machine;
-    calibrated.calibration = calibration_of(found);
-    EXPECT_EQ(*again, calibrated);
+    calibrated.calibration = make_calibration(found);
+    EXPECT_EQ(*relist, calibrated);
     EXPECT_THAT(residuals_svg(found, runs_), HasSubstr("0.ngc"));
 }
 
@@ -267,9 +267,9 @@ TEST_F(Recordings, BecomeAMachineFileThatIsReadAgain) {
 TEST_F(Recordings, OfPositionsTellMoreThanATime) {
     const std::vector<RecordedRun> zigzags = runs_;
     runs_.assign(zigzags.begin() + 2, zigzags.begin() + 4);
-    const machine::Machine hidden = router(730, 0.012);
-    record(hidden, 0);
-    add_positions(hidden);
+    const machine::Machine ground_truth = router(730, 0.012);
+    record(ground_truth, 0);
+    add_positions(ground_truth);
     const Fit found = fit(router(400, 0.03));
     EXPECT_NEAR(named(found, "max_acceleration").value, 730, 20);
     EXPECT_NEAR(named(found, "speed_step_s").value, 0.012, 0.001);
@@ -281,20 +281,20 @@ TEST_F(Recordings, GiveIntervalsThatHoldTheTimesOfOtherPrograms) {
     add_zigzag(5, 33);
     const std::string other = runs_.back().program;
     runs_.pop_back();
-    const machine::Machine hidden = router(730, 0.012);
+    const machine::Machine ground_truth = router(730, 0.012);
     const std::vector<RecordedRun> unknown{{other, 1}};
     const double truth_s =
-        Predictor::of(unknown, {"rs274ngc"}, hidden).value().times_s(hidden).front().value();
+        Predictor::of(unknown, {"rs274ngc"}, ground_truth).value().times_s(ground_truth).front().value();
     constexpr int kTrials = 25;
-    int held = 0;
+    int covered = 0;
     for (int trial = 0; trial < kTrials; ++trial) {
-        record(hidden, 0.005, static_cast<unsigned>(trial));
-        const auto interval = interval_of(machine_text(fit(router(400, 0.03)), runs_), other);
+        record(ground_truth, 0.005, static_cast<unsigned>(trial));
+        const auto interval = make_interval(machine_text(fit(router(400, 0.03)), runs_), other);
         ASSERT_TRUE(interval);
-        if (interval->least_s <= truth_s && truth_s <= interval->most_s) ++held;
-        EXPECT_LT(interval->most_s - interval->least_s, 0.08 * truth_s);
+        if (interval->min_s <= truth_s && truth_s <= interval->max_s) ++covered;
+        EXPECT_LT(interval->max_s - interval->min_s, 0.08 * truth_s);
     }
-    EXPECT_GE(held, 0.85 * kTrials) << "95 % are promised, of times with their noise";
+    EXPECT_GE(covered, 0.85 * kTrials) << "95 % are promised, of times with their noise";
 }
 
 TEST_F(Recordings, OfAProgramThatEndsNotAreRefusedByName) {

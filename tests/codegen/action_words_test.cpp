@@ -17,7 +17,7 @@ const ActionWords::Blocks kBlocks{{"stop", "M0"},
                                   {"turn 90", "M19"}};
 
 std::optional<std::string> block(std::string_view action, double unit_mm = 1) {
-    return ActionWords(kBlocks).block_of(action, unit_mm);
+    return ActionWords(kBlocks).find_block(action, unit_mm);
 }
 
 TEST(ActionWords, ANameWithoutPlacesGoesFirst) {
@@ -42,7 +42,7 @@ TEST(ActionWords, PlacesTakeWhatTheirNamesSay) {
 // The text after the inner brace was taken for a separate placeholder, and the name left by its end.
 TEST(ActionWords, ABraceWithinAPlaceIsPartOfItsName) {
     const ActionWords::Blocks blocks{{"turn {{angle} degrees", "M19 R{{angle}"}};
-    EXPECT_EQ(ActionWords(blocks).block_of("turn 90 degrees", 1), "M19 R90");
+    EXPECT_EQ(ActionWords(blocks).find_block("turn 90 degrees", 1), "M19 R90");
 }
 
 TEST(ActionWords, TextsEndWhereWhatIsBehindThemBegins) {

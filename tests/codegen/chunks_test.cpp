@@ -27,14 +27,14 @@ Mapped mapped(const std::string& gcode, const TranslateOptions& options = {}) {
     return result;
 }
 
-std::vector<std::string> pieces(const Mapped& whole, const ProgramPart& part) {
+std::vector<std::string> chunks(const Mapped& full, const ProgramPart& part) {
     std::vector<std::string> out;
     std::uint64_t begin = part.body_begin;
     for (const Cut& cut : part.cuts) {
-        out.push_back(whole.lua.substr(begin, cut.offset - begin));
+        out.push_back(full.lua.substr(begin, cut.offset - begin));
         begin = cut.offset;
     }
-    out.push_back(whole.lua.substr(begin, part.body_end - begin));
+    out.push_back(full.lua.substr(begin, part.body_end - begin));
     return out;
 }
 
@@ -43,53 +43,53 @@ std::uint32_t line_of(const std::string& text, std::uint64_t offset) {
         1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(offset), '\n'));
 }
 
-void expect_sound_map(const Mapped& whole) {
-    for (const ProgramPart& part : whole.translation.programs) {
+void expect_sound_map(const Mapped& full) {
+    for (const ProgramPart& part : full.translation.programs) {
         ASSERT_LE(part.body_begin, part.body_end);
-        EXPECT_EQ(part.first_line, line_of(whole.lua, part.body_begin)) << part.head;
+        EXPECT_EQ(part.first_line, line_of(full.lua, part.body_begin)) << part.head;
         std::string body;
-        for (const std::string& piece : pieces(whole, part)) {
-            EXPECT_EQ(compile_error(piece), std::nullopt) << piece.substr(0, 200);
-            body += piece;
+        for (const std::string& chunk : chunks(full, part)) {
+            EXPECT_EQ(compile_error(chunk), std::nullopt) << chunk.substr(0, 200);
+            body += chunk;
         }
-        EXPECT_EQ(body, whole.lua.substr(part.body_begin, part.body_end - part.body_begin));
+        EXPECT_EQ(body, full.lua.substr(part.body_begin, part.body_end - part.body_begin));
         for (const Cut& cut : part.cuts) {
-            EXPECT_EQ(whole.lua[cut.offset - 1], '\n');
-            EXPECT_EQ(cut.line, line_of(whole.lua, cut.offset));
+            EXPECT_EQ(full.lua[cut.offset - 1], '\n');
+            EXPECT_EQ(cut.line, line_of(full.lua, cut.offset));
         }
         const std::string head = part.head + "function()";
-        EXPECT_EQ(whole.lua.substr(part.body_begin - head.size(), head.size()), head);
-        EXPECT_EQ(whole.lua.substr(whole.lua.find_first_not_of(" \n", part.body_end), 4), "end)");
+        EXPECT_EQ(full.lua.substr(part.body_begin - head.size(), head.size()), head);
+        EXPECT_EQ(full.lua.substr(full.lua.find_first_not_of(" \n", part.body_end), 4), "end)");
     }
 }
 
 TEST(ProgramMap, ProgramsAndTheirBodies) {
-    const Mapped whole = mapped("%\nO0001\nX1\nM98 P2\nM2\n%\nO2\nM99\nOPART\nM99\n");
-    ASSERT_EQ(whole.translation.programs.size(), 3U);
-    EXPECT_EQ(whole.translation.programs[0].head, "program(1, ");
-    EXPECT_EQ(whole.translation.programs[0].first_line, 3U);
-    EXPECT_EQ(whole.translation.programs[1].head, "program(2, ");
-    EXPECT_EQ(whole.translation.programs[2].head, "program(\"PART\", ");
-    EXPECT_EQ(line_of(whole.lua, whole.lua.size()) - 1, 12U);
-    expect_sound_map(whole);
+    const Mapped full = mapped("%\nO0001\nX1\nM98 P2\nM2\n%\nO2\nM99\nOPART\nM99\n");
+    ASSERT_EQ(full.translation.programs.size(), 3U);
+    EXPECT_EQ(full.translation.programs[0].head, "program(1, ");
+    EXPECT_EQ(full.translation.programs[0].first_line, 3U);
+    EXPECT_EQ(full.translation.programs[1].head, "program(2, ");
+    EXPECT_EQ(full.translation.programs[2].head, "program(\"PART\", ");
+    EXPECT_EQ(line_of(full.lua, full.lua.size()) - 1, 12U);
+    expect_sound_map(full);
 }
 
 TEST(ProgramMap, WithoutAnOWord) {
-    const Mapped whole = mapped("X1\nX2\n");
-    ASSERT_EQ(whole.translation.programs.size(), 1U);
-    EXPECT_EQ(whole.translation.programs[0].head, "program(nil, ");
-    EXPECT_EQ(whole.translation.programs[0].first_line, 1U);
-    expect_sound_map(whole);
+    const Mapped full = mapped("X1\nX2\n");
+    ASSERT_EQ(full.translation.programs.size(), 1U);
+    EXPECT_EQ(full.translation.programs[0].head, "program(nil, ");
+    EXPECT_EQ(full.translation.programs[0].first_line, 1U);
+    expect_sound_map(full);
 }
 
 TEST(ProgramMap, SubroutinesAndWhatIsBehindThem) {
     TranslateOptions options;
     options.dialect = &grammar::dialect_rs274ngc();
-    const Mapped whole = mapped("X1\no<a> sub\nX2\no<a> endsub\n\no7 sub\no7 endsub\nX3\n", options);
+    const Mapped full = mapped("X1\no<a> sub\nX2\no<a> endsub\n\no7 sub\no7 endsub\nX3\n", options);
     std::vector<std::string> heads;
-    for (const ProgramPart& part : whole.translation.programs) heads.push_back(part.head);
+    for (const ProgramPart& part : full.translation.programs) heads.push_back(part.head);
     EXPECT_THAT(heads, testing::ElementsAre("program(nil, ", "sub(\"a\", ", "sub(7, ", "more("));
-    expect_sound_map(whole);
+    expect_sound_map(full);
 }
 
 TEST(ProgramMap, RandomPrograms) {
@@ -112,22 +112,22 @@ std::string big_program(int lines, const std::string& middle) {
 }
 
 TEST(ProgramMap, BigProgramsHaveCuts) {
-    const Mapped whole = mapped(big_program(200000, ""));
-    ASSERT_EQ(whole.translation.programs.size(), 1U);
-    const ProgramPart& part = whole.translation.programs[0];
+    const Mapped full = mapped(big_program(200000, ""));
+    ASSERT_EQ(full.translation.programs.size(), 1U);
+    const ProgramPart& part = full.translation.programs[0];
     EXPECT_GE(part.cuts.size(), 20U);
     for (std::size_t i = 1; i < part.cuts.size(); ++i)
         ASSERT_GT(part.cuts[i].offset, part.cuts[i - 1].offset);
-    expect_sound_map(whole);
+    expect_sound_map(full);
 }
 
 TEST(ProgramMap, ACutBehindALineThatIsMoreThanCalls) {
-    const Mapped whole = mapped(big_program(2000, "#1=5 (changed)\nX[#1]\n"));
-    const std::vector<Cut>& cuts = whole.translation.programs[0].cuts;
+    const Mapped full = mapped(big_program(2000, "#1=5 (changed)\nX[#1]\n"));
+    const std::vector<Cut>& cuts = full.translation.programs[0].cuts;
     ASSERT_EQ(cuts.size(), 1U);  // not after each of two
-    EXPECT_NE(whole.lua.substr(0, cuts[0].offset).find("changed"), std::string::npos);
-    EXPECT_EQ(whole.lua.substr(cuts[0].offset).find("changed"), std::string::npos);
-    expect_sound_map(whole);
+    EXPECT_NE(full.lua.substr(0, cuts[0].offset).find("changed"), std::string::npos);
+    EXPECT_EQ(full.lua.substr(cuts[0].offset).find("changed"), std::string::npos);
+    expect_sound_map(full);
 }
 
 TEST(ProgramMap, NoCutInALoopAndNoneWhereJumpsLead) {

@@ -101,9 +101,9 @@ TEST(Jumps, AnErrorInOneBlockBringsNoOther) {
 TEST(Jumps, AsManyAsLuaTakes) {
     std::string gcode = "GOTO#1\n";
     for (int i = 1; i <= 32000; ++i) gcode += fmt::format("N{}\n", i);
-    const Translated most = translated(gcode);
-    EXPECT_TRUE(most.ok) << most.messages;
-    EXPECT_EQ(compile_error(most.lua), std::nullopt);
+    const Translated max = translated(gcode);
+    EXPECT_TRUE(max.ok) << max.messages;
+    EXPECT_EQ(compile_error(max.lua), std::nullopt);
     EXPECT_EQ(messages(gcode + "N32001\nN32002\n"),
               "32002:1: error: the program has more than 32000 blocks that a GOTO may mean, which Lua cannot "
               "label in "

@@ -73,9 +73,9 @@ TEST(Expressions, TruthAndNumbersTurnIntoEachOther) {
               "if truth(AND(number(v[1] >= 1.0), 2.0)) then move{x=1} end");
 }
 
-std::string repeated(std::string before, std::string_view piece, int count) {
+std::string repeated(std::string before, std::string_view fragment, int count) {
     std::string text = std::move(before);
-    for (int i = 0; i < count; ++i) text += piece;
+    for (int i = 0; i < count; ++i) text += fragment;
     return text;
 }
 

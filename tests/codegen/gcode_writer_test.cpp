@@ -15,7 +15,7 @@ constexpr WrittenFeed kFeed{1000, false};
 struct Text {
     explicit Text(const std::string& post_name, WriterOptions options = {})
         : post(find_post(post_name).value()),
-          writer(post, kAxes, options, [this](std::string_view piece) { text += piece; }) {}
+          writer(post, kAxes, options, [this](std::string_view chunk) { text += chunk; }) {}
     std::string all() {
         writer.flush();
         return text;
@@ -106,7 +106,7 @@ TEST(GcodeWriter, ArcsOfEachPlane) {
 TEST(GcodeWriter, AfterACallNothingIsKnown) {
     Text ab9("ab9");
     ab9.to(1, 2, 3, 4);
-    ab9.writer.places()["number"] = "0007";
+    ab9.writer.placeholders()["number"] = "0007";
     ab9.writer.lines(ab9.post.subprogram->call);
     ab9.writer.forget();
     ab9.to(1, 2, 3, 4);
@@ -227,15 +227,15 @@ TEST(PostFile, ErrorsNameThePlace) {
     EXPECT_EQ(
         error(head + numbers + blocks + "[program]\nbegin = []\nend = []\n[tool_change]\nstops = [\"jet\"]"),
         "p:17:9: 'stops' holds spindle and coolant, not \"jet\"");
-    const std::string whole = head + numbers + blocks + "[program]\nbegin = []\nend = []\n";
-    EXPECT_EQ(error(whole + "[reference_points]\ngo = [\"G28\"]"),
+    const std::string full = head + numbers + blocks + "[program]\nbegin = []\nend = []\n";
+    EXPECT_EQ(error(full + "[reference_points]\ngo = [\"G28\"]"),
               "p:17:6: each line of 'go' must hold {axes}");
-    EXPECT_EQ(error(whole + "[reference_points]\ngo = [\"G28 {axis}\"]"),
+    EXPECT_EQ(error(full + "[reference_points]\ngo = [\"G28 {axis}\"]"),
               "p:17:7: 'go' knows no {axis}; it may hold {axes}");
-    EXPECT_EQ(error(whole +
-                    "[reference_points]\ngo = [\"{axes}\", \"{axes}\", \"{axes}\", \"{axes}\", \"{axes}\"]"),
-              "p:17:6: 'go' has a line for each reference point, 4 at most");
-    EXPECT_EQ(error(whole + "[probe]\ntouch = [\"G31 {axis}{to}\"]"),
+    EXPECT_EQ(
+        error(full + "[reference_points]\ngo = [\"{axes}\", \"{axes}\", \"{axes}\", \"{axes}\", \"{axes}\"]"),
+        "p:17:6: 'go' has a line for each reference point, 4 at most");
+    EXPECT_EQ(error(full + "[probe]\ntouch = [\"G31 {axis}{to}\"]"),
               "p:17:9: 'touch' must hold {axis}, {to}, {surface}");
 }
 

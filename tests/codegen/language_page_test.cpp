@@ -24,7 +24,7 @@ TEST(LanguagePage, IsTheOneInTheDocuments) {
 }
 
 /// The part of the page about one dialect.
-std::string part_of(const grammar::Dialect& dialect) {
+std::string page_part(const grammar::Dialect& dialect) {
     const std::string page = language_page();
     const std::size_t begin = page.find(fmt::format("\n## {} (", dialect.title()));
     EXPECT_NE(begin, std::string::npos);
@@ -33,7 +33,7 @@ std::string part_of(const grammar::Dialect& dialect) {
 
 TEST(LanguagePage, HasEveryCodeWithItsMeaning) {
     for (const grammar::Dialect* dialect : grammar::dialects()) {
-        const std::string part = part_of(*dialect);
+        const std::string part = page_part(*dialect);
         for (const grammar::Code& code : dialect->codes()) {
             const bool in_a_range = code.group == grammar::Group::user || code.code_x10 >= 5050;
             const std::string row = fmt::format("\n| {} | {} |", grammar::code_name(code), code.meaning);
@@ -45,13 +45,15 @@ TEST(LanguagePage, HasEveryCodeWithItsMeaning) {
                 << letter.address;
         }
     }
-    EXPECT_NE(part_of(grammar::dialect_ab9()).find("\n| G505 to G599 | settable frame |"), std::string::npos);
-    EXPECT_NE(part_of(grammar::dialect_ab9()).find("\n| M100 to M999 | user code |"), std::string::npos);
-    EXPECT_NE(part_of(grammar::dialect_rs274ngc()).find("\n| M100 to M199 | user code |"), std::string::npos);
+    EXPECT_NE(page_part(grammar::dialect_ab9()).find("\n| G505 to G599 | settable frame |"),
+              std::string::npos);
+    EXPECT_NE(page_part(grammar::dialect_ab9()).find("\n| M100 to M999 | user code |"), std::string::npos);
+    EXPECT_NE(page_part(grammar::dialect_rs274ngc()).find("\n| M100 to M199 | user code |"),
+              std::string::npos);
 }
 
 TEST(LanguagePage, HasEveryCommandWithAName) {
-    const std::string klipper = part_of(grammar::dialect_klipper());
+    const std::string klipper = page_part(grammar::dialect_klipper());
     for (const grammar::ExtendedCommand& command : grammar::dialect_klipper().rules().extended) {
         EXPECT_NE(klipper.find(fmt::format("\n| {} | ", command.name)), std::string::npos) << command.name;
         EXPECT_NE(klipper.find(command.meaning), std::string::npos) << command.name;
@@ -59,8 +61,8 @@ TEST(LanguagePage, HasEveryCommandWithAName) {
 }
 
 TEST(LanguagePage, HasEveryFunctionAndOWord) {
-    const std::string ab9 = part_of(grammar::dialect_ab9());
-    const std::string ngc = part_of(grammar::dialect_rs274ngc());
+    const std::string ab9 = page_part(grammar::dialect_ab9());
+    const std::string ngc = page_part(grammar::dialect_rs274ngc());
     for (const lexer::ExpressionName& name : lexer::kExpressionNames) {
         const std::string row = fmt::format("\n| {} | {} |\n", name.name, name.meaning);
         EXPECT_EQ(ab9.find(row) != std::string::npos, name.style != lexer::NameStyle::rs274ngc) << row;

@@ -78,10 +78,10 @@ TEST(NgcBlocks, Errors) {
     error("G28 G0", "5: error: G28 and G0 both take the axis words of the block");
     EXPECT_EQ(ngc_lua_of("G43.2 H1 G0"), "G43_2{h=1} G0()") << "no axis words";
     EXPECT_EQ(lua_of("G92 X1 G1"), "G92{x=1} G1()") << "the 9/Series makes the motion modal";
-    const char* const alone = "error: M98 stands in a block of its own, with nothing but its P and L";
-    error("M98 P3 G0 X1", fmt::format("1: {}", alone).c_str());
-    error("F5 M98 P3 L2", fmt::format("4: {}", alone).c_str());
-    error("#1=2 M98 P#1", fmt::format("6: {}", alone).c_str());
+    const char* const standalone = "error: M98 stands in a block of its own, with nothing but its P and L";
+    error("M98 P3 G0 X1", fmt::format("1: {}", standalone).c_str());
+    error("F5 M98 P3 L2", fmt::format("4: {}", standalone).c_str());
+    error("#1=2 M98 P#1", fmt::format("6: {}", standalone).c_str());
     EXPECT_EQ(ngc_lua_of("N5 M98 P[#1+1] L2 (c)"), "M98{p=v[1] + 1.0, l=2}");
     error("G90 G91",
           "5: error: G90 and G91 are of one modal group (distance mode); a block takes one of them");
@@ -136,13 +136,13 @@ TEST(NgcBlocks, WordsOfSeveralCallsAreWorkedOutFirst) {
 }
 
 TEST(NgcBlocks, AsManySettingsAsLuaHoldsAtOnce) {
-    std::string most =
+    std::string max =
         "A#1 B#1 C#1 U#1 V#1 W#1 X#1 Y#1 Z#1 F#1 S#1 T#1 M3 $#1 G64 P#1 Q#1 G2 I#1 J#1 K#1 R#1 ";
-    for (int i = 1; i <= 50; ++i) most += fmt::format("#[#[#{}]]=[#[#{}+1]+[#1*#2]] ", i + 300, i + 300);
-    const Translated result = translated_ngc(most + "\n");
+    for (int i = 1; i <= 50; ++i) max += fmt::format("#[#[#{}]]=[#[#{}+1]+[#1*#2]] ", i + 300, i + 300);
+    const Translated result = translated_ngc(max + "\n");
     ASSERT_TRUE(result.ok) << result.messages;
     EXPECT_EQ(compile_error(result.lua), std::nullopt);
-    EXPECT_EQ(ngc_lua_of(most + "#1=2"), "1:1: error: a block sets at most 50 parameters\n");
+    EXPECT_EQ(ngc_lua_of(max + "#1=2"), "1:1: error: a block sets at most 50 parameters\n");
     std::string deep = "X#1 Y#2";
     for (int i = 1; i <= 50; ++i)
         deep += fmt::format(" #[{0}]={1}#1{2}", i, std::string(45, '['), std::string(45, ']'));
@@ -163,7 +163,7 @@ TEST(NgcBlocks, TheLaterOfTwoSettingsHolds) {
 
 TEST(UnknownCodes, WarnedOfOnceEachWithTheirCount) {
     TranslateOptions options;
-    options.unknown = Unknown::warn;
+    options.unknown = UnknownCodePolicy::warn;
     const Translated result =
         translated_ngc("G777 X1\nM777\nG1 G777 X2\nG65\nG777\nM200 M201\nX1 M777 F5\n", options);
     ASSERT_TRUE(result.ok) << result.messages;
@@ -213,7 +213,7 @@ TEST(UnknownCodes, PutOffInsideOfSubroutines) {
     EXPECT_EQ(translated_ngc("o1 if [1]\nG777\no1 endif\n").messages,
               "2:1: error: G777 is no code of RS274/NGC\n");
     TranslateOptions options;
-    options.unknown = Unknown::warn;
+    options.unknown = UnknownCodePolicy::warn;
     EXPECT_EQ(translated_ngc("o1 sub\nG777 X1\no1 endsub\n", options).code(2), "");
 }
 

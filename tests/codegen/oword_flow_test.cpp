@@ -184,9 +184,9 @@ std::string nested(const Kind& kind, int depth, const std::string& block) {
     return gcode + "o9999 endsub\n";
 }
 
-std::string repeated(const std::string& piece, int count) {
+std::string repeated(const std::string& fragment, int count) {
     std::string text;
-    for (int i = 0; i < count; ++i) text += piece;
+    for (int i = 0; i < count; ++i) text += fragment;
     return text;
 }
 

@@ -39,12 +39,12 @@ std::string bracketed(Random& random) {
 }
 
 std::string ngc_value(Random& random) {
-    static constexpr std::array<std::string_view, 6> kNumbers = {"5",  "- .5", " 1 2 . 5",
-                                                                 "+7", "007",  "-123.456"};
+    static constexpr std::array<std::string_view, 6> kNumberTexts = {"5",  "- .5", " 1 2 . 5",
+                                                                     "+7", "007",  "-123.456"};
     switch (below(random, 5)) {
         case 0: return bracketed(random);
         case 1: return parameter(random);
-        default: return one_of(random, kNumbers);
+        default: return one_of(random, kNumberTexts);
     }
 }
 

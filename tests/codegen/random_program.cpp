@@ -28,9 +28,9 @@ std::string expression(Random& random, int depth) {
 }
 
 std::string value(Random& random) {
-    static constexpr std::array<std::string_view, 7> kNumbers = {"5",   "-.5", "5.",      "+7",
-                                                                 "007", "0",   "-123.456"};
-    if (below(random, 4) > 0) return one_of(random, kNumbers);
+    static constexpr std::array<std::string_view, 7> kNumberTexts = {"5",   "-.5", "5.",      "+7",
+                                                                     "007", "0",   "-123.456"};
+    if (below(random, 4) > 0) return one_of(random, kNumberTexts);
     return fmt::format("[{}]", expression(random, 3));
 }
 

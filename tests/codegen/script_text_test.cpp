@@ -98,17 +98,17 @@ TEST(Origin, OfAScriptThatWasNotTranslated) {
 TEST(Hash, DoesNotDependOnHowTheTextArrives) {
     std::string text;
     for (int i = 0; i < 300; ++i) text += static_cast<char>(i * 7);
-    TextHash whole;
-    whole.update(text);
+    TextHash full;
+    full.update(text);
     for (std::size_t step = 1; step < 40; ++step) {
         TextHash parts;
         for (std::size_t i = 0; i < text.size(); i += step)
             parts.update(std::string_view(text).substr(i, step));
-        EXPECT_EQ(parts.value(), whole.value()) << step;
+        EXPECT_EQ(parts.value(), full.value()) << step;
     }
     TextHash longer;
     longer.update(text + '\0');
-    EXPECT_NE(longer.value(), whole.value());
+    EXPECT_NE(longer.value(), full.value());
 }
 
 TEST(Spool, BigScriptsGoThroughAFileUnchanged) {

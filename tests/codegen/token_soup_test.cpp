@@ -53,22 +53,24 @@ constexpr const char* kNgc[] = {"\no1 if [1]\n",
                                 "G38.2 "};
 
 template <std::size_t own>
-std::string soup(std::mt19937& random, const char* const (&pieces)[own]) {
+std::string soup(std::mt19937& random, const char* const (&fragments)[own]) {
     std::string text;
     for (std::size_t count = random() % 50; count > 0; --count) {
         const std::size_t choice = random() % (std::size(kShared) + 2 * own);
-        text += choice < std::size(kShared) ? kShared[choice] : pieces[(choice - std::size(kShared)) % own];
+        text +=
+            choice < std::size(kShared) ? kShared[choice] : fragments[(choice - std::size(kShared)) % own];
     }
     return text;
 }
 
 /// A few blocks that are right by themselves, so that some programs are accepted.
 template <std::size_t own>
-std::string short_soup(std::mt19937& random, const char* const (&pieces)[own]) {
+std::string short_soup(std::mt19937& random, const char* const (&fragments)[own]) {
     std::string text;
     for (std::size_t count = 1 + random() % 4; count > 0; --count) {
         const std::size_t choice = random() % (std::size(kShared) + 2 * own);
-        text += choice < std::size(kShared) ? kShared[choice] : pieces[(choice - std::size(kShared)) % own];
+        text +=
+            choice < std::size(kShared) ? kShared[choice] : fragments[(choice - std::size(kShared)) % own];
     }
     return text;
 }
@@ -89,14 +91,14 @@ bool expect_sound(const std::string& gcode, const TranslateOptions& options) {
 }
 
 template <std::size_t own>
-void expect_all_sound(const grammar::Dialect& dialect, const char* const (&pieces)[own]) {
+void expect_all_sound(const grammar::Dialect& dialect, const char* const (&fragments)[own]) {
     std::mt19937 random(30);
     int accepted = 0;
     for (int i = 0; i < 6000; ++i) {
-        const std::string gcode = i % 3 == 0 ? soup(random, pieces) : short_soup(random, pieces);
+        const std::string gcode = i % 3 == 0 ? soup(random, fragments) : short_soup(random, fragments);
         TranslateOptions options;
         options.dialect = &dialect;
-        options.unknown = i % 2 == 0 ? Unknown::warn : Unknown::error;
+        options.unknown = i % 2 == 0 ? UnknownCodePolicy::warn : UnknownCodePolicy::error;
         options.annotate = i % 4 < 2;
         accepted += expect_sound(gcode, options) ? 1 : 0;
         ASSERT_FALSE(testing::Test::HasFailure()) << "program " << i;

@@ -18,11 +18,11 @@ Translated translated(std::string_view gcode, const TranslateOptions& options) {
     constexpr std::string_view kName = "part.nc:";
     TextTranslation result = translate_text(gcode, options);
     Translated out{result.ok, std::move(result.lua), {}};
-    std::string_view rest = result.diagnostics;
-    while (!rest.empty()) {
-        const std::string_view line = rest.substr(0, rest.find('\n'));
+    std::string_view remainder = result.diagnostics;
+    while (!remainder.empty()) {
+        const std::string_view line = remainder.substr(0, remainder.find('\n'));
         if (line.starts_with(kName)) out.messages.append(line.substr(kName.size())).append("\n");
-        rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+        remainder.remove_prefix(std::min(remainder.size(), line.size() + 1));
     }
     return out;
 }

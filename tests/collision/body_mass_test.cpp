@@ -50,18 +50,18 @@ class Surface {
 };
 
 tl::expected<RigidBody, std::string> of_mesh(const Surface& surface, double density) {
-    const os::GivenFiles given([&](const std::string&) { return surface.text(); });
-    return mass_of(machine::MeshShape{.file = "part.obj"}, density, {.files = given});
+    const os::CallbackFiles given([&](const std::string&) { return surface.text(); });
+    return compute_rigid_body(machine::MeshShape{.file = "part.obj"}, density, {.files = given});
 }
 
 TEST(BodyMass, ClosedForms) {
-    const RigidBody box = *mass_of(machine::BoxShape{100, 200, 300}, 1000);
+    const RigidBody box = *compute_rigid_body(machine::BoxShape{100, 200, 300}, 1000);
     EXPECT_NEAR(box.mass_kg, 6, 1e-12);
     EXPECT_TRUE(box.inertia_kg_m2.diagonal().isApprox(Vector3d(0.13, 0.10, 0.05) / 2, 1e-12));
-    const RigidBody ball = *mass_of(machine::SphereShape{200}, 1000);
+    const RigidBody ball = *compute_rigid_body(machine::SphereShape{200}, 1000);
     EXPECT_NEAR(ball.mass_kg, 4 / 3.0 * kPi, 1e-12);
     EXPECT_NEAR(ball.inertia_kg_m2(1, 1), 0.4 * ball.mass_kg * 0.01, 1e-12);
-    const RigidBody rod = *mass_of(machine::CylinderShape{200, 600}, 1000);
+    const RigidBody rod = *compute_rigid_body(machine::CylinderShape{200, 600}, 1000);
     EXPECT_NEAR(rod.mass_kg, 6 * kPi, 1e-12);
     EXPECT_NEAR(rod.inertia_kg_m2(2, 2), rod.mass_kg * 0.005, 1e-12);
     EXPECT_NEAR(rod.inertia_kg_m2(0, 0), rod.mass_kg * (0.03 + 0.36) / 12, 1e-12);
@@ -69,7 +69,7 @@ TEST(BodyMass, ClosedForms) {
 
 // By discs along its axis.
 TEST(BodyMass, CapsuleIsTheSumOfItsDiscs) {
-    const RigidBody capsule = *mass_of(machine::CapsuleShape{200, 300}, 1000);
+    const RigidBody capsule = *compute_rigid_body(machine::CapsuleShape{200, 300}, 1000);
     constexpr int kDiscs = 200'000;
     constexpr double kHalf = 0.25;
     double mass = 0;
@@ -77,8 +77,8 @@ TEST(BodyMass, CapsuleIsTheSumOfItsDiscs) {
     double along = 0;
     for (int i = 0; i < kDiscs; ++i) {
         const double z = kHalf * (2 * (i + 0.5) / kDiscs - 1);
-        const double beyond = std::max(0.0, std::abs(z) - 0.15);
-        const double square = 0.01 - beyond * beyond;
+        const double out_of_range = std::max(0.0, std::abs(z) - 0.15);
+        const double square = 0.01 - out_of_range * out_of_range;
         const double disc = 1000 * kPi * square * 2 * kHalf / kDiscs;
         mass += disc;
         along += disc * square / 2;
@@ -98,8 +98,9 @@ TEST(BodyMass, ClosedMeshIsTheBoxThatItIs) {
     ASSERT_TRUE(mesh) << mesh.error();
     EXPECT_NEAR(mesh->mass_kg, 6, 1e-9);
     EXPECT_TRUE(mesh->centre_m.isApprox(1e-3 * (at + turn * Vector3d(50, 100, 150)), 1e-12));
-    const Matrix3d wanted = turn * Matrix3d((Vector3d(0.13, 0.10, 0.05) / 2).asDiagonal()) * turn.transpose();
-    EXPECT_LT((mesh->inertia_kg_m2 - wanted).norm(), 1e-10) << mesh->inertia_kg_m2;
+    const Matrix3d expected_value =
+        turn * Matrix3d((Vector3d(0.13, 0.10, 0.05) / 2).asDiagonal()) * turn.transpose();
+    EXPECT_LT((mesh->inertia_kg_m2 - expected_value).norm(), 1e-10) << mesh->inertia_kg_m2;
 }
 
 TEST(BodyMass, MeshThatIsTurnedInsideOutIsTheSame) {

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "collision/pairs/meeting_pairs.h"
+#include "collision/pairs/candidate_pairs.h"
 #include "tests/collision/segments.h"
 
 namespace gsim::cell::cell_file_test {
@@ -70,7 +70,7 @@ TEST(CellFile, ReadsAllOfIt) {
     EXPECT_EQ(cell->frames.link(cell->items[3].frame), 5);
     // Yaw by 90 degrees takes Z to -Y.
     EXPECT_TRUE(
-        cell->frames.in_link(cell->items[0].frame).translation().isApprox(Eigen::Vector3d(100, -1, 0)));
+        cell->frames.pose_in_link(cell->items[0].frame).translation().isApprox(Eigen::Vector3d(100, -1, 0)));
     EXPECT_EQ(cell->ignored, (std::vector<std::pair<std::size_t, std::size_t>>{{2, 1}}));
     const auto files = read_cell_files(kWhole, "dir/c.toml");
     ASSERT_TRUE(files);
@@ -187,7 +187,7 @@ TEST(CellFile, ManyObjectsAreWatchedAndTooManyAreAnError) {
     for (int i = 0; i < 2; ++i) text += fmt::format(fmt::runtime(heads), i);
     const auto cell = read_cell(text, "c.toml", machine);
     ASSERT_TRUE(cell) << cell.error();
-    EXPECT_EQ(meeting_pairs(*cell, *machine::make_kinematics(machine)).size(), 80'000U);
+    EXPECT_EQ(candidate_pairs(*cell, *machine::make_kinematics(machine)).size(), 80'000U);
     for (int i = 2; i < 26; ++i) text += fmt::format(fmt::runtime(heads), i);
     const auto too_many = read_cell(text, "c.toml", machine);
     ASSERT_FALSE(too_many);

@@ -16,12 +16,12 @@ TEST(FrameTree, FramesGoWithWhatTheyAreAttachedTo) {
     const auto camera = frames.add("camera", *frames.find("Z"), shift(1, 2, 3));
     const auto kinematics = machine::make_kinematics(machine);
     const LinkFrames links = link_frames(*kinematics, joints(10, 20, 30, 0.5, 0.25));
-    EXPECT_TRUE(frames.in_world(part, links).isApprox(shift(110, 20, 0)));
+    EXPECT_TRUE(frames.pose_in_world(part, links).isApprox(shift(110, 20, 0)));
     frames.move(table, shift(200, 0, 5));
-    EXPECT_TRUE(frames.in_world(part, links).isApprox(shift(210, 20, 5)));
+    EXPECT_TRUE(frames.pose_in_world(part, links).isApprox(shift(210, 20, 5)));
     EXPECT_EQ(frames.link(part), 0);
     EXPECT_EQ(frames.link(camera), 3);
-    EXPECT_TRUE(frames.in_world(camera, links).isApprox(links[3] * shift(1, 2, 3)));
+    EXPECT_TRUE(frames.pose_in_world(camera, links).isApprox(links[3] * shift(1, 2, 3)));
 }
 
 TEST(FrameTree, TheToolIsWhereTheKinematicsHaveIt) {
@@ -31,21 +31,21 @@ TEST(FrameTree, TheToolIsWhereTheKinematicsHaveIt) {
     const FrameTree frames(machine);
     const rrs::JointPos at = joints(10, 20, 30, 0.5, 0.25);
     const LinkFrames links = link_frames(*kinematics, at);
-    EXPECT_TRUE(frames.in_world(*frames.find("tool"), links).isApprox(kinematics->forward(at)));
-    EXPECT_TRUE(frames.is_of_machine(*frames.find("tool")));
+    EXPECT_TRUE(frames.pose_in_world(*frames.find("tool"), links).isApprox(kinematics->forward(at)));
+    EXPECT_TRUE(frames.is_machine_frame(*frames.find("tool")));
     EXPECT_FALSE(frames.find("Q"));
 }
 
 TEST(FrameTree, AxesThatCarryTheWorkCarryItsFrame) {
     machine::Machine machine = af5();
-    machine.axes[0].carries = machine::Carries::work;
+    machine.axes[0].carries = machine::CarriedPart::work;
     machine.inverse = machine::InverseKind::none;
     const auto kinematics = machine::make_kinematics(machine);
     const FrameTree frames(machine);
     const rrs::JointPos at = joints(10, 20, 30, 0.5, 0.25);
     const LinkFrames links = link_frames(*kinematics, at);
-    const rrs::CartPos work = frames.in_world(*frames.find("work"), links);
-    const rrs::CartPos tool = frames.in_world(*frames.find("tool"), links);
+    const rrs::CartPos work = frames.pose_in_world(*frames.find("work"), links);
+    const rrs::CartPos tool = frames.pose_in_world(*frames.find("tool"), links);
     EXPECT_TRUE((work.inverse() * tool).isApprox(kinematics->forward(at), 1e-9));
     EXPECT_EQ(frames.link(*frames.find("work")), 1);
     EXPECT_EQ(joints_between(*kinematics, 5, 1), (std::vector<int>{4, 3, 2, 1, 0}));

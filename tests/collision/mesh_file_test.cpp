@@ -13,19 +13,19 @@ namespace {
 
 using testing::HasSubstr;
 
-void put(std::string& bytes, std::uint32_t value) {
+void write(std::string& bytes, std::uint32_t value) {
     for (unsigned i = 0; i < 4; ++i) bytes += static_cast<char>((value >> (8U * i)) & 0xffU);
 }
 
 std::string stl_binary(const Surface& surface) {
     std::string bytes(80, 's');
     bytes.replace(0, 5, "solid");  // some programs write this before binary data
-    put(bytes, static_cast<std::uint32_t>(surface.triangles.size()));
+    write(bytes, static_cast<std::uint32_t>(surface.triangles.size()));
     for (const Triangle& triangle : surface.triangles) {
         bytes.append(12, '\0');
         for (const std::uint32_t corner : triangle) {
             for (const double coordinate : surface.vertices[corner])
-                put(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(coordinate)));
+                write(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(coordinate)));
         }
         bytes.append(2, '\0');
     }
@@ -125,8 +125,8 @@ TEST(MeshFile, MangledFilesNeitherHangNorCrash) {
         std::pair(std::string(kObjCube), "m.obj")};
     constexpr std::string_view kBits("\0\xff 9e-/\nn", 10);
     for (int i = 0; i < 3000; ++i) {
-        const auto& [whole, name] = files[random() % files.size()];
-        std::string bytes = whole;
+        const auto& [full_motion, name] = files[random() % files.size()];
+        std::string bytes = full_motion;
         for (unsigned change = random() % 4; change > 0; --change)
             bytes[random() % bytes.size()] = kBits[random() % kBits.size()];
         if (random() % 3 == 0) bytes.resize(random() % bytes.size());

@@ -21,15 +21,15 @@ struct Surface {
 };
 
 /// A torus about Z of 2 n^2 triangles.
-inline Surface torus(double ring_mm, double tube_mm, int n) {
+inline Surface torus(double major_radius_mm, double minor_radius_mm, int n) {
     Surface surface;
     const auto index = [n](int i, int j) { return static_cast<std::uint32_t>((i % n) * n + j % n); };
     const double step = 2 * std::numbers::pi / n;
     for (int i = 0; i < n; ++i) {
         for (int j = 0; j < n; ++j) {
-            const double out = ring_mm + tube_mm * std::cos(j * step);
+            const double out = major_radius_mm + minor_radius_mm * std::cos(j * step);
             surface.vertices.emplace_back(out * std::cos(i * step), out * std::sin(i * step),
-                                          tube_mm * std::sin(j * step));
+                                          minor_radius_mm * std::sin(j * step));
             surface.triangles.push_back({index(i, j), index(i + 1, j), index(i + 1, j + 1)});
             surface.triangles.push_back({index(i, j), index(i + 1, j + 1), index(i, j + 1)});
         }
@@ -53,19 +53,19 @@ inline double between(std::mt19937& random, double low, double high) {
     return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
 }
 
-inline Eigen::Vector3d random_vector(std::mt19937& random, double most) {
-    const double x = between(random, -most, most);
-    const double y = between(random, -most, most);
-    return {x, y, between(random, -most, most)};
+inline Eigen::Vector3d random_vector(std::mt19937& random, double max) {
+    const double x = between(random, -max, max);
+    const double y = between(random, -max, max);
+    return {x, y, between(random, -max, max)};
 }
 
 inline Eigen::Isometry3d shift(double x, double y, double z) {
     return Eigen::Isometry3d(Eigen::Translation3d(x, y, z));
 }
 
-inline Eigen::Isometry3d random_pose(std::mt19937& random, double most_mm) {
+inline Eigen::Isometry3d random_pose(std::mt19937& random, double max_mm) {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-    pose.translation() = random_vector(random, most_mm);
+    pose.translation() = random_vector(random, max_mm);
     const double angle = between(random, -std::numbers::pi, std::numbers::pi);
     pose.rotate(Eigen::AngleAxisd(angle, random_vector(random, 1).normalized()));
     return pose;

@@ -14,9 +14,10 @@ using motion::Segment;
 constexpr int kSteps = 200;
 
 double distance_to_chord(const Vector3d& point, const Vector3d& from, const Vector3d& to) {
-    const Vector3d way = to - from;
-    const double share = way.squaredNorm() > 0 ? (point - from).dot(way) / way.squaredNorm() : 0;
-    return (point - from - std::clamp(share, 0.0, 1.0) * way).norm();
+    const Vector3d displacement = to - from;
+    const double share =
+        displacement.squaredNorm() > 0 ? (point - from).dot(displacement) / displacement.squaredNorm() : 0;
+    return (point - from - std::clamp(share, 0.0, 1.0) * displacement).norm();
 }
 
 /// Returns the true motion of points of a body in a part of a motion, by samples.
@@ -27,21 +28,21 @@ MotionBound measured(const SegmentMotion& motion, const MotionPart& part, const 
         return links[static_cast<std::size_t>(from)].inverse() *
                (links[static_cast<std::size_t>(link)] * point);
     };
-    MotionBound most;
+    MotionBound max;
     for (const Vector3d& point : points) {
-        double way = 0;
+        double displacement = 0;
         Vector3d last = place(part.from_s, point);
         const Vector3d start = last;
         const Vector3d end = place(part.to_s, point);
         for (int step = 1; step <= kSteps; ++step) {
             const Vector3d at = place(part.from_s + (part.to_s - part.from_s) * step / kSteps, point);
-            way += (at - last).norm();
-            most.bend_mm = std::max(most.bend_mm, distance_to_chord(at, start, end));
+            displacement += (at - last).norm();
+            max.deviation_mm = std::max(max.deviation_mm, distance_to_chord(at, start, end));
             last = at;
         }
-        most.way_mm = std::max(most.way_mm, way);
+        max.travel_mm = std::max(max.travel_mm, displacement);
     }
-    return most;
+    return max;
 }
 
 TEST(MotionBound, HoldsForRandomChainsAndMotions) {
@@ -50,20 +51,20 @@ TEST(MotionBound, HoldsForRandomChainsAndMotions) {
         const int tool_joints = 3 + i % 4;
         const auto chain = random_chain(random, tool_joints);
         Segment segment = random_segment(random, random_start(random));
-        if (i % 4 == 3) segment.beside = std::make_shared<const Segment>(segment);
+        if (i % 4 == 3) segment.superimposed = std::make_shared<const Segment>(segment);
         const SegmentMotion motion(chain, segment);
         const int link = 1 + static_cast<int>(random() % 6);
         const int from = static_cast<int>(random() % 7);
         const Vector3d middle = random_vector(random, 50);
         std::vector<Vector3d> points;
         for (int p = 0; p < 4; ++p) points.emplace_back(middle + 20 * random_vector(random, 1).normalized());
-        MotionPart part = motion.whole();
+        MotionPart part = motion.full_motion();
         for (int halving = 0; halving < 3; ++halving) {
             const Ball ball{part.from[static_cast<std::size_t>(link)] * middle, 20};
             const MotionBound bound = part.chain.bound(ball, joints_between(chain, link, from));
             const MotionBound found = measured(motion, part, points, link, from);
-            EXPECT_LE(found.way_mm, bound.way_mm + 1e-9);
-            EXPECT_LE(found.bend_mm, bound.bend_mm + 1e-9);
+            EXPECT_LE(found.travel_mm, bound.travel_mm + 1e-9);
+            EXPECT_LE(found.deviation_mm, bound.deviation_mm + 1e-9);
             const LinkFrames half = motion.links_at(part.middle_s());
             part = random() % 2 == 0 ? motion.first_half(part, half) : motion.second_half(part, half);
         }
@@ -77,24 +78,24 @@ TEST(MotionBound, HoldsForLinksThatGoByThemselves) {
         const auto chain = random_chain(random, 3 + i % 4);
         const Segment segment = random_segment(random, random_start(random));
         const std::array<int, 3> parents{0, 1 + i % 6, 7};
-        std::vector<DriftingLink> drifting;
+        std::vector<MovingLink> drifting;
         for (const int parent : parents) {
             drifting.push_back({parent, random_pose(random, 100),
-                                drift_between(random_pose(random, 100), random_pose(random, 100), 0,
-                                              segment.duration_s * between(random, 1, 5))});
+                                uniform_motion_between(random_pose(random, 100), random_pose(random, 100), 0,
+                                                       segment.duration_s * between(random, 1, 5))});
         }
         const SegmentMotion motion(chain, segment, drifting);
         const int link = static_cast<int>(random() % 10);
         const int from = static_cast<int>(random() % 10);
         const Vector3d middle = random_vector(random, 50);
         const std::vector<Vector3d> points{middle, middle + 20 * random_vector(random, 1).normalized()};
-        MotionPart part = motion.whole();
+        MotionPart part = motion.full_motion();
         for (int halving = 0; halving < 3; ++halving) {
             const Ball ball{part.from[static_cast<std::size_t>(link)] * middle, 20};
             const MotionBound bound = part.chain.bound(ball, joints_between(chain, link, from, parents));
             const MotionBound found = measured(motion, part, points, link, from);
-            EXPECT_LE(found.way_mm, bound.way_mm + 1e-9);
-            EXPECT_LE(found.bend_mm, bound.bend_mm + 1e-9);
+            EXPECT_LE(found.travel_mm, bound.travel_mm + 1e-9);
+            EXPECT_LE(found.deviation_mm, bound.deviation_mm + 1e-9);
             const LinkFrames half = motion.links_at(part.middle_s());
             part = random() % 2 == 0 ? motion.first_half(part, half) : motion.second_half(part, half);
         }
@@ -116,16 +117,17 @@ TEST(MotionBound, HoldsOnGreatCirclesOfTheTool) {
         ++found;
         Segment segment = line(0, start, end, {50, 490});
         segment.orientation = std::make_shared<const motion::OrientationArc>(*circle);
-        if (i % 2 == 0) segment.beside = std::make_shared<const Segment>(line(0, start, start, {50, 490}));
+        if (i % 2 == 0)
+            segment.superimposed = std::make_shared<const Segment>(line(0, start, start, {50, 490}));
         const SegmentMotion motion(*kinematics, segment);
-        MotionPart part = motion.whole();
+        MotionPart part = motion.full_motion();
         for (int halving = 0; halving < 4; ++halving) {
             const Vector3d middle = random_vector(random, 100);
             const Ball ball{part.from[5] * middle, 0};
             const MotionBound bound = part.chain.bound(ball, joints_between(*kinematics, 5, 0));
-            const MotionBound really = measured(motion, part, {middle}, 5, 0);
-            EXPECT_LE(really.way_mm, bound.way_mm + 1e-9);
-            EXPECT_LE(really.bend_mm, bound.bend_mm + 1e-9);
+            const MotionBound measured_bound = measured(motion, part, {middle}, 5, 0);
+            EXPECT_LE(measured_bound.travel_mm, bound.travel_mm + 1e-9);
+            EXPECT_LE(measured_bound.deviation_mm, bound.deviation_mm + 1e-9);
             const LinkFrames half = motion.links_at(part.middle_s());
             part = random() % 2 == 0 ? motion.first_half(part, half) : motion.second_half(part, half);
         }
@@ -139,12 +141,16 @@ TEST(MotionBound, StraightWaysDoNotBend) {
     const Segment segment = line(0, joints(0, 0, 0), joints(30, 40, 0), {50, 490});
     const SegmentMotion motion(*kinematics, segment);
     const MotionBound bound =
-        motion.whole().chain.bound({Vector3d::Zero(), 100}, joints_between(*kinematics, 5, 0));
-    EXPECT_NEAR(bound.way_mm, 50, 1e-9);
-    EXPECT_EQ(bound.bend_mm, 0);
-    EXPECT_NEAR(motion.whole().chain.bound({Vector3d::Zero(), 100}, joints_between(*kinematics, 1, 0)).way_mm,
+        motion.full_motion().chain.bound({Vector3d::Zero(), 100}, joints_between(*kinematics, 5, 0));
+    EXPECT_NEAR(bound.travel_mm, 50, 1e-9);
+    EXPECT_EQ(bound.deviation_mm, 0);
+    EXPECT_NEAR(motion.full_motion()
+                    .chain.bound({Vector3d::Zero(), 100}, joints_between(*kinematics, 1, 0))
+                    .travel_mm,
                 30, 1e-9);
-    EXPECT_NEAR(motion.whole().chain.bound({Vector3d::Zero(), 100}, joints_between(*kinematics, 5, 1)).way_mm,
+    EXPECT_NEAR(motion.full_motion()
+                    .chain.bound({Vector3d::Zero(), 100}, joints_between(*kinematics, 5, 1))
+                    .travel_mm,
                 40, 1e-9);
 }
 
@@ -153,13 +159,13 @@ TEST(MotionBound, ArcsBendByTheirRiseOverTheChord) {
     const auto kinematics = machine::make_kinematics(machine);
     const Segment segment = turn(0, joints(500, 500, 0), 100, {50});
     const SegmentMotion motion(*kinematics, segment);
-    MotionPart part = motion.whole();
+    MotionPart part = motion.full_motion();
     for (int halving = 0; halving < 6; ++halving)
         part = motion.first_half(part, motion.links_at(part.middle_s()));
     const double angle = 2 * M_PI / 64;
     const MotionBound bound = part.chain.bound({Vector3d::Zero(), 100}, joints_between(*kinematics, 5, 0));
-    EXPECT_NEAR(bound.way_mm, 100 * angle, 1e-9);
-    EXPECT_NEAR(bound.bend_mm, 100 * (1 - std::cos(angle / 2)), 1e-4);
+    EXPECT_NEAR(bound.travel_mm, 100 * angle, 1e-9);
+    EXPECT_NEAR(bound.deviation_mm, 100 * (1 - std::cos(angle / 2)), 1e-4);
 }
 
 TEST(MotionBound, ATurnReachesAsFarAsTheBody) {
@@ -168,9 +174,9 @@ TEST(MotionBound, ATurnReachesAsFarAsTheBody) {
     const Segment segment = line(0, joints(0, 0, 0), joints(0, 0, 0, 0.1, 0), {1});
     const SegmentMotion motion(*kinematics, segment);
     const MotionBound bound =
-        motion.whole().chain.bound({Vector3d(30, 40, 7), 10}, joints_between(*kinematics, 5, 0));
-    EXPECT_NEAR(bound.way_mm, 0.1 * 60, 1e-9);
-    EXPECT_NEAR(bound.bend_mm, 0.1 * 0.1 * 60 / 8, 1e-9);
+        motion.full_motion().chain.bound({Vector3d(30, 40, 7), 10}, joints_between(*kinematics, 5, 0));
+    EXPECT_NEAR(bound.travel_mm, 0.1 * 60, 1e-9);
+    EXPECT_NEAR(bound.deviation_mm, 0.1 * 0.1 * 60 / 8, 1e-9);
 }
 
 }  // namespace

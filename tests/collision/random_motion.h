@@ -21,9 +21,9 @@ inline kinematics::ChainKinematics random_chain(std::mt19937& random, int tool_j
     return kinematics::ChainKinematics(kinematics::Chain(tool_side, work_side));
 }
 
-inline rrs::JointPos random_joints(std::mt19937& random, const rrs::JointPos& about, double most) {
+inline rrs::JointPos random_joints(std::mt19937& random, const rrs::JointPos& about, double max) {
     rrs::JointPos values = about;
-    for (double& value : values) value += between(random, -most, most);
+    for (double& value : values) value += between(random, -max, max);
     return values;
 }
 
@@ -32,14 +32,14 @@ inline rrs::JointPos random_start(std::mt19937& random) {
 }
 
 /// Returns a line of six joints, some of which follow laws of their own.
-inline motion::Segment random_segment(std::mt19937& random, const rrs::JointPos& start, double most = 1) {
+inline motion::Segment random_segment(std::mt19937& random, const rrs::JointPos& start, double max = 1) {
     motion::Segment segment =
-        line(0, start, random_joints(random, start, most), {1, between(random, 0.5, 20)});
+        line(0, start, random_joints(random, start, max), {1, between(random, 0.5, 20)});
     for (int joint = 0; joint < 6; ++joint) {
         if (random() % 4 != 0) continue;
-        const double way = std::abs(segment.end[joint] - segment.start[joint]);
+        const double distance = std::abs(segment.end[joint] - segment.start[joint]);
         segment.add_follower(joint, segment.end[joint] < segment.start[joint] ? -1 : 1,
-                             motion::TimeLaw::in_time(way, segment.duration_s, 100 * way));
+                             motion::TimeLaw::in_time(distance, segment.duration_s, 100 * distance));
     }
     return segment;
 }

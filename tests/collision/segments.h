@@ -31,19 +31,21 @@ inline rrs::JointPos joints(double x, double y, double z, double b = 0, double c
 
 /// Returns a line with all joints in proportion; the law is along the norm of their distances.
 inline motion::Segment line(double start_s, const rrs::JointPos& from, const rrs::JointPos& to,
-                            const Pace& pace) {
+                            const Pace& motion_limits) {
     motion::Segment segment;
     segment.kind = motion::SegmentKind::linear;
     segment.start_s = start_s;
     segment.start = from;
     segment.end = to;
-    segment.lead = motion::TimeLaw::fastest((to - from).norm(), pace.speed, pace.acceleration);
-    segment.duration_s = segment.lead.duration_s();
+    segment.master =
+        motion::TimeLaw::fastest((to - from).norm(), motion_limits.speed, motion_limits.acceleration);
+    segment.duration_s = segment.master.duration_s();
     return segment;
 }
 
 /// A full turn in XY, counterclockwise from the point right of the centre.
-inline motion::Segment turn(double start_s, const rrs::JointPos& center, double radius_mm, const Pace& pace) {
+inline motion::Segment turn(double start_s, const rrs::JointPos& center, double radius_mm,
+                            const Pace& motion_limits) {
     motion::Segment segment;
     segment.kind = motion::SegmentKind::circular;
     segment.start_s = start_s;
@@ -54,12 +56,13 @@ inline motion::Segment turn(double start_s, const rrs::JointPos& center, double 
     segment.start = segment.end = center;
     segment.start[0] += radius_mm;
     segment.end[0] += radius_mm;
-    segment.lead = motion::TimeLaw::fastest(segment.arc.length_mm(), pace.speed, pace.acceleration);
-    segment.duration_s = segment.lead.duration_s();
+    segment.master =
+        motion::TimeLaw::fastest(segment.arc.length_mm(), motion_limits.speed, motion_limits.acceleration);
+    segment.duration_s = segment.master.duration_s();
     return segment;
 }
 
-inline motion::Segment rest(double start_s, const rrs::JointPos& at, double duration_s) {
+inline motion::Segment standstill(double start_s, const rrs::JointPos& at, double duration_s) {
     motion::Segment segment;
     segment.start_s = start_s;
     segment.start = segment.end = at;

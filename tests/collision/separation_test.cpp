@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "collision/cell/machine_shapes.h"
-#include "collision/pairs/meeting_pairs.h"
+#include "collision/pairs/candidate_pairs.h"
 #include "machine/model/joint_box.h"
 #include "tests/build_files/build_files.h"
 #include "tests/collision/segments.h"
@@ -36,7 +36,7 @@ TEST(Separation, WhatGoesAcrossCostsNothing) {
     const std::vector<JointAxis> axes = joint_axes(*kinematics, middle);
     const std::vector<int> from_tool{4, 3, 2, 1, 0};
     const auto ways =
-        ways_along_mm({{900, 1200, 400}, 50}, {axes, half}, from_tool, Eigen::Vector3d::UnitZ());
+        travels_along_mm({{900, 1200, 400}, 50}, {axes, half}, from_tool, Eigen::Vector3d::UnitZ());
     ASSERT_EQ(ways.size(), 5U);
     EXPECT_EQ(ways[0], 0) << "C stands";
     EXPECT_NEAR(ways[2], 300, 1e-9) << "Z goes all along it";
@@ -54,8 +54,8 @@ TEST(Separation, HoldsInRandomParts) {
             machine::load_machine(tests::source_path("samples/machines/") + file).value();
         const auto kinematics = machine::make_kinematics(machine);
         const machine::JointBox box = machine::joint_box(machine);
-        const Cell cell = cell_of_machine(machine).value();
-        for (const MeetingPair& pair : meeting_pairs(cell, *kinematics)) {
+        const Cell cell = make_machine_cell(machine).value();
+        for (const CandidatePair& pair : candidate_pairs(cell, *kinematics)) {
             const Body& first = pair.bodies.first;
             const Body& second = pair.bodies.second;
             for (int round = 0; round < 60; ++round) {
@@ -67,19 +67,20 @@ TEST(Separation, HoldsInRandomParts) {
                 const std::vector<JointAxis> axes = joint_axes(*kinematics, middle);
                 const Eigen::Vector3d direction =
                     Eigen::Vector3d(unit(random), unit(random), unit(random)).normalized();
-                double least_mm = gap_along_mm(first, second, links, direction);
-                for (const double way :
-                     ways_along_mm(first.ball(links), {axes, half}, pair.bodies.between, direction))
-                    least_mm -= way;
-                const Eigen::Vector3d own = second.in_world(links).linear().transpose() * direction;
-                for (int stance = 0; stance < 30; ++stance) {
+                double min_mm = gap_along_mm(first, second, links, direction);
+                for (const double distance :
+                     travels_along_mm(first.ball(links), {axes, half}, pair.bodies.between, direction))
+                    min_mm -= distance;
+                const Eigen::Vector3d local = second.pose_in_world(links).linear().transpose() * direction;
+                for (int configuration_index = 0; configuration_index < 30; ++configuration_index) {
                     rrs::JointPos at = middle;
                     for (Eigen::Index joint = 0; joint < at.size(); ++joint)
                         at[joint] +=
-                            half[joint] * (stance < 10 ? std::copysign(1.0, unit(random)) : unit(random));
+                            half[joint] *
+                            (configuration_index < 10 ? std::copysign(1.0, unit(random)) : unit(random));
                     const LinkFrames there = link_frames(*kinematics, at);
-                    const Eigen::Vector3d turned = second.in_world(there).linear() * own;
-                    ASSERT_GE(gap_along_mm(first, second, there, turned), least_mm - 1e-9)
+                    const Eigen::Vector3d turned = second.pose_in_world(there).linear() * local;
+                    ASSERT_GE(gap_along_mm(first, second, there, turned), min_mm - 1e-9)
                         << file << ", round " << round;
                 }
             }

@@ -22,17 +22,17 @@ Cell cell_of(const std::string& tables) {
     return *std::move(cell);
 }
 
-TouchSearch search_of(const Cell& cell, const Eigen::Vector3d& tip_mm = Eigen::Vector3d::Zero()) {
-    return TouchSearch::make(cell, af5(), tip_mm).value();
+TouchSearch make_search(const Cell& cell, const Eigen::Vector3d& tcp_mm = Eigen::Vector3d::Zero()) {
+    return TouchSearch::make(cell, af5(), tcp_mm).value();
 }
 
 TEST(TouchSearch, FindsTheFirstTouchOfTheToolsBody) {
     const Cell cell = cell_of(std::string(kBall) + kBlock);
-    const TouchSearch search = search_of(cell);
-    const motion::Segment way = line(0, joints(395, 500, 0), joints(520, 500, 0), {100});
-    EXPECT_FALSE(search.touches(way.start));
-    EXPECT_TRUE(search.touches(way.end));
-    EXPECT_NEAR(search.first_touch_s(way).value(), 1, kSame_s);
+    const TouchSearch search = make_search(cell);
+    const motion::Segment path = line(0, joints(395, 500, 0), joints(520, 500, 0), {100});
+    EXPECT_FALSE(search.touches(path.start));
+    EXPECT_TRUE(search.touches(path.end));
+    EXPECT_NEAR(search.first_touch_s(path).value(), 1, kSame_s);
     EXPECT_FALSE(search.first_touch_s(line(0, joints(395, 500, 0), joints(494.9, 500, 0), {100})));
 }
 
@@ -40,21 +40,21 @@ TEST(TouchSearch, TakesTheEarliestOfSeveralBodies) {
     const Cell cell = cell_of(std::string(kBall) + kBlock +
                               "[[object]]\nname = \"post\"\nshape = { cylinder_mm = [20, 50] }\n"
                               "frame = { x_mm = 445, y_mm = 500 }\n");
-    const motion::Segment way = line(0, joints(400, 500, 0), joints(520, 500, 0), {100});
-    EXPECT_NEAR(search_of(cell).first_touch_s(way).value(), 0.3, kSame_s);
+    const motion::Segment path = line(0, joints(400, 500, 0), joints(520, 500, 0), {100});
+    EXPECT_NEAR(make_search(cell).first_touch_s(path).value(), 0.3, kSame_s);
 }
 
 TEST(TouchSearch, WithoutABodyOnTheToolTheTipIsAPoint) {
     const Cell cell = cell_of(kBlock);
-    const motion::Segment way = line(0, joints(400, 500, 0), joints(520, 500, 0), {100});
-    EXPECT_NEAR(search_of(cell).first_touch_s(way).value(), 1, kSame_s);
-    EXPECT_NEAR(search_of(cell, {5, 0, 0}).first_touch_s(way).value(), 0.95, kSame_s);
-    EXPECT_FALSE(search_of(cell, {0, 0, 60}).first_touch_s(way));  // it passes above
+    const motion::Segment path = line(0, joints(400, 500, 0), joints(520, 500, 0), {100});
+    EXPECT_NEAR(make_search(cell).first_touch_s(path).value(), 1, kSame_s);
+    EXPECT_NEAR(make_search(cell, {5, 0, 0}).first_touch_s(path).value(), 0.95, kSame_s);
+    EXPECT_FALSE(make_search(cell, {0, 0, 60}).first_touch_s(path));  // it passes above
 }
 
 TEST(TouchSearch, FindsWhereContactIsLost) {
     const Cell cell = cell_of(std::string(kBall) + kBlock);
-    const TouchSearch search = search_of(cell);
+    const TouchSearch search = make_search(cell);
     const motion::Segment away = line(0, joints(515, 500, 0), joints(395, 500, 0), {100});
     EXPECT_NEAR(search.first_release_s(away).value(), 0.2, kSame_s);
     EXPECT_FALSE(search.first_release_s(line(0, joints(515, 500, 0), joints(500, 500, 0), {100})));
@@ -66,7 +66,7 @@ TEST(TouchSearch, FollowsATurn) {
         "[[shape]]\nname = \"stylus\"\non = \"tool\"\nshape = { sphere_mm = 10 }\nframe = { z_mm = 100 }\n"
         "[[object]]\nname = \"wall\"\nshape = { box_mm = [10, 400, 400] }\nframe = { x_mm = 560, y_mm = 500 "
         "}\n");
-    const TouchSearch search = search_of(cell);
+    const TouchSearch search = make_search(cell);
     const motion::Segment there = line(0, joints(500, 500, 0), joints(500, 500, 0, 0, 0.6), {0.5});
     EXPECT_NEAR(search.first_touch_s(there).value(), std::asin(0.5) / 0.5, kSame_s);
     const motion::Segment back = line(0, joints(500, 500, 0, 0, 0.6), joints(500, 500, 0), {0.5});
@@ -77,13 +77,13 @@ TEST(TouchSearch, TheJetAndWhatIsNoToolFeelNothing) {
     const Cell cell = cell_of(std::string(kBlock) +
                               "[[shape]]\nname = \"wrist\"\non = \"Z\"\nshape = { sphere_mm = 50 }\n"
                               "[[shape]]\nname = \"jet\"\non = \"jet\"\nshape = { sphere_mm = 50 }\n");
-    const motion::Segment way = line(0, joints(400, 500, 0), joints(520, 500, 0), {100});
-    EXPECT_NEAR(search_of(cell).first_touch_s(way).value(), 1, kSame_s);  // the TCP does
+    const motion::Segment path = line(0, joints(400, 500, 0), joints(520, 500, 0), {100});
+    EXPECT_NEAR(make_search(cell).first_touch_s(path).value(), 1, kSame_s);  // the TCP does
 }
 
 TEST(TouchSearch, IsRefusedWhereFramesGoByThemselves) {
     Cell cell = cell_of(std::string(kBall) + kBlock);
-    cell.carry(*cell.frames.find("block"), false);
+    cell.make_movable(*cell.frames.find("block"), false);
     const auto search = TouchSearch::make(cell, af5(), {0, 0, 0});
     ASSERT_FALSE(search);
     EXPECT_EQ(

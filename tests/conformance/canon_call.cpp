@@ -7,14 +7,14 @@ namespace gsim::conformance {
 
 namespace {
 
-constexpr std::string_view kBlanks = " \t";
+constexpr std::string_view kWhitespace = " \t";
 constexpr std::string_view kSeparators = ", \t";
 
 std::string_view without_word(std::string_view text) {
-    const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
+    const std::size_t begin = std::min(text.find_first_not_of(kWhitespace), text.size());
     text.remove_prefix(begin);
-    text.remove_prefix(std::min(text.find_first_of(kBlanks), text.size()));
-    text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+    text.remove_prefix(std::min(text.find_first_of(kWhitespace), text.size()));
+    text.remove_prefix(std::min(text.find_first_not_of(kWhitespace), text.size()));
     return text;
 }
 
@@ -28,15 +28,15 @@ bool is_name(std::string_view text) {
 
 std::vector<double> CanonCall::numbers() const {
     std::vector<double> values;
-    std::string_view rest = arguments;
+    std::string_view remainder = arguments;
     while (true) {
-        rest.remove_prefix(std::min(rest.find_first_not_of(kSeparators), rest.size()));
-        if (rest.empty()) return values;
-        const std::string_view word = rest.substr(0, rest.find_first_of(kSeparators));
+        remainder.remove_prefix(std::min(remainder.find_first_not_of(kSeparators), remainder.size()));
+        if (remainder.empty()) return values;
+        const std::string_view word = remainder.substr(0, remainder.find_first_of(kSeparators));
         double value = 0;
         const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
         if (error == std::errc() && end == word.data() + word.size()) values.push_back(value);
-        rest.remove_prefix(word.size());
+        remainder.remove_prefix(word.size());
     }
 }
 

@@ -27,12 +27,12 @@ constexpr double kProbeBackoff_mm = 0.254;
 class Reader {
   public:
     /// Returns false if the call lacks numbers that it needs.
-    bool take(const CanonCall& call, long line);
+    bool add_call(const CanonCall& call, long line);
     std::vector<ExpectedMove> moves() && { return std::move(moves_); }
 
   private:
     struct Handler {
-        std::size_t least;  ///< Numbers that the call must hold.
+        std::size_t min;  ///< Numbers that the call must hold.
         void (Reader::*handle)(Numbers);
     };
     static const std::map<std::string_view, Handler>& handlers();
@@ -96,7 +96,7 @@ const std::map<std::string_view, Reader::Handler>& Reader::handlers() {
     return all;
 }
 
-bool Reader::take(const CanonCall& call, long line) {
+bool Reader::add_call(const CanonCall& call, long line) {
     line_ = line;
     const auto found = handlers().find(call.name);
     if (found == handlers().end()) {
@@ -104,7 +104,7 @@ bool Reader::take(const CanonCall& call, long line) {
         return true;
     }
     const std::vector<double> numbers = call.numbers();
-    if (numbers.size() < found->second.least) return false;
+    if (numbers.size() < found->second.min) return false;
     (this->*found->second.handle)(numbers);
     return true;
 }
@@ -130,13 +130,13 @@ void Reader::probe(Numbers n) {
     const AxisValues start = at_;
     line(Kind::probe, n);
     ExpectedMove& probe = moves_.back();
-    double way_mm = 0;
+    double distance_mm = 0;
     for (std::size_t axis = 0; axis < kLinearAxes; ++axis) {
-        way_mm = std::hypot(way_mm, start[axis] - probe.move.to[axis]);
+        distance_mm = std::hypot(distance_mm, start[axis] - probe.move.to[axis]);
     }
-    if (way_mm <= kProbeBackoff_mm) return;
+    if (distance_mm <= kProbeBackoff_mm) return;
     for (std::size_t axis = 0; axis < kLinearAxes; ++axis) {
-        probe.stop[axis] += (start[axis] - probe.stop[axis]) * kProbeBackoff_mm / way_mm;
+        probe.stop[axis] += (start[axis] - probe.stop[axis]) * kProbeBackoff_mm / distance_mm;
     }
     at_ = probe.stop;
 }
@@ -171,7 +171,7 @@ void Reader::arc(Numbers n) {
     Move move{.kind = turns < 0 ? Kind::arc_cw : Kind::arc_ccw};
     const AxisValues center_mm = frame_.to_machine(center).at;
     move.arc = ArcPart{
-        frame_.turned(normal_of(plane_)), {center_mm[0], center_mm[1], center_mm[2]}, std::abs(turns)};
+        frame_.turned(plane_normal(plane_)), {center_mm[0], center_mm[1], center_mm[2]}, std::abs(turns)};
     add(move, frame_.to_machine(end));
 }
 
@@ -207,7 +207,7 @@ tl::expected<std::vector<ExpectedMove>, std::string> read_canon(std::istream& te
     std::string line;
     for (long number = 1; std::getline(text, line); ++number) {
         const auto call = read_canon_call(line);
-        if (!call || reader.take(*call, number)) continue;
+        if (!call || reader.add_call(*call, number)) continue;
         return tl::unexpected(fmt::format("line {} of the canonical output lacks numbers: {}", number, line));
     }
     return std::move(reader).moves();

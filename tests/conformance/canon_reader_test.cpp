@@ -37,12 +37,12 @@ TEST(CanonReader, ReadsArcsInTheirPlane) {
     EXPECT_EQ(moves[0].move.arc->center_mm[1], 4);
 
     EXPECT_EQ(moves[1].move.kind, Kind::arc_ccw);
-    EXPECT_EQ(moves[1].move.arc->normal, normal_of(Plane::zx));
+    EXPECT_EQ(moves[1].move.arc->normal, plane_normal(Plane::zx));
     EXPECT_EQ(moves[1].move.to, (AxisValues{2, 5, 1, 6, 7, 8}));  // Z comes before X
     EXPECT_EQ(moves[1].move.arc->center_mm[2], 3);
     EXPECT_EQ(moves[1].move.arc->center_mm[0], 4);
 
-    EXPECT_EQ(moves[2].move.arc->normal, normal_of(Plane::yz));
+    EXPECT_EQ(moves[2].move.arc->normal, plane_normal(Plane::yz));
     EXPECT_EQ(moves[2].move.to, (AxisValues{5, 1, 2, 6, 7, 8}));
     EXPECT_EQ(moves[2].move.arc->turns, 3);
 }

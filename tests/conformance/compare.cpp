@@ -53,7 +53,7 @@ class Comparison {
 
     std::span<const ExpectedMove> expected_;  // what is not compared yet, of both
     std::span<const Move> found_;
-    Standing standing_;
+    EvaluationState standing_;
     AxisValues tolerance_{};  // of the last move of the reference
     Verdict verdict_;
 };

@@ -82,21 +82,21 @@ TEST(Compare, DoesNotLeaveOutAFullCircle) {
     const auto expected = expected_moves({"ARC_FEED(0.0, 0.0, 5.0, 0.0, 1, 0.0, 0.0, 0.0, 0.0)"});
     EXPECT_EQ(difference(compare(expected, {})), "order: gsim has no further move");
     EXPECT_EQ(difference(compare(
-                  expected, std::vector{arc(Kind::arc_ccw, {}, {normal_of(Plane::xy), {5, 0, 0}, 1}, 0)})),
+                  expected, std::vector{arc(Kind::arc_ccw, {}, {plane_normal(Plane::xy), {5, 0, 0}, 1}, 0)})),
               "");
 }
 
 TEST(Compare, ComparesArcsInSensePlaneCentreAndTurns) {
     const auto expected = expected_moves({"SELECT_PLANE(CANON_PLANE_XZ)", "SET_FEED_RATE(10.0)",
                                           "ARC_FEED(0.0, 10.0, 0.0, 5.0, -2, 1.0, 0.0, 0.0, 0.0)"});
-    const Move right = arc(Kind::arc_cw, {10, 1, 0}, {normal_of(Plane::zx), {5, 99, 0}, 2}, 10);
+    const Move right = arc(Kind::arc_cw, {10, 1, 0}, {plane_normal(Plane::zx), {5, 99, 0}, 2}, 10);
     const auto judge = [&expected](Move found) { return difference(compare(expected, std::vector{found})); };
     EXPECT_EQ(judge(right), "");  // along its own axis the centre is irrelevant
     Move wrong = right;
     wrong.kind = Kind::arc_ccw;
     EXPECT_EQ(judge(wrong), "kind: arc_ccw, arc_cw is expected");
     wrong = right;
-    wrong.arc->normal = normal_of(Plane::xy);
+    wrong.arc->normal = plane_normal(Plane::xy);
     EXPECT_EQ(judge(wrong),
               "plane: its normal is 0.000000 0.000000 1.000000, 0.000000 1.000000 0.000000 is expected");
     // The same arc, given about the other normal of its plane.
@@ -131,8 +131,9 @@ TEST(Compare, LetsASplineStandForMovesOfOneLine) {
     EXPECT_EQ(difference(compare(expected, std::vector{spline(1, 1), spline(2, 1), spline(2.5, 2), last})),
               "");
     EXPECT_EQ(difference(compare(expected, std::vector{spline(1, 1), spline(2.5, 1), last})), "");  // a loop
-    const auto piece = [](double x, long line) { return feed_move(x, 0, 0, 10, Kind::arc_cw, line); };
-    EXPECT_EQ(difference(compare(expected, std::vector{piece(1, 1), spline(2, 1), piece(2.5, 2), last})), "");
+    const auto arc_part = [](double x, long line) { return feed_move(x, 0, 0, 10, Kind::arc_cw, line); };
+    EXPECT_EQ(
+        difference(compare(expected, std::vector{arc_part(1, 1), spline(2, 1), arc_part(2.5, 2), last})), "");
     EXPECT_EQ(difference(compare(expected, std::vector{spline(1, 1), last})),
               "splines: the moves do not go with the splines of the reference");
     EXPECT_EQ(difference(compare(expected, std::vector{spline(1, 1), spline(2, 2), spline(2.5, 3), last})),

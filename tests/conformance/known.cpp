@@ -20,9 +20,9 @@ tl::expected<std::vector<Known>, std::string> parse_known(const std::string& tex
         std::istringstream words(line.substr(0, line.find('#')));
         Known entry;
         if (!(words >> entry.file)) continue;
-        std::getline(words >> std::ws, entry.why);
-        entry.why.erase(entry.why.find_last_not_of(" \t\r") + 1);
-        if (entry.why.empty()) {
+        std::getline(words >> std::ws, entry.reason);
+        entry.reason.erase(entry.reason.find_last_not_of(" \t\r") + 1);
+        if (entry.reason.empty()) {
             return tl::unexpected(
                 fmt::format("{}:{}: what does the error of {} hold?", list.string(), number, entry.file));
         }

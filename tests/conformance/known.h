@@ -11,8 +11,8 @@ namespace gsim::conformance {
 
 /// A program that is known not to agree.
 struct Known {
-    std::string file;  ///< End of its name.
-    std::string why;   ///< Text in the error of gsim-run.
+    std::string file;    ///< End of its name.
+    std::string reason;  ///< Text in the error of gsim-run.
 };
 
 /// A list of them: a file's name, white space and what its error holds on each line; `#` begins a remark. The

@@ -14,7 +14,7 @@ TEST(Known, AListOfNamesAndErrors) {
     ASSERT_TRUE(known) << known.error();
     ASSERT_EQ(known->size(), 2U);
     ASSERT_NE(find_known(*known, "folder/lathe__a.ngc"), nullptr);
-    EXPECT_EQ(find_known(*known, "folder/lathe__a.ngc")->why, "G7 (x) is not");
+    EXPECT_EQ(find_known(*known, "folder/lathe__a.ngc")->reason, "G7 (x) is not");
     EXPECT_EQ(find_known(*known, "a.ngc.txt"), nullptr);
 }
 

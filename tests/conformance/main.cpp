@@ -54,8 +54,8 @@ bool is_as_known(const std::string& name, const Outcome& outcome, const std::vec
     const Known* const entry = find_known(known, name);
     const bool agrees = outcome && !outcome->difference;
     if (entry == nullptr) return agrees;
-    if (!outcome && outcome.error().find(entry->why) != std::string::npos) return true;
-    fmt::print("{}: is not refused by \"{}\", as the list of known files has it\n", name, entry->why);
+    if (!outcome && outcome.error().find(entry->reason) != std::string::npos) return true;
+    fmt::print("{}: is not refused by \"{}\", as the list of known files has it\n", name, entry->reason);
     return false;
 }
 
@@ -120,7 +120,7 @@ int compare_random_programs(const Arguments& arguments) {
         return kSkipped;
     }
     fmt::print("{} of {} random programs agree, {} are refused by both, {} differ\n", tally->agree,
-               arguments.random.count, tally->refused, tally->differ);
+               arguments.random.count, tally->rejected, tally->differ);
     const double percent =
         100.0 * static_cast<double>(tally->agree) / static_cast<double>(arguments.random.count);
     return tally->differ == 0 && percent >= arguments.least_percent ? kAgree : kDiffer;
@@ -131,19 +131,19 @@ void add_options(apps::CommandLine& line, Arguments& arguments) {
     line.add("folder", &arguments.folder,
              "folder of part programs FILE with canonical output FILE.canon.gz beside them; else that of the "
              "environment's GSIM_CORPUS");
-    line.add("--gsim-run", &arguments.gsim.gsim_run, "the program gsim-run").shows_default();
+    line.add("--gsim-run", &arguments.gsim.gsim_run, "the program gsim-run").show_default();
     line.add("--machine", &arguments.gsim.machine, "machine file without limits, axes X Y Z A B C U V W");
     line.add("--gsim-option", &arguments.gsim.extra, "a further option for gsim-run");
     line.add("--least", &arguments.least_percent, "percentage of files that must agree wholly")
         .within(0, 100)
-        .shows_default();
+        .show_default();
     line.add("--known", &arguments.known_file,
              "list of files that are known not to agree, and how: all others must");
     line.add("--failures", &arguments.failures_only, "list only the files that do not agree");
     line.add("--random", &arguments.random.count,
              "compare so many random programs with LinuxCNC's interpreter");
-    line.add("--seed", &arguments.random.first_seed, "seed of the first of them").shows_default();
-    line.add("--reference", &arguments.random.reference, "LinuxCNC's interpreter").shows_default();
+    line.add("--seed", &arguments.random.first_seed, "seed of the first of them").show_default();
+    line.add("--reference", &arguments.random.reference, "LinuxCNC's interpreter").show_default();
     line.add("--keep", &arguments.random.keep_folder, "folder for the random programs that do not agree");
     line.add("--moves", &arguments.moves_file, "compare this file of moves ...");
     line.add("--canon", &arguments.canon_file, "... with this canonical output (or .gz)");

@@ -31,19 +31,19 @@ bool near(const AxisValues& a, const AxisValues& b, const AxisValues& tolerance)
 }
 
 // Both sides keep the distance that a probe left between them; that distance was printed, too.
-bool keeps_apart(const ExpectedMove& expected, const Move& found, const Standing& standing,
+bool keeps_apart(const ExpectedMove& expected, const Move& found, const EvaluationState& state,
                  std::size_t axis) {
-    return standing.apart[axis] != 0 &&
-           near(found.to[axis] - standing.apart[axis], expected.move.to[axis], 2 * expected.tolerance[axis]);
+    return state.apart[axis] != 0 &&
+           near(found.to[axis] - state.apart[axis], expected.move.to[axis], 2 * expected.tolerance[axis]);
 }
 
-Mismatch end_mismatch(const ExpectedMove& expected, const Move& found, const Standing& standing) {
+Mismatch end_mismatch(const ExpectedMove& expected, const Move& found, const EvaluationState& state) {
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-        const double wanted = expected.move.to[axis];
-        if (near(found.to[axis], wanted, expected.tolerance[axis])) continue;
-        if (keeps_apart(expected, found, standing, axis)) continue;
+        const double expected_value = expected.move.to[axis];
+        if (near(found.to[axis], expected_value, expected.tolerance[axis])) continue;
+        if (keeps_apart(expected, found, state, axis)) continue;
         return fmt::format("end point: {} is {:.6f}, {:.6f} is expected", kAxes[axis], found.to[axis],
-                           wanted);
+                           expected_value);
     }
     return std::nullopt;
 }
@@ -61,13 +61,13 @@ bool same_direction(const Vector& a, const Vector& b, double sense) {
 }
 
 // A plane has two normals, and the sense of an arc refers to the given one.
-Mismatch plane_mismatch(const Move& wanted, const Move& found) {
-    const Vector& normal = wanted.arc->normal;
-    const bool same_kind = wanted.kind == found.kind;
+Mismatch plane_mismatch(const Move& expected_value, const Move& found) {
+    const Vector& normal = expected_value.arc->normal;
+    const bool same_kind = expected_value.kind == found.kind;
     if (same_direction(found.arc->normal, normal, same_kind ? 1 : -1)) return std::nullopt;
     if (same_direction(found.arc->normal, normal, same_kind ? -1 : 1)) {
         if (same_kind) return "sense: the arc goes the other way round";
-        return fmt::format("kind: {}, {} is expected", name(found.kind), name(wanted.kind));
+        return fmt::format("kind: {}, {} is expected", name(found.kind), name(expected_value.kind));
     }
     return fmt::format("plane: its normal is {}, {} is expected",
                        text::joined(found.arc->normal, " ", "{:.6f}"), text::joined(normal, " ", "{:.6f}"));
@@ -75,44 +75,45 @@ Mismatch plane_mismatch(const Move& wanted, const Move& found) {
 
 // Along the arc's own axis a centre is irrelevant.
 Mismatch center_mismatch(const ExpectedMove& expected, const ArcPart& found) {
-    const ArcPart& wanted = *expected.move.arc;
+    const ArcPart& expected_value = *expected.move.arc;
     Vector apart{};
     for (std::size_t axis = 0; axis < kLinearAxes; ++axis)
-        apart[axis] = found.center_mm[axis] - wanted.center_mm[axis];
-    const double along = dot(apart, wanted.normal);
+        apart[axis] = found.center_mm[axis] - expected_value.center_mm[axis];
+    const double along = dot(apart, expected_value.normal);
     for (std::size_t axis = 0; axis < kLinearAxes; ++axis) {
         double tolerance = expected.tolerance[axis];
         for (std::size_t other = 0; other < kLinearAxes; ++other) {
             if (other == axis) continue;
-            tolerance += std::abs(wanted.normal[axis] * wanted.normal[other]) * expected.tolerance[other];
+            tolerance += std::abs(expected_value.normal[axis] * expected_value.normal[other]) *
+                         expected.tolerance[other];
         }
-        const double off = apart[axis] - along * wanted.normal[axis];
+        const double off = apart[axis] - along * expected_value.normal[axis];
         if (near(off, 0, tolerance)) continue;
         return fmt::format("arc centre: {} is {:.6f}, {:.6f} is expected", kAxes[axis],
-                           wanted.center_mm[axis] + off, wanted.center_mm[axis]);
+                           expected_value.center_mm[axis] + off, expected_value.center_mm[axis]);
     }
     return std::nullopt;
 }
 
 Mismatch arc_mismatch(const ExpectedMove& expected, const Move& found) {
     if (Mismatch mismatch = plane_mismatch(expected.move, found)) return mismatch;
-    const ArcPart& wanted = *expected.move.arc;
+    const ArcPart& expected_value = *expected.move.arc;
     const ArcPart& arc = *found.arc;
     if (Mismatch mismatch = center_mismatch(expected, arc)) return mismatch;
-    if (arc.turns != wanted.turns) {
-        return fmt::format("turns: {}, {} expected", arc.turns, wanted.turns);
+    if (arc.turns != expected_value.turns) {
+        return fmt::format("turns: {}, {} expected", arc.turns, expected_value.turns);
     }
     return std::nullopt;
 }
 
-bool only_rotary(const Move& found, const Standing& standing) {
+bool only_rotary(const Move& found, const EvaluationState& state) {
     for (std::size_t axis = 0; axis < kLinearAxes; ++axis) {
-        if (!near(found.to[axis], standing.found[axis], 0)) return false;
+        if (!near(found.to[axis], state.found[axis], 0)) return false;
     }
     return !is_arc(found.kind);
 }
 
-double feed_of(const ExpectedMove& expected, bool rotary_only) {
+double expected_feed(const ExpectedMove& expected, bool rotary_only) {
     return *expected.move.feed_per_min * (rotary_only ? 1 : expected.feed_unit_mm);
 }
 
@@ -121,57 +122,58 @@ double feed_of(const ExpectedMove& expected, bool rotary_only) {
 bool feeds_agree(const ExpectedMove& expected, const Move& found, bool rotary_only) {
     if (!expected.move.feed_per_min) return true;
     if (!found.feed_per_min) return false;
-    const double feed = feed_of(expected, rotary_only);
+    const double feed = expected_feed(expected, rotary_only);
     const double printed = expected.feed_tolerance * (rotary_only ? 1 : expected.feed_unit_mm);
     return std::abs(*found.feed_per_min - feed) <= printed + std::abs(feed) * kRelativeFeed;
 }
 
-Mismatch find_mismatch(const ExpectedMove& expected, const Move& found, const Standing& standing) {
-    const Move& wanted = expected.move;
-    if (found.kind != wanted.kind && !(is_arc(found.kind) && is_arc(wanted.kind))) {
-        return fmt::format("kind: {}, {} is expected", name(found.kind), name(wanted.kind));
+Mismatch find_mismatch(const ExpectedMove& expected, const Move& found, const EvaluationState& state) {
+    const Move& expected_value = expected.move;
+    if (found.kind != expected_value.kind && !(is_arc(found.kind) && is_arc(expected_value.kind))) {
+        return fmt::format("kind: {}, {} is expected", name(found.kind), name(expected_value.kind));
     }
-    if (wanted.kind == Kind::dwell) {
-        if (std::abs(found.dwell_s - wanted.dwell_s) <= kPrintedSeconds + kSeconds) return std::nullopt;
-        return fmt::format("dwell: {:.6f} s, {:.4f} s are expected", found.dwell_s, wanted.dwell_s);
+    if (expected_value.kind == Kind::dwell) {
+        if (std::abs(found.dwell_s - expected_value.dwell_s) <= kPrintedSeconds + kSeconds)
+            return std::nullopt;
+        return fmt::format("dwell: {:.6f} s, {:.4f} s are expected", found.dwell_s, expected_value.dwell_s);
     }
-    if (Mismatch mismatch = end_mismatch(expected, found, standing)) return mismatch;
-    if (wanted.arc) {
+    if (Mismatch mismatch = end_mismatch(expected, found, state)) return mismatch;
+    if (expected_value.arc) {
         if (Mismatch mismatch = arc_mismatch(expected, found)) return mismatch;
     }
-    const bool rotary_only = only_rotary(found, standing);
+    const bool rotary_only = only_rotary(found, state);
     if (feeds_agree(expected, found, rotary_only)) return std::nullopt;
     return fmt::format("feed: {}, {:.6g} is expected",
                        found.feed_per_min ? fmt::format("{:.6g}", *found.feed_per_min) : "none",
-                       feed_of(expected, rotary_only));
+                       expected_feed(expected, rotary_only));
 }
 
-Standing after(const ExpectedMove& expected, const Move& found, const Standing& standing) {
-    if (expected.move.kind == Kind::dwell) return standing;
-    Standing next;
+EvaluationState after(const ExpectedMove& expected, const Move& found, const EvaluationState& state) {
+    if (expected.move.kind == Kind::dwell) return state;
+    EvaluationState next;
     next.expected = expected.stop;
     next.found = found.to;
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         if (near(found.to[axis], expected.stop[axis], expected.tolerance[axis])) continue;
         const bool probed = expected.move.kind == Kind::probe;
-        next.apart[axis] = probed ? found.to[axis] - expected.stop[axis] : standing.apart[axis];
+        next.apart[axis] = probed ? found.to[axis] - expected.stop[axis] : state.apart[axis];
     }
     return next;
 }
 
-bool has_no_length(const ExpectedMove& expected, const Standing& standing) {
+bool has_no_length(const ExpectedMove& expected, const EvaluationState& state) {
     const Move& move = expected.move;
     if (move.kind == Kind::dwell) return move.dwell_s == 0;
     if (move.kind == Kind::spline || is_arc(move.kind)) return false;
     AxisValues tolerance = expected.tolerance;
     for (double& value : tolerance) value *= 2;  // the position before it was printed, too
-    return near(move.to, standing.expected, tolerance) || near(move.to, standing.found, tolerance);
+    return near(move.to, state.expected, tolerance) || near(move.to, state.found, tolerance);
 }
 
-bool has_no_length(const Move& found, const Standing& standing, const AxisValues& tolerance) {
+bool has_no_length(const Move& found, const EvaluationState& state, const AxisValues& tolerance) {
     if (found.kind == Kind::dwell) return found.dwell_s <= kPrintedSeconds;
     if (is_arc(found.kind)) return false;
-    return near(found.to, standing.found, tolerance);
+    return near(found.to, state.found, tolerance);
 }
 
 }  // namespace gsim::conformance

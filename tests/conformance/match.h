@@ -8,7 +8,7 @@
 namespace gsim::conformance {
 
 /// Positions of both sides before a move.
-struct Standing {
+struct EvaluationState {
     AxisValues expected{};  ///< The reference, mm and deg.
     AxisValues found{};     ///< gsim, mm and deg.
     AxisValues apart{};     ///< found - expected, as far as a probe has left a difference.
@@ -16,17 +16,17 @@ struct Standing {
 
 /// Returns a message about the difference between a move of gsim and the reference's, or none if they agree.
 std::optional<std::string> find_mismatch(const ExpectedMove& expected, const Move& found,
-                                         const Standing& standing);
+                                         const EvaluationState& state);
 
 /// Returns the positions of both after moves that agree.
-Standing after(const ExpectedMove& expected, const Move& found, const Standing& standing);
+EvaluationState after(const ExpectedMove& expected, const Move& found, const EvaluationState& state);
 
 /// Returns true if the feeds agree. `rotary_only`: no linear axis moves, so that the feed is in deg/min.
 bool feeds_agree(const ExpectedMove& expected, const Move& found, bool rotary_only);
 
 /// Returns true if the move has no length, as far as the printed digits show.
-bool has_no_length(const ExpectedMove& expected, const Standing& standing);
+bool has_no_length(const ExpectedMove& expected, const EvaluationState& state);
 /// Returns true if the move is too short for the digits that the reference would print it with.
-bool has_no_length(const Move& found, const Standing& standing, const AxisValues& tolerance);
+bool has_no_length(const Move& found, const EvaluationState& state, const AxisValues& tolerance);
 
 }  // namespace gsim::conformance

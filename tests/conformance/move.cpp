@@ -14,7 +14,7 @@ constexpr std::array kKinds{"rapid"sv, "linear"sv, "arc_cw"sv, "arc_ccw"sv,
                             "probe"sv, "thread"sv, "spline"sv, "dwell"sv};
 
 template <typename Value, std::size_t count>
-std::optional<Value> value_of(const std::array<std::string_view, count>& names, std::string_view name) {
+std::optional<Value> find_value(const std::array<std::string_view, count>& names, std::string_view name) {
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end()) return std::nullopt;
     return static_cast<Value>(found - names.begin());
@@ -26,8 +26,8 @@ std::string_view name(Kind kind) {
     return kKinds[static_cast<std::size_t>(kind)];
 }
 
-std::optional<Kind> kind_of(std::string_view name) {
-    return value_of<Kind>(kKinds, name);
+std::optional<Kind> parse_kind(std::string_view name) {
+    return find_value<Kind>(kKinds, name);
 }
 
 std::string describe(const Move& move) {

@@ -33,7 +33,7 @@ constexpr bool is_arc(Kind kind) {
 using Vector = std::array<double, 3>;  ///< X, Y, Z
 
 /// About which arcs of a plane are counter-clockwise.
-constexpr Vector normal_of(Plane plane) {
+constexpr Vector plane_normal(Plane plane) {
     if (plane == Plane::zx) return {0, 1, 0};
     if (plane == Plane::yz) return {1, 0, 0};
     return {0, 0, 1};
@@ -41,9 +41,9 @@ constexpr Vector normal_of(Plane plane) {
 
 /// Values that only arcs have.
 struct ArcPart {
-    Vector normal = normal_of(Plane::xy);  ///< Unit; the kind is the sense as seen against it.
-    Vector center_mm{};                    ///< Irrelevant along the arc's own axis.
-    int turns = 1;                         ///< 1 up to a full circle, 2 for one more.
+    Vector normal = plane_normal(Plane::xy);  ///< Unit; the kind is the sense as seen against it.
+    Vector center_mm{};                       ///< Irrelevant along the arc's own axis.
+    int turns = 1;                            ///< 1 up to a full circle, 2 for one more.
 };
 
 /// One move or dwell of a run of gsim, in machine coordinates.
@@ -57,7 +57,7 @@ struct Move {
 };
 
 std::string_view name(Kind kind);
-std::optional<Kind> kind_of(std::string_view name);
+std::optional<Kind> parse_kind(std::string_view name);
 
 /// The move for people, without its line.
 std::string describe(const Move& move);

@@ -32,7 +32,7 @@ ArcPart read_arc(const json& object) {
 Move read_move(const json& object) {
     Move move;
     const std::string kind_name = object.at("kind").get<std::string>();
-    const auto kind = kind_of(kind_name);
+    const auto kind = parse_kind(kind_name);
     if (!kind) throw std::runtime_error(fmt::format("its kind '{}' is not known", kind_name));
     move.kind = *kind;
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

@@ -21,7 +21,7 @@ TEST(MovesReader, ReadsMovesArcsAndDwells) {
     EXPECT_EQ((*moves)[0].line, 3);
     EXPECT_FALSE((*moves)[0].feed_per_min);
     EXPECT_EQ((*moves)[1].kind, Kind::arc_cw);
-    EXPECT_EQ((*moves)[1].arc->normal, normal_of(Plane::zx));
+    EXPECT_EQ((*moves)[1].arc->normal, plane_normal(Plane::zx));
     EXPECT_EQ((*moves)[1].arc->turns, 2);
     EXPECT_EQ((*moves)[1].arc->center_mm[0], 3);
     EXPECT_EQ((*moves)[1].feed_per_min, 100);

@@ -32,8 +32,8 @@ std::string read_all(std::FILE* file) {
 
 }  // namespace
 
-tl::expected<std::string, std::string> output_of(const std::vector<std::string>& command,
-                                                 const fs::path& input) {
+tl::expected<std::string, std::string> command_output(const std::vector<std::string>& command,
+                                                      const fs::path& input) {
     const File in(std::fopen(input.c_str(), "rb"));
     if (!in) return tl::unexpected("cannot read " + input.string());
     const File out(std::tmpfile());
@@ -49,19 +49,19 @@ GsimRuns::GsimRuns(GsimOptions options, const std::vector<ToolRow>& tools)
 // Each program is run alone, as the reference was: with a name of its own, in a folder without its
 // neighbours. A short name also leaves space for the message.
 tl::expected<fs::path, std::string> GsimRuns::place(const Recorded& recorded) const {
-    const fs::path alone = scratch_.path() / ("program" + recorded.program.extension().string());
-    fs::remove(alone);
+    const fs::path standalone = scratch_.path() / ("program" + recorded.program.extension().string());
+    fs::remove(standalone);
     if (!recorded.without_kinematics) {
-        fs::create_symlink(fs::absolute(recorded.program), alone);
-        return alone;
+        fs::create_symlink(fs::absolute(recorded.program), standalone);
+        return standalone;
     }
     return read_text(recorded.program).map([&](const std::string& text) {
-        return scratch_.write(alone.filename(), without_kinematics_switches(text));
+        return scratch_.write(standalone.filename(), without_kinematics_switches(text));
     });
 }
 
 /// Limit above the blocks of any recording, so that an endless program does not take long.
-constexpr const char* kMostBlocks = "300000";
+constexpr const char* kMaxBlocks = "300000";
 
 tl::expected<std::vector<Move>, std::string> GsimRuns::moves(const Recorded& recorded) const {
     const auto program = place(recorded);
@@ -69,11 +69,11 @@ tl::expected<std::vector<Move>, std::string> GsimRuns::moves(const Recorded& rec
     const fs::path moves_file = scratch_.path() / "moves.jsonl";
     std::vector<std::string> command{options_.gsim_run, "--dialect",      "rs274ngc",     "--machine",
                                      options_.machine,  "--machine-data", machine_data_,  "--quiet",
-                                     "--max-time",      "1e12",           "--max-blocks", kMostBlocks,
+                                     "--max-time",      "1e12",           "--max-blocks", kMaxBlocks,
                                      "--moves",         moves_file};
     command.insert(command.end(), options_.extra.begin(), options_.extra.end());
     command.push_back(*program);
-    if (const auto ran = output_of(command, "/dev/null"); !ran)
+    if (const auto ran = command_output(command, "/dev/null"); !ran)
         return tl::unexpected(without_paths(ran.error()));
     std::ifstream moves(moves_file);
     return read_moves(moves);
@@ -89,8 +89,8 @@ std::string GsimRuns::without_paths(std::string message) const {
 }
 
 tl::expected<std::string, std::string> read_text(const fs::path& file) {
-    if (file.extension() == ".gz") return output_of({"gzip", "-dc"}, file);
-    return output_of({"cat"}, file);
+    if (file.extension() == ".gz") return command_output({"gzip", "-dc"}, file);
+    return command_output({"cat"}, file);
 }
 
 }  // namespace gsim::conformance

@@ -38,8 +38,8 @@ class GsimRuns {
 };
 
 /// Returns the output of a command (found by PATH) that reads `input`; the error says how it failed.
-tl::expected<std::string, std::string> output_of(const std::vector<std::string>& command,
-                                                 const std::filesystem::path& input);
+tl::expected<std::string, std::string> command_output(const std::vector<std::string>& command,
+                                                      const std::filesystem::path& input);
 
 /// Returns a file's text; a file with a name ending in .gz is unpacked by gzip. The error is a message.
 tl::expected<std::string, std::string> read_text(const std::filesystem::path& file);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Outcome { agree, refused, differ };
+enum class Outcome { agree, rejected, differ };
 
 void print_difference(std::size_t seed, const std::string& what) {
     fmt::print("seed {}: {}\n", seed, what);
@@ -25,7 +25,7 @@ void print_difference(std::size_t seed, const std::string& what) {
 
 Outcome judge(std::size_t seed, const std::optional<std::vector<ExpectedMove>>& expected,
               const tl::expected<std::vector<Move>, std::string>& found) {
-    if (!expected && !found) return Outcome::refused;
+    if (!expected && !found) return Outcome::rejected;
     if (!expected) {
         print_difference(seed, "only the reference refuses it");
         return Outcome::differ;
@@ -45,14 +45,14 @@ Outcome judge(std::size_t seed, const std::optional<std::vector<ExpectedMove>>& 
 void keep(const std::string& folder, std::size_t seed, Outcome outcome, const std::string& text) {
     if (folder.empty()) return;
     fs::create_directories(folder);
-    const std::string_view suffix = outcome == Outcome::refused ? ".refused" : "";
+    const std::string_view suffix = outcome == Outcome::rejected ? ".refused" : "";
     std::ofstream(fs::path(folder) / fmt::format("{}{}.ngc", seed, suffix)) << text;
 }
 
 void count(Outcome outcome, RandomTally& tally) {
     switch (outcome) {
         case Outcome::agree: ++tally.agree; return;
-        case Outcome::refused: ++tally.refused; return;
+        case Outcome::rejected: ++tally.rejected; return;
         case Outcome::differ: ++tally.differ; return;
     }
 }

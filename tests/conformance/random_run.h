@@ -17,8 +17,8 @@ struct RandomRun {
 
 /// Number of programs by result.
 struct RandomTally {
-    std::size_t agree = 0;    ///< Both ran to the end, move by move the same.
-    std::size_t refused = 0;  ///< Both refuse.
+    std::size_t agree = 0;     ///< Both ran to the end, move by move the same.
+    std::size_t rejected = 0;  ///< Both refuse.
     std::size_t differ = 0;
 };
 

@@ -14,8 +14,8 @@ class RandomSource {
     explicit RandomSource(std::size_t seed) : bits_(static_cast<std::mt19937::result_type>(seed)) {}
 
     unsigned below(unsigned bound) { return static_cast<unsigned>(bits_() % bound); }
-    int between(int least, int most) {
-        return least + static_cast<int>(below(static_cast<unsigned>(most - least) + 1));
+    int between(int min, int max) {
+        return min + static_cast<int>(below(static_cast<unsigned>(max - min) + 1));
     }
     /// True `percent` times of a hundred.
     bool chance(unsigned percent) { return below(100) < percent; }
@@ -24,10 +24,10 @@ class RandomSource {
     }
 
     /// Returns a decimal number with up to three digits after its point.
-    std::string decimal(int least, int most);
+    std::string decimal(int min, int max);
     /// The same as a word of G-code: X12.5.
-    std::string word(std::string_view letter, int least, int most) {
-        return std::string(letter) + decimal(least, most);
+    std::string word(std::string_view letter, int min, int max) {
+        return std::string(letter) + decimal(min, max);
     }
 
   private:

@@ -24,7 +24,7 @@ std::optional<std::string> ReferenceInterpreter::canonical_output(const fs::path
     // It keeps its tools in a file of the home folder: two at once would share them.
     const std::string home = "HOME=" + scratch_.path().string();
     const auto output =
-        output_of({"env", home, command_, "-g", "-t", tools_, "-v", parameters, program}, "/dev/null");
+        command_output({"env", home, command_, "-g", "-t", tools_, "-v", parameters, program}, "/dev/null");
     return output ? std::optional(*output) : std::nullopt;
 }
 

@@ -34,8 +34,8 @@ void expect_same_behind_the_interface(const Service& service, Status (Shell::*)(
     [&]<std::size_t... at>(std::index_sequence<at...>) {
         [[maybe_unused]] const auto given = std::tuple{values.next<std::tuple_element_t<at, All>>()...};
         Input input{};
-        ASSERT_FALSE(put(input, std::get<at>(given)...)) << service.name;
-        const auto taken = take<kInputs>(input);
+        ASSERT_FALSE(write(input, std::get<at>(given)...)) << service.name;
+        const auto taken = get_values<kInputs>(input);
         ASSERT_TRUE(taken) << service.name;
         EXPECT_TRUE((same(std::get<at>(given), std::get<at>(*taken)) && ...)) << service.name;
     }
@@ -43,7 +43,7 @@ void expect_same_behind_the_interface(const Service& service, Status (Shell::*)(
 }
 
 TEST(RcsCodec, WhatServicesTakeComesThroughTheInterface) {
-#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, statuses, parameters, arguments) \
     expect_same_behind_the_interface<gsim_rcs_##input>(services::method, &Shell::method);
 #include "controller/module/rcs_services.def"
 }
@@ -52,35 +52,35 @@ TEST(RcsCodec, WhatDoesNotFitIsTold) {
     gsim_rcs_target target{};
     const std::string fits(GSIM_RCS_NAME_SIZE - 1, 'n'), too_long(GSIM_RCS_NAME_SIZE, 'n');
     const auto put_named = [&](const std::string& configuration, const std::string& name) {
-        return put(target, TargetId{1}, TargetParam::end, CartPos::Identity(), JointPos::Zero(5).eval(),
-                   std::string_view(configuration), 0.0, std::string_view(name));
+        return write(target, TargetId{1}, TargetParam::end, CartPos::Identity(), JointPos::Zero(5).eval(),
+                     std::string_view(configuration), 0.0, std::string_view(name));
     };
     EXPECT_FALSE(put_named(fits, fits));
     EXPECT_EQ(put_named(too_long, fits)->subject, "The configuration");
     EXPECT_EQ(put_named(fits, too_long)->subject, "The name of the target");
     gsim_rcs_joint_values many{};
     const std::vector<double> values(GSIM_RCS_MAX_JOINTS + 1);
-    EXPECT_EQ(put(many, std::span<const int>(), std::span<const double>(values))->subject, "");
+    EXPECT_EQ(write(many, std::span<const int>(), std::span<const double>(values))->subject, "");
 }
 
 TEST(RcsCodec, CountsOutOfRangeAreNotFollowed) {
     gsim_rcs_joint_values values{};
-    EXPECT_TRUE(take<2>(values));
+    EXPECT_TRUE(get_values<2>(values));
     for (const int count : {-1, GSIM_RCS_MAX_JOINTS + 1}) {
         values.value_count = count;
-        EXPECT_FALSE(take<2>(values)) << count;
+        EXPECT_FALSE(get_values<2>(values)) << count;
     }
 }
 
 TEST(Services, HaveNumbersOfTheirOwn) {
     std::set<int> opcodes, of_rrs;
     std::size_t services = 0, in_rrs = 0;
-#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
-    ++services;                                                                              \
-    opcodes.insert(number);                                                                  \
-    if ((rrs) != 0) {                                                                        \
-        ++in_rrs;                                                                            \
-        of_rrs.insert(rrs);                                                                  \
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, statuses, parameters, arguments) \
+    ++services;                                                                               \
+    opcodes.insert(number);                                                                   \
+    if ((rrs) != 0) {                                                                         \
+        ++in_rrs;                                                                             \
+        of_rrs.insert(rrs);                                                                   \
     }
 #include "controller/module/rcs_services.def"
     EXPECT_EQ(opcodes.size(), services);

@@ -13,9 +13,9 @@ namespace {
 
 using testing::HasSubstr;
 
-class Loading : public testing::TestWithParam<Place> {
+class Loading : public testing::TestWithParam<HostProcess> {
   protected:
-    static std::string why_not(const std::string& name, RcsProcessLimits limits = {}) {
+    static std::string load_error(const std::string& name, RcsProcessLimits limits = {}) {
         const auto module = module_at(GetParam(), name, limits);
         return module ? "it was loaded" : module.error();
     }
@@ -41,28 +41,28 @@ TEST(RcsHost, LoadsAModuleAndMakesControllersThatDoNotKnowOfEachOther) {
 }
 
 TEST_P(Loading, SaysWhyALibraryIsNoModule) {
-    EXPECT_THAT(why_not("there_is_none"), HasSubstr("cannot load the controller module there_is_none.so"));
-    EXPECT_EQ(why_not("no_module"), "no_module.so is no controller module: it has no gsim_rcs_version");
-    EXPECT_EQ(why_not("other_version"),
+    EXPECT_THAT(load_error("there_is_none"), HasSubstr("cannot load the controller module there_is_none.so"));
+    EXPECT_EQ(load_error("no_module"), "no_module.so is no controller module: it has no gsim_rcs_version");
+    EXPECT_EQ(load_error("other_version"),
               "other_version.so is a controller module of version 3 of the interface; this program speaks "
               "version 2");
 }
 
 TEST_P(Loading, SaysWhyAModuleMakesNoController) {
-    EXPECT_EQ(why_not("no_machine"),
+    EXPECT_EQ(load_error("no_machine"),
               "no_machine.so makes no controller for this machine: It drives lathes alone.");
-    EXPECT_EQ(why_not("no_initialize"), "no_initialize.so does not offer the service Initialize");
+    EXPECT_EQ(load_error("no_initialize"), "no_initialize.so does not offer the service Initialize");
 }
 
 TEST_P(Loading, CrashWhileLoadingIsASentence) {
-    EXPECT_EQ(why_not("crash_on_load"),
+    EXPECT_EQ(load_error("crash_on_load"),
               "the controller module crash_on_load.so crashed (signal 11) while it was loaded");
-    EXPECT_EQ(why_not("crash_in_create"),
+    EXPECT_EQ(load_error("crash_in_create"),
               "the controller module crash_in_create.so crashed (signal 6) while it was loaded");
     const char* const ended =
-        GetParam() == Place::own_process ? "ended its process (status 0)" : "ended the program";
+        GetParam() == HostProcess::separate_process ? "ended its process (status 0)" : "ended the program";
     for (const std::string name : {"ends_program", "ends_in_create"}) {
-        EXPECT_EQ(why_not(name),
+        EXPECT_EQ(load_error(name),
                   fmt::format("the controller module {}.so {} while it was loaded", name, ended));
     }
 }
@@ -70,7 +70,7 @@ TEST_P(Loading, CrashWhileLoadingIsASentence) {
 TEST_P(Loading, NoAnswerWhileLoadingIsASentence) {
     for (const char* const name : {"hangs_on_load", "hangs_in_create"}) {
         EXPECT_EQ(
-            why_not(name, {.answer_ms = 200}),
+            load_error(name, {.response_timeout_ms = 200}),
             fmt::format("the controller module {}.so gave no answer within 0.2 s while it was loaded", name));
     }
 }

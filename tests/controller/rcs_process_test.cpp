@@ -25,7 +25,7 @@ namespace {
 
 using tests::soon;
 
-constexpr RcsProcessLimits kSmall{.answer_ms = 500, .memory_bytes = 256U << 20U};
+constexpr RcsProcessLimits kSmall{.response_timeout_ms = 500, .memory_bytes = 256U << 20U};
 constexpr int kStepsBefore = 50;  // of hostile_module.c
 constexpr int kCapacity = 8;      // of small_module.c
 
@@ -42,11 +42,11 @@ std::string own_path(const std::string& name) {
 }
 
 RcsModule begin(const std::string& name, RcsProcessLimits limits = kSmall) {
-    return begin_rcs_process(tests::program_path("gsim-rcs-host"), own_path(name), slides(), limits).value();
+    return start_rcs_process(tests::program_path("gsim-rcs-host"), own_path(name), slides(), limits).value();
 }
 
 /// Returns the processes that were started for a module, with those that it has started itself.
-std::vector<pid_t> processes_of(const std::string& name) {
+std::vector<pid_t> bound_processes(const std::string& name) {
     std::vector<pid_t> found;
     for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
         const std::string number = entry.path().filename().string();
@@ -77,7 +77,7 @@ void ask_for_a_way(RcsShell& shell) {
 
 struct Misdeed {
     const char* module;
-    const char* sentence;  // after the name of the module
+    const char* message;  // after the name of the module
 };
 
 /// Files for the modules' processes, removed at the end.
@@ -100,19 +100,19 @@ TEST_P(Misdeeds, IsAFaultThatNamesTheService) {
         ask_for_a_way(shell);
         Status status = Status::RRS_SUCCESS;
         int steps = 0;
-        for (JointPos joints; !is_refused(status); ++steps) {
+        for (JointPos joints; !is_error_status(status); ++steps) {
             CartPos pose;
             double elapsed_s = 0;
             status = shell.GetNextStep(joints, pose, elapsed_s);
         }
         EXPECT_EQ(status, Status::RRS_MODULE_FAULT);
         EXPECT_LE(steps, kStepsBefore + 2);
-        ASSERT_TRUE(shell.fault());
-        EXPECT_EQ(*shell.fault(),
-                  fmt::format("The controller module {}.so {}.", GetParam().module, GetParam().sentence));
+        ASSERT_TRUE(shell.error());
+        EXPECT_EQ(*shell.error(),
+                  fmt::format("The controller module {}.so {}.", GetParam().module, GetParam().message));
         EXPECT_EQ(shell.Initialize(), Status::RRS_MODULE_FAULT) << "for good";
     }
-    EXPECT_TRUE(soon([] { return processes_of(GetParam().module).empty(); }));
+    EXPECT_TRUE(soon([] { return bound_processes(GetParam().module).empty(); }));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -137,8 +137,8 @@ struct Found {
     std::string loss;
 };
 
-Found step_ahead(RcsModule& module, RcsAhead ahead, bool asks_targets) {
-    module.announce(ahead, asks_targets);
+Found step_ahead(RcsModule& module, RcsPrefetch prefetch, bool queries_targets) {
+    module.announce(prefetch, queries_targets);
     Found found;
     for (;;) {
         gsim_rcs_step step{};
@@ -146,11 +146,11 @@ Found step_ahead(RcsModule& module, RcsAhead ahead, bool asks_targets) {
         if (status == GSIM_RCS_FAULT || status == GSIM_RCS_NEED_MORE_DATA) break;
         ++found.steps;
         gsim_rcs_target_id target{};
-        if (asks_targets &&
+        if (queries_targets &&
             module.call(GSIM_RCS_GET_TARGET_OF_LAST_STEP, nullptr, &target) != GSIM_RCS_SUCCESS)
             break;
-        if (asks_targets) ++found.targets;
-        if (ahead == RcsAhead::to_target && status == GSIM_RCS_TARGET_REACHED) break;
+        if (queries_targets) ++found.targets;
+        if (prefetch == RcsPrefetch::to_target && status == GSIM_RCS_TARGET_REACHED) break;
     }
     found.loss = module.loss().value_or("");
     return found;
@@ -172,7 +172,7 @@ TEST(RcsProcess, StepsThatWereMadeBeforeACrashAreHad) {
     RcsModule module = begin("crashes");
     make_ready(module);
     queue(module, 10);
-    const Found found = step_ahead(module, RcsAhead::to_end, false);
+    const Found found = step_ahead(module, RcsPrefetch::to_end, false);
     EXPECT_EQ(found.steps, kStepsBefore);
     EXPECT_EQ(found.loss, "crashed in GetNextStep (signal 11)");
 }
@@ -181,7 +181,7 @@ TEST(RcsProcess, SoAreTargetsAndTheCrashIsThatOfTheServiceThatTellsThem) {
     RcsModule module = begin("crashes_where_targets_are_told");
     make_ready(module);
     queue(module, 10);
-    const Found found = step_ahead(module, RcsAhead::to_end, true);
+    const Found found = step_ahead(module, RcsPrefetch::to_end, true);
     EXPECT_EQ(found.steps, kStepsBefore + 1);
     EXPECT_EQ(found.targets, kStepsBefore);
     EXPECT_EQ(found.loss, "crashed in GetTargetOfLastStep (signal 11)");
@@ -193,11 +193,11 @@ TEST(RcsProcess, ATargetThatFoundTheQueueFullIsPutBehindTheStepsThatMakeRoom) {
         RcsModule module = begin(name);
         make_ready(module);
         for (int i = 1; i <= kCapacity; ++i) ASSERT_EQ(queue(module, 0.045 * i), GSIM_RCS_SUCCESS);
-        module.announce(RcsAhead::if_full, false);
+        module.announce(RcsPrefetch::if_full, false);
         EXPECT_EQ(queue(module, 1), GSIM_RCS_QUEUE_FULL);
-        const Found found = step_ahead(module, RcsAhead::to_target, false);
+        const Found found = step_ahead(module, RcsPrefetch::to_target, false);
         EXPECT_EQ(found.steps, 5) << "0.045 mm at 1 mm/s in steps of 0.01 s";
-        module.announce(RcsAhead::if_full, false);
+        module.announce(RcsPrefetch::if_full, false);
         const bool crashes = std::string(name) == "crashes_in_second_try";
         EXPECT_EQ(queue(module, 1), crashes ? GSIM_RCS_FAULT : GSIM_RCS_SUCCESS);
         EXPECT_EQ(module.loss().value_or(""), crashes ? "crashed in SetNextTarget (signal 11)" : "");
@@ -206,12 +206,12 @@ TEST(RcsProcess, ATargetThatFoundTheQueueFullIsPutBehindTheStepsThatMakeRoom) {
 
 /// Shared memory is not trusted: for any content read there, the caller survives.
 TEST(RcsProcess, AModuleThatOverwritesWhatIsSharedHurtsItselfAlone) {
-    for (const RcsAhead ahead :
-         {RcsAhead::nothing, RcsAhead::to_target, RcsAhead::to_end, RcsAhead::if_full}) {
+    for (const RcsPrefetch prefetch :
+         {RcsPrefetch::unknown, RcsPrefetch::to_target, RcsPrefetch::to_end, RcsPrefetch::if_full}) {
         RcsModule module = begin("fills_shared_memory");
         make_ready(module);
         queue(module, 1);
-        const Found found = step_ahead(module, ahead, false);
+        const Found found = step_ahead(module, prefetch, false);
         EXPECT_GT(found.steps, 0);
         static_cast<void>(queue(module, 2));
     }
@@ -223,16 +223,16 @@ TEST(RcsProcess, WhatHappensInDestroyIsNoMatterOfTheRun) {
             RcsModule module = begin(name);
             make_ready(module);
             queue(module, 1);
-            EXPECT_EQ(step_ahead(module, RcsAhead::to_end, false).loss, "");
+            EXPECT_EQ(step_ahead(module, RcsPrefetch::to_end, false).loss, "");
         }
-        EXPECT_TRUE(processes_of(name).empty()) << name;
+        EXPECT_TRUE(bound_processes(name).empty()) << name;
     }
 }
 
 TEST(RcsProcess, OneThatIsKilledFromOutsideIsAFault) {
     RcsModule module = begin("small_module");
     make_ready(module);
-    const std::vector<pid_t> processes = processes_of("small_module");
+    const std::vector<pid_t> processes = bound_processes("small_module");
     ASSERT_EQ(processes.size(), 1U);
     ::kill(processes.front(), SIGKILL);
     siginfo_t ended{};
@@ -247,8 +247,8 @@ TEST(RcsProcess, TwoAtOnceKnowNothingOfEachOther) {
         make_ready(*module);
         queue(*module, 1);
     }
-    EXPECT_EQ(step_ahead(one, RcsAhead::to_end, false).steps, kStepsBefore);
-    const Found found = step_ahead(other, RcsAhead::to_end, false);
+    EXPECT_EQ(step_ahead(one, RcsPrefetch::to_end, false).steps, kStepsBefore);
+    const Found found = step_ahead(other, RcsPrefetch::to_end, false);
     EXPECT_EQ(found.steps, 100) << "1 mm at 1 mm/s in steps of 0.01 s";
     EXPECT_EQ(found.loss, "");
 }
@@ -259,25 +259,25 @@ TEST(RcsProcess, EndsWithItsCallerHoweverThatEnds) {
     for (const std::string name : {"hangs", "blocks_signals", "small_module"}) {
         const pid_t caller = ::fork();
         if (caller == 0) {
-            RcsModule module = begin(name, {.answer_ms = 600'000});
+            RcsModule module = begin(name, {.response_timeout_ms = 600'000});
             make_ready(module);
             queue(module, 10);
-            step_ahead(module, RcsAhead::to_end, false);
+            step_ahead(module, RcsPrefetch::to_end, false);
             for (;;) ::pause();
         }
-        EXPECT_TRUE(soon([&] { return !processes_of(name).empty(); })) << name;
+        EXPECT_TRUE(soon([&] { return !bound_processes(name).empty(); })) << name;
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
         ::kill(caller, SIGKILL);
         ::waitpid(caller, nullptr, 0);
-        EXPECT_TRUE(soon([&] { return processes_of(name).empty(); })) << name;
+        EXPECT_TRUE(soon([&] { return bound_processes(name).empty(); })) << name;
     }
 }
 
 TEST(RcsProcess, AProgramThatIsNotThereOrNoHostIsASentence) {
-    const auto none = begin_rcs_process("/there/is/none", module_path("small_module"), slides());
+    const auto none = start_rcs_process("/there/is/none", module_path("small_module"), slides());
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error(), "cannot run /there/is/none: No such file or directory");
-    const auto other = begin_rcs_process("/bin/true", module_path("small_module"), slides());
+    const auto other = start_rcs_process("/bin/true", module_path("small_module"), slides());
     ASSERT_FALSE(other);
     EXPECT_EQ(other.error(),
               "the controller module small_module.so ended its process (status 0) while it was loaded");

@@ -9,7 +9,7 @@
 namespace gsim::rrs::rcs_shell_test {
 namespace {
 
-RcsShell ready(Place place, const std::string& name) {
+RcsShell ready(HostProcess place, const std::string& name) {
     RcsShell shell(module_at(place, name).value(), 3);
     shell.Initialize();
     return shell;
@@ -39,7 +39,7 @@ std::string message(RcsShell& shell) {
 }
 
 /// Wherever the module runs, it is the same.
-class Modules : public testing::TestWithParam<Place> {
+class Modules : public testing::TestWithParam<HostProcess> {
   protected:
     static RcsShell ready(const std::string& name) { return rcs_shell_test::ready(GetParam(), name); }
 };
@@ -62,7 +62,7 @@ TEST_P(Modules, ModuleMovesAsItIsAskedTo) {
     EXPECT_EQ(step.joints, at(1, 6, 6));
     EXPECT_NEAR(step.elapsed_s, 0.01, 1e-12);
     EXPECT_EQ(next(shell).status, Status::RRS_NEED_MORE_DATA);
-    EXPECT_FALSE(shell.fault());
+    EXPECT_FALSE(shell.error());
 }
 
 TEST_P(Modules, MissingServiceIsNamedAndIsNoFault) {
@@ -72,7 +72,7 @@ TEST_P(Modules, MissingServiceIsNamedAndIsNoFault) {
     EXPECT_EQ(shell.SetNextTarget(1, TargetParam::end, CartPos::Identity(), at(0, 0, 0), "", 0),
               Status::RRS_ZERO_SPEED);
     EXPECT_EQ(message(shell), "No speed is programmed.");
-    EXPECT_FALSE(shell.fault());
+    EXPECT_FALSE(shell.error());
 }
 
 /// A module that was compiled before a service got its opcode does not know it.
@@ -83,7 +83,7 @@ TEST_P(Modules, OpcodesOfLaterHeadersAreMissingServices) {
     EXPECT_EQ(shell.SetJointRampLimits(RampLimit::jerk, {}, {&value, 1}), Status::RRS_SERVICE_NOT_SUPPORTED);
     EXPECT_EQ(shell.DefinePathEvent(1, 1, -5), Status::RRS_SERVICE_NOT_SUPPORTED);
     EXPECT_EQ(message(shell), "small_module.so does not offer the service DefinePathEvent.");
-    EXPECT_FALSE(shell.fault());
+    EXPECT_FALSE(shell.error());
 }
 
 TEST_P(Modules, WhatDoesNotFitTheInterfaceDoesNotReachTheModule) {
@@ -97,10 +97,10 @@ TEST_P(Modules, WhatDoesNotFitTheInterfaceDoesNotReachTheModule) {
 
 struct BadAnswer {
     const char* module;
-    const char* sentence;  // after the name of the module
+    const char* expected_text;  // after the name of the module
 };
 
-class RcsShellFaults : public testing::TestWithParam<std::tuple<BadAnswer, Place>> {};
+class RcsShellFaults : public testing::TestWithParam<std::tuple<BadAnswer, HostProcess>> {};
 
 TEST_P(RcsShellFaults, BadAnswerToAStepIsAFaultForGood) {
     const auto& [bad, place] = GetParam();
@@ -108,11 +108,12 @@ TEST_P(RcsShellFaults, BadAnswerToAStepIsAFaultForGood) {
     shell.SetCartesianPositionSpeed(100);
     shell.SetNextTarget(1, TargetParam::end, CartPos::Identity(), at(5, 0, 0), "", 0);
     EXPECT_EQ(next(shell).status, Status::RRS_MODULE_FAULT);
-    const std::string sentence = fmt::format("The controller module {}.so {}", bad.module, bad.sentence);
-    EXPECT_THAT(message(shell), testing::StartsWith(sentence));
+    const std::string expected_text =
+        fmt::format("The controller module {}.so {}", bad.module, bad.expected_text);
+    EXPECT_THAT(message(shell), testing::StartsWith(expected_text));
     EXPECT_EQ(shell.SetCartesianPositionSpeed(1), Status::RRS_MODULE_FAULT);
     EXPECT_EQ(shell.Initialize(), Status::RRS_MODULE_FAULT);
-    EXPECT_THAT(*shell.fault(), testing::StartsWith(sentence));
+    EXPECT_THAT(*shell.error(), testing::StartsWith(expected_text));
 }
 
 INSTANTIATE_TEST_SUITE_P(

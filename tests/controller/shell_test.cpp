@@ -16,11 +16,11 @@ namespace {
 // A controller that offers no service, but records the requested one.
 class BareShell : public Shell {
   public:
-    std::string asked;
+    std::string requested;
 
   protected:
     Status not_supported(std::string_view service) override {
-        asked = service;
+        requested = service;
         return Shell::not_supported(service);
     }
 };
@@ -40,9 +40,9 @@ Status call_with_any(Shell& shell, Status (Shell::*method)(Parameters...)) {
 
 TEST(Shell, EveryServiceWithoutAnImplementationSaysSoByItsName) {
     BareShell shell;
-#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments)       \
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, statuses, parameters, arguments)      \
     EXPECT_EQ(call_with_any(shell, &Shell::method), Status::RRS_SERVICE_NOT_SUPPORTED) << #method; \
-    EXPECT_EQ(shell.asked, #method);
+    EXPECT_EQ(shell.requested, #method);
 #include "controller/module/rcs_services.def"
 }
 

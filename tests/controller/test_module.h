@@ -28,23 +28,23 @@ inline gsim_rcs_machine slides() {
 }
 
 /// Process in which a module of a test runs.
-enum class Place { this_process, own_process };
+enum class HostProcess { this_process, separate_process };
 
-inline std::string place_name(const testing::TestParamInfo<Place>& info) {
-    return info.param == Place::own_process ? "own_process" : "this_process";
+inline std::string place_name(const testing::TestParamInfo<HostProcess>& info) {
+    return info.param == HostProcess::separate_process ? "own_process" : "this_process";
 }
 
 inline auto both_places() {
-    return testing::Values(Place::this_process, Place::own_process);
+    return testing::Values(HostProcess::this_process, HostProcess::separate_process);
 }
 
 /// Returns the module; the error is the reason why it cannot be used.
-inline tl::expected<RcsModule, std::string> module_at(Place place, const std::string& name,
+inline tl::expected<RcsModule, std::string> module_at(HostProcess place, const std::string& name,
                                                       RcsProcessLimits limits = {}) {
     const gsim_rcs_machine machine = slides();
-    if (place == Place::own_process)
-        return begin_rcs_process(tests::program_path("gsim-rcs-host"), module_path(name), machine, limits);
-    auto library = RcsLibrary::load(module_path(name), machine, limits.answer_ms);
+    if (place == HostProcess::separate_process)
+        return start_rcs_process(tests::program_path("gsim-rcs-host"), module_path(name), machine, limits);
+    auto library = RcsLibrary::load(module_path(name), machine, limits.response_timeout_ms);
     if (!library) return tl::unexpected(library.error());
     return RcsModule::create(*library, machine);
 }

@@ -73,7 +73,7 @@ Lines& lines() {
 }
 
 /// Hook that the program requested; it has one.
-lua_Hook asked = nullptr;
+lua_Hook requested = nullptr;
 
 using SetHook = void (*)(lua_State*, lua_Hook, int, int);
 using GetMask = int (*)(lua_State*);
@@ -91,12 +91,12 @@ bool is_counted(lua_State* state, lua_Debug* event) {
 }
 
 void count_only(lua_State* state, lua_Debug* event) {
-    if (!is_counted(state, event)) asked(state, event);
+    if (!is_counted(state, event)) requested(state, event);
 }
 
 void count_and_hand_on(lua_State* state, lua_Debug* event) {
     is_counted(state, event);
-    asked(state, event);
+    requested(state, event);
 }
 
 }  // namespace
@@ -105,7 +105,7 @@ extern "C" [[gnu::visibility("default")]] void lua_sethook(lua_State* state, lua
                                                            int count) {
     static const auto set = next_one<SetHook>("lua_sethook");
     if (hook == nullptr) return set(state, hook, mask, count);
-    asked = hook;
+    requested = hook;
     set(state, (mask & LUA_MASKLINE) != 0 ? count_and_hand_on : count_only, mask | LUA_MASKLINE, count);
 }
 

@@ -15,11 +15,11 @@ def counted(name, lines, run, branches, taken):
 
 
 class Table(unittest.TestCase):
-    def test_rooms_add_up_their_files_and_runtime_has_several(self):
+    def test_modules_add_up_their_files_and_runtime_has_several(self):
         files = [counted("base/text/a.cpp", 10, 9, 4, 1), counted("base/text/b.cpp", 30, 30, 0, 0), counted("collision/a.cpp", 5, 0, 2, 0),
                  counted("motion/linuxcnc/a.cpp", 7, 7, 2, 2), counted("codegen/lua/a.cpp", 3, 3, 0, 0)]
         self.assertEqual({"base/text": [40, 39, 4, 1], "collision": [5, 0, 2, 0], "motion/linuxcnc": [7, 7, 2, 2], "codegen": [3, 3, 0, 0]},
-                         dict(coverage_table.rooms_of({"files": files})))
+                         dict(coverage_table.modules_of({"files": files})))
 
     def test_a_row_has_percentages_to_a_tenth(self):
         self.assertEqual("| os | 40 | 39 | 97.5 | 4 | 1 | 25.0 |", coverage_table.row("os", [40, 39, 4, 1]))

@@ -27,16 +27,16 @@ class CInterface : public testing::Test {
         EXPECT_EQ(gsim_request_set_program(request_, text.data(), text.size(), "part.nc"), GSIM_OK);
     }
     std::int32_t open() {
-        run_ = gsim_run_open(request_, tell, &told_);
+        run_ = gsim_run_open(request_, on_diagnostic, &diagnostics_);
         return gsim_run_status(run_);
     }
-    static void tell(void* user, const gsim_diagnostic* told) {
-        static_cast<std::vector<std::string>*>(user)->push_back(told->text);
+    static void on_diagnostic(void* user, const gsim_diagnostic* reported) {
+        static_cast<std::vector<std::string>*>(user)->push_back(reported->text);
     }
 
     gsim_request* request_ = gsim_request_create();
     gsim_run* run_ = nullptr;
-    std::vector<std::string> told_;
+    std::vector<std::string> diagnostics_;
 };
 
 template <typename Row>
@@ -91,8 +91,8 @@ TEST_F(CInterface, SegmentsTellTheirMotionInTheCall) {
 TEST_F(CInterface, AProgramWithErrorsIsRefusedWithItsReport) {
     set_program("G1 X\nG0 Y\n");
     EXPECT_EQ(open(), GSIM_REFUSED);
-    EXPECT_EQ(told_.size(), 2U);
-    EXPECT_THAT(gsim_run_report_json(run_), HasSubstr(told_.back()));
+    EXPECT_EQ(diagnostics_.size(), 2U);
+    EXPECT_THAT(gsim_run_report_json(run_), HasSubstr(diagnostics_.back()));
     EXPECT_EQ(gsim_run_go(run_), GSIM_FAILED);
 }
 
@@ -148,11 +148,11 @@ TEST_F(CInterface, TranslatesToLua) {
         static_cast<std::string*>(user)->append(text, size);
         return std::int32_t{1};
     };
-    ASSERT_EQ(gsim_translate(request_, tell, &told_, take, &lua), GSIM_OK);
+    ASSERT_EQ(gsim_translate(request_, on_diagnostic, &diagnostics_, take, &lua), GSIM_OK);
     EXPECT_THAT(lua, HasSubstr("G1{x=200"));
     set_program("G1 X\n");
-    EXPECT_EQ(gsim_translate(request_, tell, &told_, take, &lua), GSIM_REFUSED);
-    EXPECT_EQ(told_.size(), 1U);
+    EXPECT_EQ(gsim_translate(request_, on_diagnostic, &diagnostics_, take, &lua), GSIM_REFUSED);
+    EXPECT_EQ(diagnostics_.size(), 1U);
     EXPECT_EQ(gsim_api_version(), GSIM_API_VERSION);
 }
 

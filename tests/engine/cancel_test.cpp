@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/run.h"
-#include "tests/engine/given.h"
+#include "tests/engine/memory_files.h"
 
 namespace gsim::engine::cancel_test {
 namespace {
@@ -15,7 +15,7 @@ using testing::HasSubstr;
 
 TEST(Cancel, EndsARunFromAnotherThread) {
     Request request =
-        request_of("part.lua", {{"part.lua", "require 'gsim'\nwhile true do G4{p=0.001} end\n"}});
+        make_request("part.lua", {{"part.lua", "require 'gsim'\nwhile true do G4{p=0.001} end\n"}});
     request.limits.machine_s = 1e12;
     request.limits.blocks = 1'000'000'000'000;
     engine::Run run = engine::Run::open(request).value();
@@ -28,11 +28,12 @@ TEST(Cancel, EndsARunFromAnotherThread) {
     other.join();
     EXPECT_EQ(report.status, RunStatus::stopped);
     EXPECT_THAT(report.alarm->message, HasSubstr("cancelled"));
-    EXPECT_EQ(report.alarm->place.line, 2U);
+    EXPECT_EQ(report.alarm->location.line, 2U);
 }
 
 TEST(Cancel, EndsALoopThatMovesNothing) {
-    Request request = request_of("part.lua", {{"part.lua", "require 'gsim'\nG0{x=5}\nwhile true do end\n"}});
+    Request request =
+        make_request("part.lua", {{"part.lua", "require 'gsim'\nG0{x=5}\nwhile true do end\n"}});
     request.limits.steps = 1'000'000'000'000;
     engine::Run run = engine::Run::open(request).value();
     ASSERT_TRUE(run.prepare());
@@ -45,21 +46,21 @@ TEST(Cancel, EndsALoopThatMovesNothing) {
 }
 
 TEST(Cancel, EndsATranslation) {
-    Request request = request_of("part.nc", {{"part.nc", std::string(1 << 20, '\n') + "G0 X1\nM2\n"}});
+    Request request = make_request("part.nc", {{"part.nc", std::string(1 << 20, '\n') + "G0 X1\nM2\n"}});
     request.cancel.now();
     engine::Run run = engine::Run::open(request).value();
-    const auto refused = run.prepare();
-    ASSERT_FALSE(refused);
-    EXPECT_THAT(run.report_of(refused.error()).alarm->message, HasSubstr("cancelled"));
+    const auto rejected = run.prepare();
+    ASSERT_FALSE(rejected);
+    EXPECT_THAT(run.make_report(rejected.error()).alarm->message, HasSubstr("cancelled"));
 }
 
 TEST(Cancel, EndsARunFromItsOwnMoves) {
     std::string program = "F6000\n";
     for (int i = 0; i < 5000; ++i) program += i % 2 == 0 ? "G1 X10\n" : "G1 X0\n";
-    Request request = request_of("part.nc", {{"part.nc", program}});
+    Request request = make_request("part.nc", {{"part.nc", program}});
     engine::Run run = engine::Run::open(request).value();
     ASSERT_TRUE(run.prepare());
-    run.take_moves([&](std::span<const Move>) { request.cancel.now(); });
+    run.on_moves([&](std::span<const Move>) { request.cancel.now(); });
     const Report report = run.go().value();
     EXPECT_EQ(report.status, RunStatus::stopped);
     EXPECT_LT(report.moves, 5000U);

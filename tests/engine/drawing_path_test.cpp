@@ -5,7 +5,7 @@
 
 #include "base/text/json.h"
 #include "engine/path_translation.h"
-#include "tests/engine/given.h"
+#include "tests/engine/memory_files.h"
 
 namespace gsim::engine::drawing_path_test {
 namespace {
@@ -40,7 +40,7 @@ DrawingRequest request_of_material(std::map<std::string, std::string> files) {
 }
 
 /// A square of 20 mm, 8 mm thick, whatever file is asked for.
-tl::expected<Plate, std::string> square_plate(const std::string&, const PlateChoice&) {
+tl::expected<Plate, std::string> square_plate(const std::string&, const PlateReadOptions&) {
     Plate plate{.sources = {{.kind = "edge"}}, .thickness_mm = 8};
     Plate::Outline outline{.closed = true};
     for (const auto& [x, y] : {std::pair{0.0, 0.0}, {20.0, 0.0}, {20.0, 20.0}, {0.0, 20.0}})
@@ -49,21 +49,21 @@ tl::expected<Plate, std::string> square_plate(const std::string&, const PlateCho
     return plate;
 }
 
-tl::expected<DrawingPath, Failure> made(DrawingRequest request, const Tell& tell = {}) {
+tl::expected<DrawingPath, Error> result(DrawingRequest request, const DiagnosticHandler& on_diagnostic = {}) {
     return DrawingPath::open(std::move(request))
-        .and_then([&](DrawingPath path) -> tl::expected<DrawingPath, Failure> {
+        .and_then([&](DrawingPath path) -> tl::expected<DrawingPath, Error> {
             if (auto read = path.read(); !read) return tl::unexpected(read.error());
-            if (auto done = path.make(tell); !done) return tl::unexpected(done.error());
+            if (auto done = path.make(on_diagnostic); !done) return tl::unexpected(done.error());
             return path;
         });
 }
 
-std::string refusal(DrawingRequest request) {
-    const auto path = made(std::move(request));
+std::string rejection(DrawingRequest request) {
+    const auto path = result(std::move(request));
     return path ? "a path" : path.error().code + ": " + path.error().message;
 }
 
-std::string text_of(const DrawingPath& path) {
+std::string path_text(const DrawingPath& path) {
     std::string text;
     path.write([&](std::string_view part) {
         text += part;
@@ -73,22 +73,22 @@ std::string text_of(const DrawingPath& path) {
 }
 
 TEST(DrawingPath, ADrawingFromMemoryBecomesAPathWithItsFigures) {
-    const auto path = made(request_of_drawing("part.svg", {{"part.svg", kPart}}));
+    const auto path = result(request_of_drawing("part.svg", {{"part.svg", kPart}}));
     ASSERT_TRUE(path) << path.error().message;
-    EXPECT_EQ(path->figures().outlines, 2U);
-    EXPECT_EQ(path->figures().pierces, 2U);
-    EXPECT_GT(path->figures().cut_mm, 160 + 31);
+    EXPECT_EQ(path->metrics().outlines, 2U);
+    EXPECT_EQ(path->metrics().pierces, 2U);
+    EXPECT_GT(path->metrics().cut_mm, 160 + 31);
     EXPECT_THAT(path->summary(), StartsWith("2 contours, 2 pierces, "));
     EXPECT_FALSE(path->is_solid());
     EXPECT_FALSE(path->job());
     EXPECT_EQ(path->job_report(), "");
-    EXPECT_EQ(text::parse_json<json>(text_of(*path))["name"], "part");
+    EXPECT_EQ(text::parse_json<json>(path_text(*path))["name"], "part");
 }
 
 TEST(DrawingPath, ItsPathGoesOnToAProgram) {
     DrawingRequest drawing = request_of_drawing("part.svg", {{"part.svg", kPart}});
     drawing.ways.origin_mm = {500, 500, 100};
-    const std::string path = text_of(made(drawing).value());
+    const std::string path = path_text(result(drawing).value());
     PathRequest request;
     request.path = "part.path.json";
     request.post = "ab9";
@@ -100,10 +100,10 @@ TEST(DrawingPath, ItsPathGoesOnToAProgram) {
 }
 
 TEST(DrawingPath, ASinkThatWantsNoMoreGetsNoMore) {
-    const auto path = made(request_of_drawing("part.svg", {{"part.svg", kPart}})).value();
-    int pieces = 0;
-    path.write([&](std::string_view) { return ++pieces < 1; });
-    EXPECT_EQ(pieces, 1);
+    const auto path = result(request_of_drawing("part.svg", {{"part.svg", kPart}})).value();
+    int chunk_count = 0;
+    path.write([&](std::string_view) { return ++chunk_count < 1; });
+    EXPECT_EQ(chunk_count, 1);
 }
 
 TEST(DrawingPath, AUnitCountsInPlaceOfTheDrawings) {
@@ -112,20 +112,20 @@ TEST(DrawingPath, AUnitCountsInPlaceOfTheDrawings) {
     DrawingRequest request = request_of_drawing("hole.dxf", {{"hole.dxf", dxf}});
     request.ways.lead_mm = 0.1;
     request.reading.unit_mm = 1;
-    const double in_mm = made(request).value().figures().cut_mm;
+    const double in_mm = result(request).value().metrics().cut_mm;
     request.reading.unit_mm = kInch_mm;
-    EXPECT_GT(made(request).value().figures().cut_mm, 10 * in_mm);
+    EXPECT_GT(result(request).value().metrics().cut_mm, 10 * in_mm);
 }
 
 TEST(DrawingPath, AMaterialGivesFiguresAndPrice) {
-    const auto path = made(request_of_material({{"part.svg", kPart}}));
+    const auto path = result(request_of_material({{"part.svg", kPart}}));
     ASSERT_TRUE(path) << path.error().message;
     const auto job = path->job();
     ASSERT_TRUE(job);
     EXPECT_EQ(job->thickness_mm, 12);
     EXPECT_GT(job->speed_mm_min, 0);
     EXPECT_GT(job->price, 0);
-    EXPECT_NEAR(job->jet_s, path->figures().cut_s + 2 * job->pierce_s, 1e-9);
+    EXPECT_NEAR(job->jet_s, path->metrics().cut_s + 2 * job->pierce_s, 1e-9);
     EXPECT_THAT(path->job_report(), StartsWith("Cutting aluminum, 12 mm\n"));
 }
 
@@ -142,26 +142,26 @@ TEST(DrawingPath, MaterialsComeFromTheSameFiles) {
 TEST(DrawingPath, WhatDoesNotGoTogetherIsRefused) {
     DrawingRequest request = request_of_drawing("part.svg", {{"part.svg", kPart}});
     request.cutting.kerf_mm.reset();
-    EXPECT_EQ(refusal(request), "usage: give --material and --thickness, or --speed and --kerf");
+    EXPECT_EQ(rejection(request), "usage: give --material and --thickness, or --speed and --kerf");
     request = request_of_drawing("part.svg", {{"part.svg", kPart}});
     request.reading.flip = true;
-    EXPECT_EQ(refusal(request), "input-file: --up and --flip are for STEP and IGES files");
+    EXPECT_EQ(rejection(request), "input-file: --up and --flip are for STEP and IGES files");
     request = request_of_drawing("part.step", {});
     request.reading.layers = {"0"};
-    EXPECT_EQ(refusal(request),
+    EXPECT_EQ(rejection(request),
               "input-file: --unit and --layer are for drawings; a STEP or IGES file says its unit");
 }
 
 TEST(DrawingPath, ADrawingThatIsNotThereOrNoneIsToldByName) {
-    EXPECT_EQ(refusal(request_of_drawing("none.svg", {})),
+    EXPECT_EQ(rejection(request_of_drawing("none.svg", {})),
               "input-file: cannot read 'none.svg': there is no such file");
-    EXPECT_EQ(refusal(request_of_drawing("part.txt", {{"part.txt", ""}})),
+    EXPECT_EQ(rejection(request_of_drawing("part.txt", {{"part.txt", ""}})),
               "input-file: 'part.txt' is neither a .dxf nor an .svg file");
 }
 
 TEST(DrawingPath, AMistakeOfTheDrawingIsInTheProgram) {
     const auto path =
-        made(request_of_drawing("part.svg", {{"part.svg", svg("<path id='p' d='M0 0L10 10L10 0'/>")}}));
+        result(request_of_drawing("part.svg", {{"part.svg", svg("<path id='p' d='M0 0L10 10L10 0'/>")}}));
     ASSERT_FALSE(path);
     EXPECT_TRUE(path.error().in_program);
     EXPECT_EQ(path.error().code, "path");
@@ -171,7 +171,7 @@ TEST(DrawingPath, AMistakeOfTheDrawingIsInTheProgram) {
 }
 
 TEST(DrawingPath, WithoutAReaderOfSolidsTheyAreRefusedByName) {
-    EXPECT_EQ(refusal(request_of_drawing("part.step", {})),
+    EXPECT_EQ(rejection(request_of_drawing("part.step", {})),
               "input-file: part.step: STEP and IGES files are not read here; DXF and SVG files are");
 }
 
@@ -179,50 +179,51 @@ TEST(DrawingPath, AFlatPartComesFromTheHostWithItsThickness) {
     DrawingRequest request = request_of_drawing("part.step", {});
     request.host.read_plate = square_plate;
     request.cutting = {.material = "aluminum"};
-    const auto path = made(request);
+    const auto path = result(request);
     ASSERT_TRUE(path) << path.error().message;
     EXPECT_TRUE(path->is_solid());
     EXPECT_EQ(path->job()->thickness_mm, 8);
-    EXPECT_EQ(path->figures().outlines, 1U);
+    EXPECT_EQ(path->metrics().outlines, 1U);
 }
 
 TEST(DrawingPath, AnotherThicknessThanTheFlatPartsIsTold) {
     DrawingRequest request = request_of_drawing("part.step", {});
     request.host.read_plate = square_plate;
     request.cutting = {.material = "aluminum", .thickness_mm = 10};
-    std::vector<std::string> told;
-    ASSERT_TRUE(made(request, [&](const Diagnostic& note) { told.push_back(note.file + ": " + note.text); }));
-    ASSERT_FALSE(told.empty());
-    EXPECT_EQ(told.front(), "part.step: the solid is 8 mm thick; --thickness says 10 mm");
+    std::vector<std::string> reported;
+    ASSERT_TRUE(
+        result(request, [&](const Diagnostic& note) { reported.push_back(note.file + ": " + note.text); }));
+    ASSERT_FALSE(reported.empty());
+    EXPECT_EQ(reported.front(), "part.step: the solid is 8 mm thick; --thickness says 10 mm");
 }
 
 TEST(DrawingPath, TheHostIsToldHowThePartIsLookedAt) {
-    PlateChoice asked;
+    PlateReadOptions requested;
     DrawingRequest request = request_of_drawing("part.iges", {});
-    request.host.read_plate = [&](const std::string& file, const PlateChoice& choice) {
-        asked = choice;
-        return square_plate(file, choice);
+    request.host.read_plate = [&](const std::string& file, const PlateReadOptions& options) {
+        requested = options;
+        return square_plate(file, options);
     };
     request.reading.up = "-z";
     request.reading.flip = true;
     request.reading.curve_tolerance_mm = 0.125;
-    ASSERT_TRUE(made(request));
-    EXPECT_EQ(asked.up, "-z");
-    EXPECT_TRUE(asked.flip);
-    EXPECT_EQ(asked.tolerance_mm, 0.125);
+    ASSERT_TRUE(result(request));
+    EXPECT_EQ(requested.up, "-z");
+    EXPECT_TRUE(requested.flip);
+    EXPECT_EQ(requested.tolerance_mm, 0.125);
 }
 
 // A square hole of 20 mm in the face z = 0, with upright walls.
-tl::expected<Contours, std::string> square_hole(const std::string&, const ContourChoice&) {
-    using Triple = Contours::Triple;
-    const std::array<Triple, 4> corners{{{0, 0, 0}, {0, 20, 0}, {20, 20, 0}, {20, 0, 0}}};
-    const std::array<Triple, 4> tangents{{{0, 1, 0}, {1, 0, 0}, {0, -1, 0}, {-1, 0, 0}}};
-    const std::array<Triple, 4> wastes{{{1, 0, 0}, {0, -1, 0}, {-1, 0, 0}, {0, 1, 0}}};
+tl::expected<Contours, std::string> square_hole(const std::string&, const ContourSelection&) {
+    using Vec3 = Contours::Vec3;
+    const std::array<Vec3, 4> corners{{{0, 0, 0}, {0, 20, 0}, {20, 20, 0}, {20, 0, 0}}};
+    const std::array<Vec3, 4> tangents{{{0, 1, 0}, {1, 0, 0}, {0, -1, 0}, {-1, 0, 0}}};
+    const std::array<Vec3, 4> wastes{{{1, 0, 0}, {0, -1, 0}, {-1, 0, 0}, {0, 1, 0}}};
     Contours::Contour hole{.face = "the plane face #1", .is_hole = true};
     for (std::size_t i = 0; i < 4; ++i) {
         Contours::Edge edge{.name = "edge #" + std::to_string(i + 2)};
-        const Triple& from = corners[i];
-        const Triple& to = corners[(i + 1) % 4];
+        const Vec3& from = corners[i];
+        const Vec3& to = corners[(i + 1) % 4];
         for (const double share : {0.0, 0.5, 1.0}) {
             edge.points.push_back(
                 {.position_mm = {from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1]), 0},
@@ -231,7 +232,7 @@ tl::expected<Contours, std::string> square_hole(const std::string&, const Contou
                  .wall_normal = wastes[i],
                  .along_wall = {0, 0, -1},
                  .depth_mm = 6,
-                 .far_normal = wastes[i]});
+                 .exit_normal = wastes[i]});
         }
         hole.edges.push_back(edge);
     }
@@ -243,27 +244,28 @@ DrawingRequest request_of_contours() {
     DrawingRequest request = request_of_drawing("part.step", {});
     request.host.read_contours = square_hole;
     request.cutting = {.speed_mm_min = 300, .kerf_mm = 1};
-    request.surface = SurfaceChoice{};
+    request.surface = SurfaceCuttingOptions{};
     return request;
 }
 
 TEST(DrawingPath, ContoursOfAPartThatIsNotFlatComeFromTheHost) {
-    std::vector<std::string> told;
-    const auto path = made(request_of_contours(), [&](const Diagnostic& note) { told.push_back(note.text); });
+    std::vector<std::string> reported;
+    const auto path =
+        result(request_of_contours(), [&](const Diagnostic& note) { reported.push_back(note.text); });
     ASSERT_TRUE(path) << path.error().message;
-    EXPECT_EQ(path->figures().pierces, 1U);
-    EXPECT_NEAR(path->figures().cut_mm, 4 * 19 + 2 * 3 * 1.5708, 0.01);  // and two leads of three kerfs
-    EXPECT_EQ(told, std::vector<std::string>{"half is left"});
+    EXPECT_EQ(path->metrics().pierces, 1U);
+    EXPECT_NEAR(path->metrics().cut_mm, 4 * 19 + 2 * 3 * 1.5708, 0.01);  // and two leads of three kerfs
+    EXPECT_EQ(reported, std::vector<std::string>{"half is left"});
 }
 
 TEST(DrawingPath, AChainOfEdgesStaysOpenAndKeepsOffTheOthersOfThePart) {
     DrawingRequest request = request_of_contours();
-    ContourChoice asked;
+    ContourSelection requested;
     request.surface->contours.kind = "edges";
     request.surface->contours.edges = {"#2"};
-    const auto one_side = [&](const std::string& file, const ContourChoice& choice) {
-        asked = choice;
-        Contours hole = square_hole(file, choice).value();
+    const auto one_side = [&](const std::string& file, const ContourSelection& options) {
+        requested = options;
+        Contours hole = square_hole(file, options).value();
         Contours::Contour& contour = hole.contours.front();
         for (std::size_t i = 1; i < 4; ++i) {
             Contours::PartEdge other{.name = contour.edges[i].name};
@@ -277,38 +279,38 @@ TEST(DrawingPath, AChainOfEdgesStaysOpenAndKeepsOffTheOthersOfThePart) {
         return hole;
     };
     request.host.read_contours = one_side;
-    EXPECT_THAT(refusal(request),
+    EXPECT_THAT(rejection(request),
                 HasSubstr("edge #2 cannot be cut: at (0, 0, 0) the jet would go 0.5 mm into edge #5"));
-    EXPECT_EQ(asked.edges, std::vector<std::string>{"#2"});
-    request.host.read_contours = [&](const std::string& file, const ContourChoice& choice) {
-        Contours alone = one_side(file, choice);
-        alone.other_edges.clear();
-        return tl::expected<Contours, std::string>(alone);
+    EXPECT_EQ(requested.edges, std::vector<std::string>{"#2"});
+    request.host.read_contours = [&](const std::string& file, const ContourSelection& options) {
+        Contours standalone = one_side(file, options);
+        standalone.other_edges.clear();
+        return tl::expected<Contours, std::string>(standalone);
     };
-    const auto path = made(request);
+    const auto path = result(request);
     ASSERT_TRUE(path) << path.error().message;
-    EXPECT_NEAR(path->figures().cut_mm, 20 + 2 * 3, 0.01);  // and three kerfs beyond each end
+    EXPECT_NEAR(path->metrics().cut_mm, 20 + 2 * 3, 0.01);  // and three kerfs beyond each end
 }
 
 TEST(DrawingPath, WhatIsForOtherPartsDoesNotGoWithContours) {
     DrawingRequest drawing = request_of_contours();
     drawing.drawing = "part.svg";
-    EXPECT_THAT(refusal(drawing), HasSubstr("--contours is for STEP and IGES files"));
+    EXPECT_THAT(rejection(drawing), HasSubstr("--contours is for STEP and IGES files"));
     DrawingRequest flipped = request_of_contours();
     flipped.reading.flip = true;
-    EXPECT_THAT(refusal(flipped), HasSubstr("--up and --flip are for flat parts"));
+    EXPECT_THAT(rejection(flipped), HasSubstr("--up and --flip are for flat parts"));
     DrawingRequest bevelled = request_of_contours();
     bevelled.ways.bevel_deg = 10;
-    EXPECT_THAT(refusal(bevelled), HasSubstr("--bevel is for flat parts"));
+    EXPECT_THAT(rejection(bevelled), HasSubstr("--bevel is for flat parts"));
     DrawingRequest leaned = request_of_contours();
-    leaned.surface->lean_deg = 10;
-    EXPECT_THAT(refusal(leaned), HasSubstr("--lean is from the face's normal"));
+    leaned.surface->tilt_deg = 10;
+    EXPECT_THAT(rejection(leaned), HasSubstr("--lean is from the face's normal"));
     DrawingRequest edges = request_of_contours();
     edges.surface->contours.kind = "edges";
-    EXPECT_THAT(refusal(edges), HasSubstr("--contours edges needs the numbers of edges (--edge)"));
-    DrawingRequest alone = request_of_contours();
-    alone.host.read_contours = {};
-    EXPECT_THAT(refusal(alone), HasSubstr("STEP and IGES files are not read here"));
+    EXPECT_THAT(rejection(edges), HasSubstr("--contours edges needs the numbers of edges (--edge)"));
+    DrawingRequest standalone = request_of_contours();
+    standalone.host.read_contours = {};
+    EXPECT_THAT(rejection(standalone), HasSubstr("STEP and IGES files are not read here"));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "base/text/json.h"
-#include "base/toml/toml_edit.h"
+#include "base/toml/toml_editor.h"
 #include "collision/cell/cell_file.h"
 #include "machine/file/controller_file.h"
 #include "machine/file/machine_file.h"
@@ -20,58 +20,58 @@
 namespace gsim::engine {
 namespace {
 
-using base::TomlEdit;
+using base::TomlEditor;
 using base::TomlPath;
 using nlohmann::json;
 
 constexpr const char* kUnknown = "qqqqqqqqqqqq";
 
-constexpr std::array kFiles{KeyedFile::machine, KeyedFile::cell, KeyedFile::controller};
+constexpr std::array kFiles{ConfigFileKind::machine, ConfigFileKind::cell, ConfigFileKind::controller};
 
-std::string document(KeyedFile file) {
-    if (file == KeyedFile::machine) return kMachine;
-    return file == KeyedFile::cell ? kCell : kController;
+std::string document(ConfigFileKind file) {
+    if (file == ConfigFileKind::machine) return kMachine;
+    return file == ConfigFileKind::cell ? kCell : kController;
 }
 
 const os::Files& files() {
-    static const os::GivenFiles kGiven([](const std::string&) {
+    static const os::CallbackFiles kGiven([](const std::string&) {
         return "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
                "endfacet\nendsolid t\n";
     });
     return kGiven;
 }
 
-tl::expected<cell::Cell, std::string> cell_of(const std::string& text, std::vector<std::string>* faults) {
+tl::expected<cell::Cell, std::string> cell_of(const std::string& text, std::vector<std::string>* errors) {
     const auto machine = machine::read_machine(machine::built_in_machine_toml(), "built in").value();
     const cell::MeshFiles meshes{
         .files = files(),
         .read_solid = [](const std::filesystem::path&, double) -> tl::expected<solid::Mesh, std::string> {
             return solid::Mesh{.vertices_mm = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}}};
         }};
-    return cell::read_cell(text, "c.toml", machine, {}, meshes, faults);
+    return cell::read_cell(text, "c.toml", machine, {}, meshes, errors);
 }
 
 /// Returns all errors that the reader of such files finds.
-std::vector<std::string> faults_of(KeyedFile file, const std::string& text) {
-    std::vector<std::string> faults;
-    if (file == KeyedFile::machine) {
-        (void)machine::read_machine(text, "m.toml", files(), &faults);
-    } else if (file == KeyedFile::cell) {
-        if (const auto named = cell::read_cell_files(text, "c.toml"); !named) faults.push_back(named.error());
+std::vector<std::string> find_errors(ConfigFileKind file, const std::string& text) {
+    std::vector<std::string> errors;
+    if (file == ConfigFileKind::machine) {
+        (void)machine::read_machine(text, "m.toml", files(), &errors);
+    } else if (file == ConfigFileKind::cell) {
+        if (const auto named = cell::read_cell_files(text, "c.toml"); !named) errors.push_back(named.error());
         std::vector<std::string> others;
         (void)cell_of(text, &others);
-        faults.insert(faults.end(), others.begin(), others.end());
+        errors.insert(errors.end(), others.begin(), others.end());
     } else if (const auto rules = machine::read_controller(text, "own.toml", "own"); !rules) {
-        faults.push_back(rules.error());
+        errors.push_back(rules.error());
     }
-    return faults;
+    return errors;
 }
 
 /// Returns the error for this key, which is not right as it is, or an empty text if it is right.
-std::string refusal(const std::vector<std::string>& faults, const std::string& key) {
-    for (const std::string& fault : faults) {
+std::string rejection(const std::vector<std::string>& errors, const std::string& key) {
+    for (const std::string& error : errors) {
         for (const char* words : {"' must be", "' must hold", "' must name", "' is a diameter"}) {
-            if (fault.find("'" + key + words) != std::string::npos) return fault;
+            if (error.find("'" + key + words) != std::string::npos) return error;
         }
     }
     return {};
@@ -80,13 +80,13 @@ std::string refusal(const std::vector<std::string>& faults, const std::string& k
 /// A key of the guide in a document that has its table.
 class KeyOfDocument {
   public:
-    KeyOfDocument(KeyedFile file, const json& table, const json& key)
-        : file_(file), name_(key["name"]), edit_(TomlEdit::read(document(file), "d.toml").value()) {
+    KeyOfDocument(ConfigFileKind file, const json& table, const json& key)
+        : file_(file), name_(key["name"]), edit_(TomlEditor::read(document(file), "d.toml").value()) {
         for (const json& step : table["at"]) {
             const json* there = at(path_);
             path_.emplace_back(step.get<std::string>());
             if (!table["many"].get<bool>() || path_.size() > 1) continue;
-            path_.emplace_back(entry_of(table, (*there)[step.get<std::string>()]));
+            path_.emplace_back(find_entry(table, (*there)[step.get<std::string>()]));
         }
         // A joint lies by its row, or by these.
         if ((name_ == "direction" || name_ == "frame") && at(base::below(path_, "dh")) != nullptr) {
@@ -108,16 +108,16 @@ class KeyOfDocument {
         EXPECT_TRUE(edit_.remove(path));
     }
     /// Returns the error of the key if it has this value.
-    std::string refused(const json& value) {
+    std::string rejected(const json& value) {
         set(value);
-        return refusal(faults(), name_);
+        return rejection(errors(), name_);
     }
     /// "inf" is a number only in the position of one.
     std::string refused_infinite(const char* infinite) {
         set(1.5);
-        return refused(infinite);
+        return rejected(infinite);
     }
-    std::vector<std::string> faults() const { return faults_of(file_, edit_.text()); }
+    std::vector<std::string> errors() const { return find_errors(file_, edit_.text()); }
     const std::string& text() const { return edit_.text(); }
 
   private:
@@ -135,7 +135,7 @@ class KeyOfDocument {
         return value;
     }
 
-    static std::size_t entry_of(const json& table, const json& entries) {
+    static std::size_t find_entry(const json& table, const json& entries) {
         for (std::size_t i = 0; i < entries.size(); ++i) {
             const bool has_inner = table["at"].size() < 2 || entries[i].contains(table["at"][1]);
             const bool fits = !table.contains("where") || entries[i]["kind"] == table["where"]["kind"];
@@ -155,36 +155,36 @@ class KeyOfDocument {
         EXPECT_TRUE(done) << name_ << ": " << done.error();
     }
 
-    KeyedFile file_;
+    ConfigFileKind file_;
     std::string name_;
-    TomlEdit edit_;
+    TomlEditor edit_;
     TomlPath path_;
 };
 
-template <typename Look>
-void for_each_table(const Look& look) {
-    for (const KeyedFile file : kFiles) {
+template <typename Visitor>
+void for_each_table(const Visitor& visit) {
+    for (const ConfigFileKind file : kFiles) {
         const json tables = text::parse_json<json>(file_keys_json(file));
         for (const json& table : tables) {
             SCOPED_TRACE(table["at"].dump());
-            look(file, table);
+            visit(file, table);
         }
     }
 }
 
-template <typename Look>
-void for_each_key(const Look& look) {
-    for_each_table([&](KeyedFile file, const json& table) {
+template <typename Visitor>
+void for_each_key(const Visitor& visit) {
+    for_each_table([&](ConfigFileKind file, const json& table) {
         for (const json& key : table["keys"]) {
             SCOPED_TRACE(key.dump());
-            look(file, table, key);
+            visit(file, table, key);
         }
     });
 }
 
 TEST(FileKeys, AreThoseThatTheReadersTake) {
     std::size_t tables = 0;
-    for_each_table([&](KeyedFile file, const json& table) {
+    for_each_table([&](ConfigFileKind file, const json& table) {
         ++tables;
         std::set<std::string> listed;
         for (const json& key : table["keys"]) {
@@ -193,14 +193,15 @@ TEST(FileKeys, AreThoseThatTheReadersTake) {
         KeyOfDocument unknown(file, table, {{"name", kUnknown}});
         unknown.set(1);
         std::set<std::string> taken;
-        for (const std::string& fault : unknown.faults()) {
+        for (const std::string& error : unknown.errors()) {
             const std::string head = "it may hold: ";
-            const std::size_t begin = fault.find(head);
-            if (fault.find(kUnknown) == std::string::npos || begin == std::string::npos) continue;
-            std::string rest = fault.substr(begin + head.size()) + ", ";
-            for (std::size_t end = rest.find(", "); end != std::string::npos; end = rest.find(", ")) {
-                taken.insert(rest.substr(0, end));
-                rest.erase(0, end + 2);
+            const std::size_t begin = error.find(head);
+            if (error.find(kUnknown) == std::string::npos || begin == std::string::npos) continue;
+            std::string remainder = error.substr(begin + head.size()) + ", ";
+            for (std::size_t end = remainder.find(", "); end != std::string::npos;
+                 end = remainder.find(", ")) {
+                taken.insert(remainder.substr(0, end));
+                remainder.erase(0, end + 2);
             }
         }
         EXPECT_EQ(listed, taken) << unknown.text();
@@ -209,97 +210,97 @@ TEST(FileKeys, AreThoseThatTheReadersTake) {
 }
 
 TEST(FileKeys, AreOfTheKindsThatTheReadersTake) {
-    for_each_key([](KeyedFile file, const json& table, const json& key) {
+    for_each_key([](ConfigFileKind file, const json& table, const json& key) {
         // It belongs to a file of robots, and is checked where that is read.
-        if (file == KeyedFile::cell && (key["name"] == "robot" || key["name"] == "conveyor")) return;
+        if (file == ConfigFileKind::cell && (key["name"] == "robot" || key["name"] == "conveyor")) return;
         const bool text = key["kind"] == "text";
         KeyOfDocument wrong(file, table, key);
-        EXPECT_NE(wrong.refused(text ? json(3) : json("x")), "") << wrong.text();
+        EXPECT_NE(wrong.rejected(text ? json(3) : json("x")), "") << wrong.text();
         if (key["kind"] != "switch") return;
-        for (const bool value : {true, false}) EXPECT_EQ(KeyOfDocument(file, table, key).refused(value), "");
+        for (const bool value : {true, false}) EXPECT_EQ(KeyOfDocument(file, table, key).rejected(value), "");
     });
 }
 
 TEST(FileKeys, HaveTheRangesThatTheReadersKeep) {
-    for_each_key([](KeyedFile file, const json& table, const json& key) {
+    for_each_key([](ConfigFileKind file, const json& table, const json& key) {
         if (key["kind"] != "number") return;
         KeyOfDocument number(file, table, key);
         const json others = key.value("or", json::array());
         const auto has = [&](const json& value) {
             return std::find(others.begin(), others.end(), value) != others.end();
         };
-        const double least = key.value(key.contains("least") ? "least" : "above", 0.0);
-        const double most = key.value(key.contains("most") ? "most" : "below", 0.0);
-        EXPECT_EQ(number.refused(least).empty(), key.contains("least"));
-        EXPECT_EQ(number.refused(most).empty(), key.contains("most"));
-        EXPECT_EQ(number.refused(std::min(least + 1, (least + most) / 2)), "");
-        EXPECT_NE(number.refused(least > 0 ? least / 2 : least - 1), "");
-        EXPECT_NE(number.refused(2 * most + 1), "");
-        if (least > 0) {
-            EXPECT_EQ(number.refused(0).empty(), has(0));
+        const double min = key.value(key.contains("least") ? "least" : "above", 0.0);
+        const double max = key.value(key.contains("most") ? "most" : "below", 0.0);
+        EXPECT_EQ(number.rejected(min).empty(), key.contains("least"));
+        EXPECT_EQ(number.rejected(max).empty(), key.contains("most"));
+        EXPECT_EQ(number.rejected(std::min(min + 1, (min + max) / 2)), "");
+        EXPECT_NE(number.rejected(min > 0 ? min / 2 : min - 1), "");
+        EXPECT_NE(number.rejected(2 * max + 1), "");
+        if (min > 0) {
+            EXPECT_EQ(number.rejected(0).empty(), has(0));
         }
         EXPECT_EQ(number.refused_infinite("inf").empty(), has("inf"));
         EXPECT_EQ(number.refused_infinite("-inf").empty(), has("-inf"));
-        EXPECT_EQ(number.refused(least + 1.5).empty(), !key.contains("whole") && least + 1.5 < most);
+        EXPECT_EQ(number.rejected(min + 1.5).empty(), !key.contains("whole") && min + 1.5 < max);
     });
 }
 
 TEST(FileKeys, HaveTheChoicesThatTheReadersName) {
-    for_each_key([](KeyedFile file, const json& table, const json& key) {
+    for_each_key([](ConfigFileKind file, const json& table, const json& key) {
         if (!key.contains("choices")) return;
         KeyOfDocument word(file, table, key);
-        for (const json& choice : key["choices"]) EXPECT_EQ(word.refused(choice), "");
+        for (const json& options : key["choices"]) EXPECT_EQ(word.rejected(options), "");
         if (key.contains("open")) return;
-        std::string fault = word.refused(kUnknown);
+        std::string error = word.rejected(kUnknown);
         if (key["name"] == "kind" && key["choices"].size() == 2)
-            fault = "\"linear\" or \"rotary\"";  // comes first
+            error = "\"linear\" or \"rotary\"";  // comes first
         std::size_t named = 0;
-        for (const json& choice : key["choices"]) {
-            const auto text = choice.get<std::string>();
-            if (fault.find("\"" + text + "\"") != std::string::npos ||
-                fault.find(" " + text) != std::string::npos)
+        for (const json& options : key["choices"]) {
+            const auto text = options.get<std::string>();
+            if (error.find("\"" + text + "\"") != std::string::npos ||
+                error.find(" " + text) != std::string::npos)
                 ++named;
         }
-        EXPECT_EQ(named, key["choices"].size()) << fault;
-        const auto marks = static_cast<std::size_t>(std::count(fault.begin(), fault.end(), '"'));
-        EXPECT_TRUE(marks == 2 * named || key["name"] == "letter") << fault;
+        EXPECT_EQ(named, key["choices"].size()) << error;
+        const auto marks = static_cast<std::size_t>(std::count(error.begin(), error.end(), '"'));
+        EXPECT_TRUE(marks == 2 * named || key["name"] == "letter") << error;
     });
 }
 
 TEST(FileKeys, AreRequiredWhereTheReadersLackThem) {
-    for_each_key([](KeyedFile file, const json& table, const json& key) {
+    for_each_key([](ConfigFileKind file, const json& table, const json& key) {
         KeyOfDocument gone(file, table, key);
         gone.remove();
-        const auto faults = gone.faults();
+        const auto errors = gone.errors();
         const std::string lacks = "lacks the key '" + key["name"].get<std::string>() + "'";
-        const bool lacking = std::any_of(faults.begin(), faults.end(), [&](const std::string& fault) {
-            return fault.find(lacks) != std::string::npos;
+        const bool lacking = std::any_of(errors.begin(), errors.end(), [&](const std::string& error) {
+            return error.find(lacks) != std::string::npos;
         });
         EXPECT_EQ(lacking, key.contains("required")) << gone.text();
     });
 }
 
 /// Returns the contents of a cell, as far as keys with defaults set them.
-std::vector<double> figures_of(const cell::Cell& cell) {
-    std::vector<double> figures{cell.clearance_mm};
+std::vector<double> cell_values(const cell::Cell& cell) {
+    std::vector<double> values{cell.clearance_mm};
     for (const cell::Item& item : cell.items) {
-        figures.push_back(static_cast<double>(item.role));
-        figures.push_back(static_cast<double>(item.frame));
+        values.push_back(static_cast<double>(item.role));
+        values.push_back(static_cast<double>(item.frame));
     }
-    return figures;
+    return values;
 }
 
 TEST(FileKeys, HaveTheDefaultsThatHoldWithoutThem) {
     std::size_t defaults = 0;
-    for_each_key([&](KeyedFile file, const json& table, const json& key) {
-        if (!key.contains("default") || file == KeyedFile::controller) return;
+    for_each_key([&](ConfigFileKind file, const json& table, const json& key) {
+        if (!key.contains("default") || file == ConfigFileKind::controller) return;
         ++defaults;
         KeyOfDocument given(file, table, key);
         KeyOfDocument left_out(file, table, key);
         left_out.remove();
         if (key["kind"] == "number") given.set(1.5);  // "inf" is a number only in the position of one
         given.set(key["default"]);
-        if (file == KeyedFile::machine) {
+        if (file == ConfigFileKind::machine) {
             const auto with = machine::read_machine(given.text(), "m.toml", files());
             const auto without = machine::read_machine(left_out.text(), "m.toml", files());
             ASSERT_TRUE(with && without) << (with ? without.error() : with.error());
@@ -308,7 +309,7 @@ TEST(FileKeys, HaveTheDefaultsThatHoldWithoutThem) {
             const auto with = cell_of(given.text(), nullptr);
             const auto without = cell_of(left_out.text(), nullptr);
             ASSERT_TRUE(with && without) << (with ? without.error() : with.error());
-            EXPECT_EQ(figures_of(*with), figures_of(*without));
+            EXPECT_EQ(cell_values(*with), cell_values(*without));
         }
     });
     EXPECT_GT(defaults, 80U);
@@ -320,7 +321,7 @@ TEST(FileKeys, StandInThePagesOfTheirFiles) {
         return std::string(std::istreambuf_iterator<char>(file), {});
     };
     const std::string pages = page("machine-file.md") + page("cell-file.md");
-    for_each_key([&](KeyedFile /*file*/, const json& table, const json& key) {
+    for_each_key([&](ConfigFileKind /*file*/, const json& table, const json& key) {
         EXPECT_FALSE(key["meaning"].get<std::string>().empty());
         if (table.contains("where") && table["where"]["kind"] == "rotary")
             return;                                                        // described by the linear ones
@@ -330,7 +331,7 @@ TEST(FileKeys, StandInThePagesOfTheirFiles) {
 }
 
 TEST(FileKeys, TellTheUnitsOfTheirNames) {
-    const json tables = text::parse_json<json>(file_keys_json(KeyedFile::machine));
+    const json tables = text::parse_json<json>(file_keys_json(ConfigFileKind::machine));
     std::set<std::string> units;
     for (const json& table : tables) {
         for (const json& key : table["keys"]) {

@@ -13,7 +13,7 @@ TEST(Text, OfAStreamIsReadOnceAndRun) {
     std::FILE* file = std::tmpfile();
     std::fputs("G0 X10\nM2\n", file);
     std::rewind(file);
-    auto text = Text::of_stream(file, "pipe");
+    auto text = Text::from_stream(file, "pipe");
     std::fclose(file);
     ASSERT_TRUE(text);
     Request request;

@@ -5,7 +5,7 @@
 
 #include "base/text/json.h"
 #include "engine/run.h"
-#include "tests/engine/given.h"
+#include "tests/engine/memory_files.h"
 
 namespace gsim::engine::findings_test {
 namespace {
@@ -23,24 +23,24 @@ const Diagnostic kWord = {.severity = Severity::warning,
 
 Report report_of_run(const std::string& program, std::map<std::string, std::string> further = {}) {
     further["p.nc"] = program;
-    Run run = Run::open(request_of("p.nc", std::move(further))).value();
+    Run run = Run::open(make_request("p.nc", std::move(further))).value();
     const auto prepared = run.prepare();
-    return prepared ? run.go().value() : run.report_of(prepared.error());
+    return prepared ? run.go().value() : run.make_report(prepared.error());
 }
 
 TEST(FindingsOfTheEngine, AreALineForPeople) {
-    EXPECT_EQ(text_of(kWord), "my part.nc:3:4: warning: no such word; leave it out\n");
-    EXPECT_EQ(text_of({.code = "usage", .text = "not so"}), "error: not so\n");
+    EXPECT_EQ(diagnostic_text(kWord), "my part.nc:3:4: warning: no such word; leave it out\n");
+    EXPECT_EQ(diagnostic_text({.code = "usage", .text = "not so"}), "error: not so\n");
 }
 
 TEST(FindingsOfTheEngine, AFailureHasThePlaceThatItsSentenceBeginsWith) {
-    const Diagnostic placed = diagnostic_of(Failure{.code = "input-file", .message = "m.toml:2:1: not so"});
+    const Diagnostic placed = to_diagnostic(Error{.code = "input-file", .message = "m.toml:2:1: not so"});
     EXPECT_EQ(placed.file, "m.toml");
     EXPECT_EQ(placed.line, 2U);
     EXPECT_EQ(placed.column, 1U);
     EXPECT_EQ(placed.text, "not so");
     const Diagnostic named =
-        diagnostic_of(Failure{.code = "path", .message = "a.svg: not closed", .file = "a.svg"});
+        to_diagnostic(Error{.code = "path", .message = "a.svg: not closed", .file = "a.svg"});
     EXPECT_EQ(named.file, "a.svg");
     EXPECT_EQ(named.text, "not closed");
     EXPECT_EQ(named.code, "path");
@@ -62,26 +62,26 @@ TEST(FindingsOfTheEngine, AreSarif) {
     EXPECT_EQ(run["tool"]["driver"]["rules"][0]["id"], "syntax");
     const json& result = run["results"][0];
     EXPECT_EQ(result["message"]["text"], "no such word; leave it out");
-    const json& place = result["locations"][0]["physicalLocation"];
-    EXPECT_EQ(place["artifactLocation"]["uri"], "my%20part.nc");
-    EXPECT_EQ(place["region"], (json{{"startLine", 3}, {"startColumn", 4}, {"endColumn", 6}}));
+    const json& location = result["locations"][0]["physicalLocation"];
+    EXPECT_EQ(location["artifactLocation"]["uri"], "my%20part.nc");
+    EXPECT_EQ(location["region"], (json{{"startLine", 3}, {"startColumn", 4}, {"endColumn", 6}}));
 }
 
 TEST(FindingsOfTheEngine, FaultsOfAReportAreLines) {
     const Report far = report_of_run("G0 X9000\nM2\n");
     ASSERT_EQ(far.violations.size(), 1U);
-    EXPECT_EQ(far.faults_text(), "p.nc:1: " + far.violations[0].message + "\n");
+    EXPECT_EQ(far.errors_text(), "p.nc:1: " + far.violations[0].message + "\n");
     EXPECT_FALSE(far.passes_check());
     const Report stopped = report_of_run("M98 P7\nM2\n", {{"O0007.nc", "#3000=1 (OUT OF WATER)\nM99\n"}});
     ASSERT_TRUE(stopped.alarm);
-    EXPECT_EQ(stopped.faults_text(),
+    EXPECT_EQ(stopped.errors_text(),
               "O0007.nc:1: alarm: " + stopped.alarm->message + "\n  in O7, called at p.nc:1\n");
-    EXPECT_FALSE(stopped.lacks_file());
+    EXPECT_FALSE(stopped.is_file_missing());
 }
 
 TEST(FindingsOfTheEngine, NothingWrongIsNoLine) {
     const Report report = report_of_run("G0 X10\nM2\n");
-    EXPECT_EQ(report.faults_text(), "");
+    EXPECT_EQ(report.errors_text(), "");
     EXPECT_TRUE(report.passes_check());
 }
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/run.h"
-#include "tests/engine/given.h"
+#include "tests/engine/memory_files.h"
 
 namespace gsim::engine::machine_test {
 namespace {
@@ -13,7 +13,7 @@ using testing::HasSubstr;
 
 TEST(Machine, ItsFileReadsBackAsItself) {
     const Machine built_in = Machine::read({}).value();
-    Request request = request_of("", {{"own.toml", built_in.file()}});
+    Request request = make_request("", {{"own.toml", built_in.file()}});
     request.machine = "own.toml";
     EXPECT_EQ(Machine::read(request).value().file(), built_in.file());
 }
@@ -23,7 +23,7 @@ TEST(Machine, IsSharedByRuns) {
     ASSERT_TRUE(machine.read_bodies());
     std::string first;
     for (int i = 0; i < 2; ++i) {
-        engine::Run run = engine::Run::open(request_of("a.nc", {{"a.nc", "G0 X5\nM2\n"}}), machine).value();
+        engine::Run run = engine::Run::open(make_request("a.nc", {{"a.nc", "G0 X5\nM2\n"}}), machine).value();
         ASSERT_TRUE(run.prepare());
         const std::string report = run.go().value().json();
         if (i == 0) first = report;
@@ -34,12 +34,12 @@ TEST(Machine, IsSharedByRuns) {
 TEST(Machine, IsCheckedWithoutAProgram) {
     const Machine machine = Machine::read({}).value();
     const MachineCheck found = machine.check().value();
-    EXPECT_TRUE(found.clean) << found.text;
+    EXPECT_TRUE(found.is_clean) << found.text;
     EXPECT_THAT(machine.axes_svg().value(), HasSubstr("<svg"));
 }
 
 TEST(Machine, ThatIsNoMachineIsRefusedWithItsPlace) {
-    Request request = request_of("", {{"own.toml", "[machine]\nname = 5\n"}});
+    Request request = make_request("", {{"own.toml", "[machine]\nname = 5\n"}});
     request.machine = "own.toml";
     EXPECT_THAT(Machine::read(request).error().message, HasSubstr("own.toml:2"));
 }

@@ -10,7 +10,7 @@
 
 #include "engine/run.h"
 #include "tests/build_files/build_files.h"
-#include "tests/engine/given.h"
+#include "tests/engine/memory_files.h"
 
 namespace gsim::engine::path_translation_test {
 namespace {
@@ -30,13 +30,13 @@ PathRequest request_of_path(const std::string& name, std::map<std::string, std::
     return request;
 }
 
-tl::expected<std::string, Failure> program_of(PathRequest request) {
+tl::expected<std::string, Error> program_of(PathRequest request) {
     return PathTranslation::open(std::move(request))
-        .and_then([](PathTranslation made) -> tl::expected<std::string, Failure> {
-            if (auto read = made.read(); !read) return tl::unexpected(read.error());
-            if (auto planned = made.plan(); !planned) return tl::unexpected(planned.error());
+        .and_then([](PathTranslation result) -> tl::expected<std::string, Error> {
+            if (auto read = result.read(); !read) return tl::unexpected(read.error());
+            if (auto planned = result.plan(); !planned) return tl::unexpected(planned.error());
             std::string text;
-            const auto written = made.write([&](const std::string&) {
+            const auto written = result.write([&](const std::string&) {
                 return [&](std::string_view part) {
                     text += part;
                     return true;
@@ -50,7 +50,7 @@ tl::expected<std::string, Failure> program_of(PathRequest request) {
 TEST(PathTranslation, ItsProgramGoesTheWayOfThePath) {
     const auto program = program_of(request_of_path("p.lua", {{"p.lua", kScript}}));
     ASSERT_TRUE(program) << program.error().message;
-    engine::Run run = engine::Run::open(request_of("p.nc", {{"p.nc", *program}})).value();
+    engine::Run run = engine::Run::open(make_request("p.nc", {{"p.nc", *program}})).value();
     ASSERT_TRUE(run.prepare());
     const Report report = run.go().value();
     EXPECT_NEAR(report.feed_mm, 10, 1e-9);
@@ -65,7 +65,7 @@ std::string sample(const std::string& name) {
 
 /// The extents of X and Y in a run of a path's program.
 std::array<double, 4> extents_of(const std::string& program, const std::string& data) {
-    Request request = request_of("p.ngc", {{"p.ngc", program}, {"d.txt", data}});
+    Request request = make_request("p.ngc", {{"p.ngc", program}, {"d.txt", data}});
     request.machine = "router3.toml";
     request.language.dialect = "rs274ngc";
     request.host.files =
@@ -74,7 +74,7 @@ std::array<double, 4> extents_of(const std::string& program, const std::string& 
     Run run = Run::open(std::move(request)).value();
     EXPECT_TRUE(run.prepare());
     std::array<double, 4> extents{1e9, -1e9, 1e9, -1e9};
-    run.take_moves([&](std::span<const Move> moves) {
+    run.on_moves([&](std::span<const Move> moves) {
         for (const Move& move : moves) {
             if (move.kind != MoveKind::linear) continue;
             for (const std::size_t axis : {0U, 1U}) {
@@ -138,10 +138,10 @@ TEST(PathTranslation, DecimalsAreThoseThatAreAskedFor) {
 }
 
 TEST(PathTranslation, AMistakeOfThePathIsInTheProgramAndHasItsPlace) {
-    const auto made = program_of(request_of_path("p.lua", {{"p.lua", "return path{point{nonsense=1}}\n"}}));
-    ASSERT_FALSE(made);
-    EXPECT_TRUE(made.error().in_program);
-    EXPECT_THAT(made.error().message, HasSubstr("p.lua:1"));
+    const auto result = program_of(request_of_path("p.lua", {{"p.lua", "return path{point{nonsense=1}}\n"}}));
+    ASSERT_FALSE(result);
+    EXPECT_TRUE(result.error().in_program);
+    EXPECT_THAT(result.error().message, HasSubstr("p.lua:1"));
 }
 
 TEST(PathTranslation, APathThatCannotBeReadIsNoMistakeOfIts) {
@@ -154,10 +154,10 @@ TEST(PathTranslation, APathThatCannotBeReadIsNoMistakeOfIts) {
     broken.bytes = [](char*, std::size_t) -> tl::expected<std::size_t, std::string> {
         return tl::unexpected<std::string>("the pipe broke");
     };
-    const auto made = program_of(broken);
-    ASSERT_FALSE(made);
-    EXPECT_FALSE(made.error().in_program);
-    EXPECT_EQ(made.error().message, "the pipe broke");
+    const auto result = program_of(broken);
+    ASSERT_FALSE(result);
+    EXPECT_FALSE(result.error().in_program);
+    EXPECT_EQ(result.error().message, "the pipe broke");
 }
 
 TEST(PathTranslation, FixedPointsLieWhereTheMachineDataHaveThem) {
@@ -185,10 +185,10 @@ TEST(PathTranslation, PostsHaveNamesAndOthersAreRefused) {
     EXPECT_THAT(post_names(), Contains("ab9"));
     PathRequest request = request_of_path("p.lua", {{"p.lua", kScript}});
     request.post = "nobody";
-    const auto made = PathTranslation::open(request);
-    ASSERT_FALSE(made);
-    EXPECT_THAT(made.error().message, HasSubstr("nobody"));
-    EXPECT_FALSE(made.error().in_program);
+    const auto result = PathTranslation::open(request);
+    ASSERT_FALSE(result);
+    EXPECT_THAT(result.error().message, HasSubstr("nobody"));
+    EXPECT_FALSE(result.error().in_program);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 #include "base/text/json.h"
 #include "tests/build_files/build_files.h"
-#include "tests/engine/given.h"
+#include "tests/engine/memory_files.h"
 
 namespace gsim::engine::run_test {
 namespace {
@@ -24,22 +24,22 @@ std::string sample(const std::string& name) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
-engine::Run prepared(Request request, Tell tell = {}) {
-    auto run = engine::Run::open(std::move(request), std::move(tell));
+engine::Run prepared(Request request, DiagnosticHandler on_diagnostic = {}) {
+    auto run = engine::Run::open(std::move(request), std::move(on_diagnostic));
     EXPECT_TRUE(run) << run.error().message;
     const auto ready = run->prepare();
     EXPECT_TRUE(ready) << ready.error().message;
     return *std::move(run);
 }
 
-Report report_of(Request request) {
+Report run_report(Request request) {
     return prepared(std::move(request)).go().value();
 }
 
 constexpr const char* kSquare = "G0 X100 Y100\nF6000\nG1 X200\nG1 Y200\nG2 X100 Y100 I-50 J-50\nG4 P1\nM2\n";
 
 TEST(Run, IsTheProgramsWithoutAnyFileOfTheSystem) {
-    const Report report = report_of(request_of("part.nc", {{"part.nc", kSquare}}));
+    const Report report = run_report(make_request("part.nc", {{"part.nc", kSquare}}));
     EXPECT_EQ(report.status, RunStatus::completed);
     EXPECT_TRUE(report.is_clean());
     EXPECT_EQ(report.moves, 5U);
@@ -52,35 +52,35 @@ TEST(Run, IsTheProgramsWithoutAnyFileOfTheSystem) {
 }
 
 TEST(Run, ProgramsModulesAndMachinesComeFromTheSameFunction) {
-    Request request = request_of("jobs/part.nc", {{"jobs/part.nc", "G0 X10\nM98 P7\nM2\n"},
-                                                  {"jobs/O0007.nc", "O7\nG1 X40 F600\nM99\n"},
-                                                  {"machines/own.toml", sample("machines/router3.toml")}});
+    Request request = make_request("jobs/part.nc", {{"jobs/part.nc", "G0 X10\nM98 P7\nM2\n"},
+                                                    {"jobs/O0007.nc", "O7\nG1 X40 F600\nM99\n"},
+                                                    {"machines/own.toml", sample("machines/router3.toml")}});
     request.machine = "machines/own.toml";
-    const Report report = report_of(request);
+    const Report report = run_report(request);
     EXPECT_EQ(report.status, RunStatus::completed) << report.text();
     EXPECT_NEAR(report.feed_mm, 30, 1e-9);
-    EXPECT_NE(report.machine, report_of(request_of("a.nc", {{"a.nc", "M2\n"}})).machine);
+    EXPECT_NE(report.machine, run_report(make_request("a.nc", {{"a.nc", "M2\n"}})).machine);
 }
 
 TEST(Run, WhatIsNotGivenIsNamed) {
-    Request request = request_of("part.nc", {{"part.nc", "M98 P7\nM2\n"}});
-    EXPECT_THAT(report_of(request).alarm.value().message, HasSubstr("7"));
+    Request request = make_request("part.nc", {{"part.nc", "M98 P7\nM2\n"}});
+    EXPECT_THAT(run_report(request).alarm.value().message, HasSubstr("7"));
     request.machine = "own.toml";
     EXPECT_THAT(engine::Run::open(request).error().message, HasSubstr("own.toml"));
-    const auto missing = engine::Run::open(request_of("other.nc", {}));
+    const auto missing = engine::Run::open(make_request("other.nc", {}));
     EXPECT_EQ(missing.error().code, "file");
     EXPECT_THAT(missing.error().message, HasSubstr("other.nc"));
 }
 
 TEST(Run, NothingOutsideOfTheFolderOfTheProgramIsCalled) {
-    const Report report = report_of(request_of(
+    const Report report = run_report(make_request(
         "jobs/part.lua", {{"jobs/part.lua", "require 'gsim'\nrequire '../secret'\n"}, {"secret.lua", ""}}));
     EXPECT_EQ(report.status, RunStatus::alarm);
     EXPECT_THAT(report.alarm->message, HasSubstr("a module's name"));
 }
 
 TEST(Run, WhatAHostDoesNotBringIsRefusedByName) {
-    Request request = request_of("a.nc", {{"a.nc", "M2\n"}});
+    Request request = make_request("a.nc", {{"a.nc", "M2\n"}});
     request.module = "planner.so";
     const auto run = engine::Run::open(request);
     ASSERT_FALSE(run);
@@ -90,17 +90,17 @@ TEST(Run, WhatAHostDoesNotBringIsRefusedByName) {
 }
 
 TEST(Run, ErrorsOfAProgramAreToldAndInItsReport) {
-    std::vector<Diagnostic> told;
-    auto run = engine::Run::open(request_of("part.nc", {{"part.nc", "G1 X1 F\nG0 X\nM2\n"}}),
-                                 [&](const Diagnostic& found) { told.push_back(found); });
+    std::vector<Diagnostic> reported;
+    auto run = engine::Run::open(make_request("part.nc", {{"part.nc", "G1 X1 F\nG0 X\nM2\n"}}),
+                                 [&](const Diagnostic& found) { reported.push_back(found); });
     ASSERT_TRUE(run);
-    const auto refused = run->prepare();
-    ASSERT_FALSE(refused);
-    EXPECT_TRUE(refused.error().in_program);
-    ASSERT_EQ(told.size(), 2U);
-    EXPECT_EQ(told[1].line, 2U);
-    EXPECT_EQ(told[1].file, "part.nc");
-    const Report report = run->report_of(refused.error());
+    const auto rejected = run->prepare();
+    ASSERT_FALSE(rejected);
+    EXPECT_TRUE(rejected.error().in_program);
+    ASSERT_EQ(reported.size(), 2U);
+    EXPECT_EQ(reported[1].line, 2U);
+    EXPECT_EQ(reported[1].file, "part.nc");
+    const Report report = run->make_report(rejected.error());
     EXPECT_EQ(report.status, RunStatus::alarm);
     EXPECT_EQ(text::parse_json<json>(report.json())["diagnostics"].size(), 2U);
 }
@@ -109,10 +109,10 @@ TEST(Run, MovesComeInChunksInTheOrderOfTime) {
     std::ostringstream program;
     program << "F6000\n";
     for (int i = 1; i <= 3000; ++i) program << "G1 X" << i % 7 << " Y" << i % 11 << "\n";
-    engine::Run run = prepared(request_of("part.nc", {{"part.nc", program.str()}}));
+    engine::Run run = prepared(make_request("part.nc", {{"part.nc", program.str()}}));
     std::vector<Move> moves;
     std::size_t chunks = 0;
-    run.take_moves([&](std::span<const Move> chunk) {
+    run.on_moves([&](std::span<const Move> chunk) {
         ++chunks;
         for (const Move& move : chunk) EXPECT_EQ(move.file, "part.nc");
         moves.insert(moves.end(), chunk.begin(), chunk.end());
@@ -131,11 +131,11 @@ TEST(Run, MovesComeInChunksInTheOrderOfTime) {
 
 // The path of the segments, by the speed that they report, is the length in the report.
 TEST(Run, SegmentsJoinAndTellTheirMotionExactly) {
-    engine::Run run = prepared(request_of("part.nc", {{"part.nc", kSquare}}));
-    double way_mm = 0;
+    engine::Run run = prepared(make_request("part.nc", {{"part.nc", kSquare}}));
+    double distance_mm = 0;
     double end_s = 0;
     AxisValues at = run.home();
-    run.take_segments([&](std::span<const Segment> chunk) {
+    run.on_segments([&](std::span<const Segment> chunk) {
         for (const Segment& segment : chunk) {
             EXPECT_NEAR(segment.start_s, end_s, 1e-12);
             for (std::size_t i = 0; i < 3; ++i) {
@@ -144,28 +144,28 @@ TEST(Run, SegmentsJoinAndTellTheirMotionExactly) {
             }
             constexpr int kSteps = 2000;
             for (int k = 0; k < kSteps; ++k)
-                way_mm +=
+                distance_mm +=
                     segment.speed_mm_s((k + 0.5) * segment.duration_s / kSteps) * segment.duration_s / kSteps;
             at = segment.end;
             end_s = segment.start_s + segment.duration_s;
         }
     });
     const Report report = run.go().value();
-    EXPECT_NEAR(way_mm, report.rapid_mm + report.feed_mm, 1e-3);
+    EXPECT_NEAR(distance_mm, report.rapid_mm + report.feed_mm, 1e-3);
     EXPECT_DOUBLE_EQ(end_s, report.cycle_time_s);
 }
 
 TEST(Run, SamplesAreThoseOfTheTrajectory) {
-    engine::Run run = prepared(request_of("part.nc", {{"part.nc", kSquare}}));
+    engine::Run run = prepared(make_request("part.nc", {{"part.nc", kSquare}}));
     std::vector<Sample> samples;
-    ASSERT_TRUE(run.take_samples(
+    ASSERT_TRUE(run.on_samples(
         [&](std::span<const Sample> chunk) { samples.insert(samples.end(), chunk.begin(), chunk.end()); },
         0.05));
     std::string csv;
-    DocumentOptions options;
+    OutputOptions options;
     options.step_s = 0.05;
     ASSERT_TRUE(run.write(
-        Document::trajectory,
+        OutputKind::trajectory,
         [&](std::string_view text) {
             csv += text;
             return true;
@@ -187,23 +187,23 @@ TEST(Run, SamplesAreThoseOfTheTrajectory) {
         EXPECT_NEAR(sample.axes[0], x_mm, 1e-6);
     }
     EXPECT_DOUBLE_EQ(samples.back().t_s, report.cycle_time_s);
-    EXPECT_EQ(run.take_samples({}, 0).error().code, "usage");
+    EXPECT_EQ(run.on_samples({}, 0).error().code, "usage");
 }
 
 TEST(Run, ADocumentThatCannotBeWrittenGetsNoMore) {
-    engine::Run run = prepared(request_of("part.nc", {{"part.nc", kSquare}}));
-    int pieces = 0;
-    ASSERT_TRUE(run.write(Document::moves, [&](std::string_view) {
-        ++pieces;
+    engine::Run run = prepared(make_request("part.nc", {{"part.nc", kSquare}}));
+    int chunk_count = 0;
+    ASSERT_TRUE(run.write(OutputKind::moves, [&](std::string_view) {
+        ++chunk_count;
         return false;
     }));
     EXPECT_TRUE(run.go());
-    EXPECT_EQ(pieces, 1);
+    EXPECT_EQ(chunk_count, 1);
 }
 
 TEST(Run, WhatAControlKeepsComesBackAsItsFiles) {
-    Request request = request_of("part.ngc", {{"part.ngc", "#100 = 1\n#31 = 2.5\nG10 L2 P1 X12.5\nM2\n"},
-                                              {"kept.var", "31\t1\n5220\t1\n"}});
+    Request request = make_request("part.ngc", {{"part.ngc", "#100 = 1\n#31 = 2.5\nG10 L2 P1 X12.5\nM2\n"},
+                                                {"kept.var", "31\t1\n5220\t1\n"}});
     request.language.dialect = "rs274ngc";
     request.variables = "kept.var";
     engine::Run run = prepared(request);
@@ -213,37 +213,37 @@ TEST(Run, WhatAControlKeepsComesBackAsItsFiles) {
 }
 
 TEST(Run, LimitsEndItAndSayWhich) {
-    Request endless = request_of("part.lua", {{"part.lua", "require 'gsim'\nwhile true do end\n"}});
+    Request endless = make_request("part.lua", {{"part.lua", "require 'gsim'\nwhile true do end\n"}});
     endless.limits.steps = 100'000;
-    const Report steps = report_of(endless);
+    const Report steps = run_report(endless);
     EXPECT_EQ(steps.status, RunStatus::stopped);
-    EXPECT_EQ(steps.alarm->place.line, 2U);
-    Request big = request_of(
+    EXPECT_EQ(steps.alarm->location.line, 2U);
+    Request big = make_request(
         "part.lua", {{"part.lua", "require 'gsim'\nlocal t = {} for i = 1, 1e7 do t[i] = {} end\n"}});
     big.limits.memory_bytes = 32U << 20U;
-    EXPECT_EQ(report_of(big).status, RunStatus::stopped);
+    EXPECT_EQ(run_report(big).status, RunStatus::stopped);
     endless.limits = {};
     endless.limits.cpu_s = 0.1;
-    EXPECT_EQ(report_of(endless).status, RunStatus::stopped);
+    EXPECT_EQ(run_report(endless).status, RunStatus::stopped);
 }
 
 TEST(Run, TwoAtOnceDoNotKnowOfEachOther) {
     const auto files = std::map<std::string, std::string>{{"a.nc", "G0 X10\nG1 X60 F600\nM2\n"}};
-    engine::Run one = prepared(request_of("a.nc", files));
-    engine::Run other = prepared(request_of("a.nc", files));
+    engine::Run one = prepared(make_request("a.nc", files));
+    engine::Run other = prepared(make_request("a.nc", files));
     std::optional<Report> within;
-    one.take_moves([&](std::span<const Move>) { within = other.go().value(); });
+    one.on_moves([&](std::span<const Move>) { within = other.go().value(); });
     const Report report = one.go().value();
     EXPECT_EQ(report.json(), within.value().json());
 }
 
 // Other programs are built with these numbers.
-TEST(Documents, HaveWordsAndNumbersThatStay) {
-    const std::vector<std::string> names = document_names();
+TEST(OutputSet, HaveWordsAndNumbersThatStay) {
+    const std::vector<std::string> names = output_names();
     EXPECT_EQ(names, (std::vector<std::string>{"moves", "trajectory", "dxf", "path", "plot"}));
     for (std::size_t number = 0; number < names.size(); ++number)
-        EXPECT_EQ(document_named(names[number]), static_cast<Document>(number));
-    EXPECT_EQ(document_named("film"), std::nullopt);
+        EXPECT_EQ(find_output(names[number]), static_cast<OutputKind>(number));
+    EXPECT_EQ(find_output("film"), std::nullopt);
 }
 
 // A body of 10 kg that moves 100 mm up at 1 m/s2 and 0.1 m/s.
@@ -266,17 +266,17 @@ mass_kg = 10
 )";
 
 TEST(Run, HandsOutWhatTheMotorsBringUp) {
-    Request request = request_of("up.nc", {{"up.nc", "G0 Z100\nM2\n"}, {"lift.toml", kLift}});
+    Request request = make_request("up.nc", {{"up.nc", "G0 Z100\nM2\n"}, {"lift.toml", kLift}});
     request.machine = "lift.toml";
     engine::Run run = prepared(std::move(request));
     EffortColumns all;
-    ASSERT_TRUE(run.take_efforts([&](const EffortColumns& some) { all = some; }));
+    ASSERT_TRUE(run.on_efforts([&](const EffortColumns& some) { all = some; }));
     const Report report = run.go().value();
     ASSERT_EQ(all.efforts.size(), all.t_s.size());
     EXPECT_TRUE(std::is_sorted(all.t_s.begin(), all.t_s.end()));
     for (std::size_t i = 0; i < all.t_s.size(); ++i) {
-        const double wanted = all.t_s[i] < 0.1 ? 110 : (all.t_s[i] < 1 ? 100 : 90);
-        EXPECT_NEAR(all.efforts[i], wanted, 1e-4) << all.t_s[i];
+        const double expected_value = all.t_s[i] < 0.1 ? 110 : (all.t_s[i] < 1 ? 100 : 90);
+        EXPECT_NEAR(all.efforts[i], expected_value, 1e-4) << all.t_s[i];
         const double speed_mm_s = 1000 * std::min({all.t_s[i], 0.1, 1.1 - all.t_s[i]});
         EXPECT_NEAR(all.motor_peaks[i], 400 - speed_mm_s, 1e-3) << all.t_s[i];
         EXPECT_EQ(all.line[i], 1U);
@@ -296,21 +296,21 @@ position_gain_1_s = 50
 )";
 
 TEST(Run, HandsOutWhereAxesAndTipReallyAre) {
-    Request request = request_of("over.nc", {{"over.nc", "G0 X100\nM2\n"}, {"slow.toml", kSlow}});
+    Request request = make_request("over.nc", {{"over.nc", "G0 X100\nM2\n"}, {"slow.toml", kSlow}});
     request.machine = "slow.toml";
     engine::Run run = prepared(std::move(request));
     FollowingColumns all;
-    ASSERT_TRUE(run.take_following([&](const FollowingColumns& some) { all = some; }));
+    ASSERT_TRUE(run.on_following([&](const FollowingColumns& some) { all = some; }));
     ASSERT_TRUE(run.go());
     ASSERT_GT(all.t_s.size(), 10U);
     ASSERT_EQ(all.errors.size(), all.t_s.size());
-    ASSERT_EQ(all.tip_mm.size(), 3 * all.t_s.size());
+    ASSERT_EQ(all.tcp_mm.size(), 3 * all.t_s.size());
     EXPECT_TRUE(std::is_sorted(all.t_s.begin(), all.t_s.end()));
     for (std::size_t i = 0; i < all.t_s.size(); ++i) {
-        const double behind_mm = 2 * (1 - std::exp(-50 * all.t_s[i]));
-        EXPECT_NEAR(all.errors[i], behind_mm, 1e-5) << all.t_s[i];
-        EXPECT_NEAR(all.tip_mm[3 * i], 100 * all.t_s[i] - behind_mm, 1e-4);
-        EXPECT_NEAR(all.contour_mm[i], 0, 1e-6);
+        const double following_error_mm = 2 * (1 - std::exp(-50 * all.t_s[i]));
+        EXPECT_NEAR(all.errors[i], following_error_mm, 1e-5) << all.t_s[i];
+        EXPECT_NEAR(all.tcp_mm[3 * i], 100 * all.t_s[i] - following_error_mm, 1e-4);
+        EXPECT_NEAR(all.contour_error_mm[i], 0, 1e-6);
         EXPECT_EQ(all.line[i], 1U);
     }
 }
@@ -321,11 +321,11 @@ TEST(Run, StraightLinesBetweenInstantsOfForcesAreNearTheirCurves) {
     constexpr double kJerk_m_s3 = 2;
     std::string machine = std::string(kLift) + "[controller]\nmodel = \"ab9\"\nlimit_jerk = true\n";
     machine.insert(machine.find("max_acceleration_mm_s2"), "max_jerk_mm_s3 = 2000\n");
-    Request request = request_of("up.nc", {{"up.nc", "G0 Z100\nM2\n"}, {"lift.toml", machine}});
+    Request request = make_request("up.nc", {{"up.nc", "G0 Z100\nM2\n"}, {"lift.toml", machine}});
     request.machine = "lift.toml";
     engine::Run run = prepared(std::move(request));
     EffortColumns all;
-    ASSERT_TRUE(run.take_efforts([&](const EffortColumns& some) { all = some; }));
+    ASSERT_TRUE(run.on_efforts([&](const EffortColumns& some) { all = some; }));
     ASSERT_TRUE(run.go());
     // 0.1 m/s are reached by growing for as long as by shrinking: 0.1 = jerk T^2.
     const double growing_s = std::sqrt(0.1 / kJerk_m_s3);
@@ -347,11 +347,11 @@ TEST(Run, StraightLinesBetweenInstantsOfForcesAreNearTheirCurves) {
 
 // A single instant of a dwell would not show how long it lasts.
 TEST(Run, TheMotorsHoldAWeightThroughARest) {
-    Request request = request_of("up.nc", {{"up.nc", "G0 Z100\nG4 P3\nG0 Z0\nM2\n"}, {"lift.toml", kLift}});
+    Request request = make_request("up.nc", {{"up.nc", "G0 Z100\nG4 P3\nG0 Z0\nM2\n"}, {"lift.toml", kLift}});
     request.machine = "lift.toml";
     engine::Run run = prepared(std::move(request));
     EffortColumns all;
-    ASSERT_TRUE(run.take_efforts([&](const EffortColumns& some) { all = some; }));
+    ASSERT_TRUE(run.on_efforts([&](const EffortColumns& some) { all = some; }));
     ASSERT_TRUE(run.go());
     std::vector<double> held_s;
     for (std::size_t i = 0; i < all.t_s.size(); ++i) {
@@ -365,19 +365,19 @@ TEST(Run, TheMotorsHoldAWeightThroughARest) {
 }
 
 TEST(Run, NoServoLoopsNoFollowingErrors) {
-    Request request = request_of("up.nc", {{"up.nc", "G0 Z100\nM2\n"}, {"lift.toml", kLift}});
+    Request request = make_request("up.nc", {{"up.nc", "G0 Z100\nM2\n"}, {"lift.toml", kLift}});
     request.machine = "lift.toml";
     engine::Run run = prepared(std::move(request));
-    const std::string sentence =
+    const std::string message =
         "following errors are asked for, and no [[axis]] of the machine file tells of its servo loop "
         "(position_gain_1_s)";
-    const auto taken = run.take_following([](const FollowingColumns&) {});
+    const auto taken = run.on_following([](const FollowingColumns&) {});
     ASSERT_FALSE(taken);
-    EXPECT_EQ(taken.error().message, sentence);
+    EXPECT_EQ(taken.error().message, message);
     const auto written =
-        run.write(Document::trajectory, [](std::string_view) { return true; }, {.following = true});
+        run.write(OutputKind::trajectory, [](std::string_view) { return true; }, {.following = true});
     ASSERT_FALSE(written);
-    EXPECT_EQ(written.error().message, sentence);
+    EXPECT_EQ(written.error().message, message);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/run.h"
-#include "tests/engine/given.h"
+#include "tests/engine/memory_files.h"
 
 namespace gsim::engine::translation_test {
 namespace {
@@ -38,24 +38,24 @@ TEST(Translation, WhatIsWrongIsToldAndRefused) {
     TranslationRequest request;
     request.text = Text("G0 X1\nG1 Y F100\nM2\n", "part.nc");
     auto translation = Translation::open(std::move(request)).value();
-    std::vector<Diagnostic> told;
-    const auto made = translation.make([&](const Diagnostic& found) { told.push_back(found); });
-    ASSERT_FALSE(made);
-    EXPECT_TRUE(made.error().in_program);
-    ASSERT_EQ(told.size(), 1U);
-    EXPECT_EQ(told.front().line, 2U);
-    EXPECT_EQ(made.error().first_error->text, told.front().text);
+    std::vector<Diagnostic> reported;
+    const auto result = translation.make([&](const Diagnostic& found) { reported.push_back(found); });
+    ASSERT_FALSE(result);
+    EXPECT_TRUE(result.error().in_program);
+    ASSERT_EQ(reported.size(), 1U);
+    EXPECT_EQ(reported.front().line, 2U);
+    EXPECT_EQ(result.error().first_error->text, reported.front().text);
 }
 
 TEST(Translation, ItsScriptRunsAsTheProgramDoes) {
     const std::string program = "G0 X10 Y5\nG1 X60 F600\nG3 X60 Y25 I0 J10\nM2\n";
     TranslationRequest request;
     request.text = Text(program, "part.nc");
-    Request run = request_of("part.nc", {{"part.nc", program}, {"part.lua", lua_of(request)}});
+    Request run = make_request("part.nc", {{"part.nc", program}, {"part.lua", lua_of(request)}});
     const auto time_s = [](const Request& of) {
-        engine::Run made = engine::Run::open(of).value();
-        EXPECT_TRUE(made.prepare());
-        return made.go().value().cycle_time_s;
+        engine::Run result = engine::Run::open(of).value();
+        EXPECT_TRUE(result.prepare());
+        return result.go().value().cycle_time_s;
     };
     const double direct_s = time_s(run);
     run.program = "part.lua";

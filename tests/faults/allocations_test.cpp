@@ -16,24 +16,24 @@ class Allocations : public testing::Test {
         if (kInstrumented)
             GTEST_SKIP() << "what is built into the program asks for memory, too, and ends without";
     }
-    static void refuse(bool repeated) {
+    static void reject(bool repeated) {
         for (const Job& job : jobs()) {
             const Count count = sweep(job, {.kind = Kind::allocation, .error = ENOMEM, .repeated = repeated});
             print_row(repeated ? "no memory from an allocation on" : "an allocation fails", job.name, count);
             EXPECT_GT(count.of, 100U) << job.name;
             // The number of a process is in names of files, so that the last ones may not come.
-            EXPECT_GE(count.struck + 2, count.tried) << job.name;
+            EXPECT_GE(count.struck + 2, count.attempts) << job.name;
             for (const std::string& wrong : count.wrong) ADD_FAILURE() << job.name << ", " << wrong;
         }
     }
 };
 
 TEST_F(Allocations, EachFailsOnce) {
-    refuse(false);
+    reject(false);
 }
 
 TEST_F(Allocations, AllFailFromOneOn) {
-    refuse(true);
+    reject(true);
 }
 
 TEST_F(Allocations, TheSentenceNamesTheProgramAndTheReason) {

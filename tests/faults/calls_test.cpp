@@ -12,31 +12,36 @@
 namespace gsim::faults::calls_test {
 namespace {
 
-struct Fault {
+struct InjectedFault {
     Kind kind;
     int error;
     std::string_view name;
 };
 
 // If a file cannot be opened or checked, the program may report the reason of a later error.
-std::string reason_of(const Fault& fault) {
-    return fault.kind == Kind::open || fault.kind == Kind::look ? "" : std::strerror(fault.error);
+std::string reason_of(const InjectedFault& injected_fault) {
+    return injected_fault.kind == Kind::open || injected_fault.kind == Kind::look
+               ? ""
+               : std::strerror(injected_fault.error);
 }
 
-void expect_told(const std::vector<Fault>& faults) {
-    for (const Fault& fault : faults) {
+void expect_told(const std::vector<InjectedFault>& faults) {
+    for (const InjectedFault& injected_fault : faults) {
         for (const Job& job : jobs()) {
-            const Count count =
-                sweep(job, {.kind = fault.kind, .error = fault.error, .reason = reason_of(fault)});
-            print_row(fmt::format("{}, {}", fault.name,
-                                  fault.error == kShort ? "in part" : std::strerror(fault.error)),
-                      job.name, count);
-            EXPECT_EQ(count.struck, count.tried) << job.name << ", " << fault.name;
-            const bool every_job_does = fault.kind == Kind::write || fault.kind == Kind::read;
-            EXPECT_TRUE(count.of > 0 || !every_job_does) << job.name << ", " << fault.name;
+            const Count count = sweep(job, {.kind = injected_fault.kind,
+                                            .error = injected_fault.error,
+                                            .reason = reason_of(injected_fault)});
+            print_row(
+                fmt::format("{}, {}", injected_fault.name,
+                            injected_fault.error == kShort ? "in part" : std::strerror(injected_fault.error)),
+                job.name, count);
+            EXPECT_EQ(count.struck, count.attempts) << job.name << ", " << injected_fault.name;
+            const bool every_job_does =
+                injected_fault.kind == Kind::write || injected_fault.kind == Kind::read;
+            EXPECT_TRUE(count.of > 0 || !every_job_does) << job.name << ", " << injected_fault.name;
             for (const std::string& wrong : count.wrong)
-                ADD_FAILURE() << job.name << ", " << fault.name << ", " << std::strerror(fault.error) << ": "
-                              << wrong;
+                ADD_FAILURE() << job.name << ", " << injected_fault.name << ", "
+                              << std::strerror(injected_fault.error) << ": " << wrong;
         }
     }
 }
@@ -78,8 +83,8 @@ TEST_F(Calls, WritingAndReadingInPartLosesNothing) {
             const Count count = sweep(job, {.kind = kind, .error = kShort});
             print_row(kind == Kind::write ? "a write, in part" : "a read, in part", job.name, count);
             EXPECT_GT(count.struck, 0U) << job.name;
-            EXPECT_EQ(count.struck, count.tried) << job.name;
-            EXPECT_EQ(count.done, count.tried) << job.name;
+            EXPECT_EQ(count.struck, count.attempts) << job.name;
+            EXPECT_EQ(count.done, count.attempts) << job.name;
             for (const std::string& wrong : count.wrong) ADD_FAILURE() << job.name << ": " << wrong;
         }
     }
@@ -119,8 +124,8 @@ TEST_F(Calls, AScriptThatCannotBeReadDoesNotRunAsAnEmptyOne) {
 // The text of a long script lies in a temporary file while it runs.
 TEST_F(Calls, AScriptWhoseTextIsLostStopsWithTheReason) {
     const Job job = job_named("gsim-run, a long program");
-    const Outcome clean = run(job, {.kind = Kind::read});
-    const std::uint64_t reads = clean.calls[static_cast<std::size_t>(Kind::read)];
+    const Outcome is_clean = run(job, {.kind = Kind::read});
+    const std::uint64_t reads = is_clean.calls[static_cast<std::size_t>(Kind::read)];
     const Outcome found = run(job, {.kind = Kind::read, .which = reads, .error = EIO});
     EXPECT_EQ(found.status, 2) << found.out;
     EXPECT_NE(found.out.find("the temporary file for the Lua cannot be read: Input/output error"),

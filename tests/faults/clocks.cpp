@@ -12,7 +12,7 @@
 namespace {
 
 constexpr long kYear_s = 365L * 24 * 3600;
-constexpr long kMinute_s = 60;
+constexpr long kSecondsPerMinute = 60;
 constexpr long kNanosecondsOfOne = 1000;
 
 // A preloaded library receives no arguments: its state can only be here.
@@ -22,7 +22,7 @@ long jump_s(clockid_t clock) {
     const long look = ++looks;
     const bool counts = clock == CLOCK_MONOTONIC || clock == CLOCK_MONOTONIC_COARSE ||
                         clock == CLOCK_MONOTONIC_RAW || clock == CLOCK_BOOTTIME;
-    if (counts) return look * kMinute_s;
+    if (counts) return look * kSecondsPerMinute;
     const bool of_day = clock == CLOCK_REALTIME || clock == CLOCK_REALTIME_COARSE;
     if (!of_day) return 0;
     return look % 2 == 0 ? kYear_s : -kYear_s;

@@ -36,7 +36,7 @@ namespace gsim::faults {
 
 namespace {
 
-struct Fault {
+struct InjectedFault {
     Kind kind = Kind::count;
     std::uint64_t which = 0;
     int error = kShort;
@@ -45,23 +45,23 @@ struct Fault {
 
 // A preloaded library receives no arguments: its state can only be here.
 Tally* tally = nullptr;
-Fault fault;
+InjectedFault injected_fault;
 
 // Returns how this call fails, if it does.
 std::optional<int> next_call(Kind kind) {
     if (tally == nullptr) return std::nullopt;
     const std::uint64_t number = ++tally->calls[static_cast<std::size_t>(kind)];
-    if (kind != fault.kind || fault.which == 0 || number < fault.which ||
-        (number > fault.which && !fault.repeated))
+    if (kind != injected_fault.kind || injected_fault.which == 0 || number < injected_fault.which ||
+        (number > injected_fault.which && !injected_fault.repeated))
         return std::nullopt;
     ++tally->struck;
-    return fault.error;
+    return injected_fault.error;
 }
 
 bool refused_memory() {
-    const bool refused = next_call(Kind::allocation).has_value();
-    if (refused) errno = ENOMEM;
-    return refused;
+    const bool rejected = next_call(Kind::allocation).has_value();
+    if (rejected) errno = ENOMEM;
+    return rejected;
 }
 
 struct Call {
@@ -95,20 +95,20 @@ struct Arguments {
 
 #if defined(__x86_64__)
 constexpr unsigned kMachine = AUDIT_ARCH_X86_64;
-Arguments arguments_of(const mcontext_t& at) {
+Arguments call_arguments(const mcontext_t& at) {
     return {{at.gregs[REG_RDI], at.gregs[REG_RSI], at.gregs[REG_RDX], at.gregs[REG_R10], at.gregs[REG_R8]}};
 }
-void answer(mcontext_t& at, long value) {
+void set_result(mcontext_t& at, long value) {
     at.gregs[REG_RAX] = value;
 }
 #elif defined(__aarch64__)
 constexpr unsigned kMachine = AUDIT_ARCH_AARCH64;
-Arguments arguments_of(const mcontext_t& at) {
+Arguments call_arguments(const mcontext_t& at) {
     Arguments found{};
     for (std::size_t i = 0; i < std::size(found.values); ++i) found.values[i] = static_cast<long>(at.regs[i]);
     return found;
 }
-void answer(mcontext_t& at, long value) {
+void set_result(mcontext_t& at, long value) {
     at.regs[0] = static_cast<unsigned long long>(value);
 }
 #else
@@ -130,25 +130,25 @@ long half(long size) {
 long done_in_part(long number, Arguments given) {
     long* const values = given.values;
     if (number == SYS_writev || number == SYS_readv) {
-        const auto* piece = std::bit_cast<const iovec*>(values[1]);
-        for (long left = values[2]; left > 1 && piece->iov_len == 0; --left) ++piece;
-        values[1] = reinterpret_cast<long>(piece->iov_base);
-        values[2] = static_cast<long>(piece->iov_len);
+        const auto* io_vector = std::bit_cast<const iovec*>(values[1]);
+        for (long remaining = values[2]; remaining > 1 && io_vector->iov_len == 0; --remaining) ++io_vector;
+        values[1] = reinterpret_cast<long>(io_vector->iov_base);
+        values[2] = static_cast<long>(io_vector->iov_len);
         number = number == SYS_writev ? SYS_write : SYS_read;
     }
     values[2] = half(values[2]);
     return done(number, given);
 }
 
-Kind kind_of(long number) {
+Kind fault_kind(long number) {
     for (const Call& call : kCalls) {
         if (call.number == number) return call.kind;
     }
     return Kind::count;
 }
 
-long answer_to(long number, const Arguments& given) {
-    const Kind kind = kind_of(number);
+long handle_request(long number, const Arguments& given) {
+    const Kind kind = fault_kind(number);
     const std::optional<int> error = next_call(kind);
     if (!error) return done(number, given);
     if (*error < 0) {
@@ -164,7 +164,7 @@ long answer_to(long number, const Arguments& given) {
 extern "C" void handle_call(int, siginfo_t* info, void* context) {
     const int error = errno;
     mcontext_t& at = static_cast<ucontext_t*>(context)->uc_mcontext;
-    answer(at, answer_to(info->si_syscall, arguments_of(at)));
+    set_result(at, handle_request(info->si_syscall, call_arguments(at)));
     errno = error;
 }
 
@@ -191,18 +191,18 @@ bool filter_calls() {
     }
     program[length++] = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
     program[length++] = BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_TRAP);
-    const sock_fprog whole{static_cast<unsigned short>(length), program};
+    const sock_fprog full{static_cast<unsigned short>(length), program};
     return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-           ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &whole) == 0;
+           ::prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &full) == 0;
 }
 
-Fault fault_asked_for() {
-    const char* const asked = std::getenv(kFaultVariable);
+InjectedFault fault_asked_for() {
+    const char* const requested = std::getenv(kFaultVariable);
     unsigned kind = 0;
     unsigned long which = 0;
     int error = 0;
     int repeated = 0;
-    if (asked == nullptr || std::sscanf(asked, "%u %lu %d %d", &kind, &which, &error, &repeated) != 4)
+    if (requested == nullptr || std::sscanf(requested, "%u %lu %d %d", &kind, &which, &error, &repeated) != 4)
         return {};
     return {static_cast<Kind>(kind), which, error, repeated != 0};
 }
@@ -221,12 +221,12 @@ constexpr int kNotStarted = 125;
 void begin() {
     const char* const name = std::getenv(kTallyVariable);
     if (name == nullptr) return;
-    fault = fault_asked_for();
+    injected_fault = fault_asked_for();
     Tally* const mapped = map_tally(name);
     // Programs that this one runs are run as they are.
     for (const char* variable : {kTallyVariable, kFaultVariable, "LD_PRELOAD"}) ::unsetenv(variable);
     if (mapped == nullptr) ::_exit(kNotStarted);
-    if (fault.kind != Kind::allocation && !filter_calls()) ::_exit(kNotStarted);
+    if (injected_fault.kind != Kind::allocation && !filter_calls()) ::_exit(kNotStarted);
     tally = mapped;
 }
 

@@ -38,7 +38,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
     return found;
 }
 
-std::string name_of(const std::string& variable) {
+std::string variable_name(const std::string& variable) {
     return variable.substr(0, variable.find('=') + 1);
 }
 
@@ -47,7 +47,7 @@ std::vector<std::string> environment_with(const std::vector<std::string>& change
     for (char** variable = environ; *variable != nullptr; ++variable) {
         const std::string text = *variable;
         if (std::none_of(changed.begin(), changed.end(),
-                         [&](const std::string& each) { return name_of(each) == name_of(text); }))
+                         [&](const std::string& each) { return variable_name(each) == variable_name(text); }))
             all.push_back(text);
     }
     return all;
@@ -73,7 +73,7 @@ class MappedTally {
     Tally* tally_;
 };
 
-Start start_of(const Job& job, const Conditions& conditions, const fs::path& folder) {
+Start start_state(const Job& job, const Conditions& conditions, const fs::path& folder) {
     Start start{.command = job.command, .environment = conditions.environment, .folder = folder / "work"};
     start.command.front() = program_path(job.command.front());
     start.in = folder / "in";
@@ -175,7 +175,7 @@ Outcome run(const Job& job, const Conditions& conditions) {
     write_files(folder.path() / "work", job.files);
     write_files(folder.path(), {{"in", job.input}});
     const MappedTally tally(folder.path() / "tally");
-    const Ended ended = wait_for(start(start_of(job, conditions, folder.path())));
+    const Ended ended = wait_for(start(start_state(job, conditions, folder.path())));
     Outcome outcome{.status = ended.status, .ended_by = ended.by};
     outcome.out = read_file(folder.path() / "out");
     outcome.err = read_file(folder.path() / "err");

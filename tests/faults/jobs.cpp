@@ -24,7 +24,7 @@ std::vector<std::string> all_outputs() {
         if (name != "plot") command.insert(command.end(), {option, name + *endings.begin()});
     };
 #define GSIM_DOCUMENT(name, number, option, help, ...) add(option, #name, {__VA_ARGS__});
-#include "engine/documents.def"
+#include "engine/outputs.def"
     return command;
 }
 

@@ -23,11 +23,11 @@ bool is_left_over(const std::string& name) {
     return name.ends_with(".tmp") || name.ends_with(".lock");
 }
 
-bool is_whole(const Job& job, const Outcome& clean, const std::string& name, const std::string& text) {
+bool is_whole(const Job& job, const Outcome& is_clean, const std::string& name, const std::string& text) {
     const auto before = job.files.find(name);
-    const auto after = clean.files.find(name);
+    const auto after = is_clean.files.find(name);
     return (before != job.files.end() && before->second == text) ||
-           (after != clean.files.end() && after->second == text);
+           (after != is_clean.files.end() && after->second == text);
 }
 
 struct Toll {
@@ -40,34 +40,34 @@ struct Toll {
 void expect_next_run_goes_well(const Job& job, const Outcome& killed) {
     Job next = job;
     next.files = killed.files;
-    const Outcome again = run(next, {});
-    EXPECT_EQ(again.status, 0) << again.err;
-    for (const auto& [name, text] : again.files)
+    const Outcome relist = run(next, {});
+    EXPECT_EQ(relist.status, 0) << relist.err;
+    for (const auto& [name, text] : relist.files)
         EXPECT_TRUE(killed.files.count(name) > 0 || !is_left_over(name)) << name;
 }
 
-void expect_old_or_new(const Job& job, const Outcome& clean, const Conditions& kill, Toll& kills) {
+void expect_old_or_new(const Job& job, const Outcome& is_clean, const Conditions& kill, Toll& kills) {
     const Outcome killed = run(job, kill);
     EXPECT_EQ(killed.ended_by, fmt::format("signal {}", -kill.error)) << job.name << kill.which;
     bool left = false;
     for (const auto& [name, text] : killed.files) {
         left |= is_left_over(name);
-        EXPECT_TRUE(is_left_over(name) || is_whole(job, clean, name, text)) << job.name << ": " << name;
+        EXPECT_TRUE(is_left_over(name) || is_whole(job, is_clean, name, text)) << job.name << ": " << name;
     }
     for (const auto& [name, text] : job.files) EXPECT_EQ(killed.files.count(name), 1U) << name;
     ++kills.count;
     if (left) ++kills.leftovers;
-    if (killed.files == clean.files) ++kills.with_new;
+    if (killed.files == is_clean.files) ++kills.with_new;
     if (left) expect_next_run_goes_well(job, killed);
 }
 
 Toll kill_everywhere(const Job& job, int signal) {
     Toll kills;
-    const Outcome clean = run(job, {.kind = Kind::write});
+    const Outcome is_clean = run(job, {.kind = Kind::write});
     for (const Kind kind : calls()) {
-        const std::uint64_t calls = clean.calls[static_cast<std::size_t>(kind)];
+        const std::uint64_t calls = is_clean.calls[static_cast<std::size_t>(kind)];
         for (std::uint64_t which = 1; which <= calls; ++which)
-            expect_old_or_new(job, clean, {.kind = kind, .which = which, .error = -signal}, kills);
+            expect_old_or_new(job, is_clean, {.kind = kind, .which = which, .error = -signal}, kills);
     }
     return kills;
 }

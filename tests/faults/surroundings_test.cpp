@@ -24,12 +24,12 @@ const std::vector<std::string> kJumps = {
     fmt::format("LD_PRELOAD={}", tests::build_path("lib/test_modules/libgsim_clocks.so")),
     "ASAN_OPTIONS=verify_asan_link_order=0"};
 
-void expect_same(const Job& job, const Outcome& found, const Outcome& clean) {
+void expect_same(const Job& job, const Outcome& found, const Outcome& is_clean) {
     EXPECT_EQ(found.ended_by, "") << job.name;
-    EXPECT_EQ(found.status, clean.status) << job.name << found.err;
-    EXPECT_EQ(found.out, clean.out) << job.name;
-    EXPECT_EQ(found.err, clean.err) << job.name;
-    EXPECT_EQ(found.files, clean.files) << job.name;
+    EXPECT_EQ(found.status, is_clean.status) << job.name << found.err;
+    EXPECT_EQ(found.out, is_clean.out) << job.name;
+    EXPECT_EQ(found.err, is_clean.err) << job.name;
+    EXPECT_EQ(found.files, is_clean.files) << job.name;
 }
 
 TEST(Clocks, NoResultKnowsWhatTimeItIs) {
@@ -84,10 +84,10 @@ class Locale : public testing::Test {
     /// Makes the locale; returns false if that cannot be done.
     bool make() const {
         const InFolder folder({});
-        const std::string made = (folder_.path() / kName).string();
+        const std::string locale_folder = (folder_.path() / kName).string();
         if (!fs::exists("/usr/bin/localedef") || !fs::exists("/usr/share/i18n/locales/de_DE")) return false;
-        folder.run({"/usr/bin/localedef", "--no-archive", "-i", "de_DE", "-f", "UTF-8", made});
-        return fs::exists(made + "/LC_NUMERIC");
+        folder.run({"/usr/bin/localedef", "--no-archive", "-i", "de_DE", "-f", "UTF-8", locale_folder});
+        return fs::exists(locale_folder + "/LC_NUMERIC");
     }
     std::vector<std::string> environment() const {
         return {"LOCPATH=" + folder_.path().string(), fmt::format("LC_ALL={}", kName),
@@ -122,8 +122,8 @@ std::vector<std::string> as_ordinary_user() {
 }
 
 bool writes_a_file(const Job& job) {
-    const Outcome clean = run(job, {});
-    return clean.files != job.files;
+    const Outcome is_clean = run(job, {});
+    return is_clean.files != job.files;
 }
 
 TEST(Folders, AFolderThatCannotBeWrittenStaysAsItIs) {
@@ -153,11 +153,11 @@ TEST(Folders, AFolderThatCannotBeWrittenStaysAsItIs) {
 
 /// A command in a folder that is gone.
 std::vector<std::string> in_lost_folder(const std::vector<std::string>& command) {
-    std::vector<std::string> whole = {"/bin/sh", "-c",
-                                      "mkdir gone && cd gone && rmdir ../gone && exec \"$0\" \"$@\""};
-    whole.push_back(program_path(command.front()));
-    whole.insert(whole.end(), command.begin() + 1, command.end());
-    return whole;
+    std::vector<std::string> full = {"/bin/sh", "-c",
+                                     "mkdir gone && cd gone && rmdir ../gone && exec \"$0\" \"$@\""};
+    full.push_back(program_path(command.front()));
+    full.insert(full.end(), command.begin() + 1, command.end());
+    return full;
 }
 
 TEST(Folders, AWorkingFolderThatIsGoneIsNamedOrNotNeeded) {
@@ -173,7 +173,7 @@ TEST(Folders, AWorkingFolderThatIsGoneIsNamedOrNotNeeded) {
         {"gsim-data", out("data"), "set", "--create", "VARIABLE", "500", "VALUE=3"}};
     for (const auto& command : absolute)
         EXPECT_EQ(folder.run(in_lost_folder(command)).status, 0) << command.front() << ": " << folder.said();
-    const Files whole = read_files(folder.path());
+    const Files full = read_files(folder.path());
     const std::vector<std::vector<std::string>> relative = {
         {"gsim-run", "--quiet", wheel, "--moves", "moves"},
         {"gsim-run", "--quiet", wheel, "--variables", "kept"},
@@ -188,7 +188,7 @@ TEST(Folders, AWorkingFolderThatIsGoneIsNamedOrNotNeeded) {
         EXPECT_EQ(read_files(other.path()).size(), 1U) << "what it said alone";
     }
     Files now = read_files(folder.path());
-    EXPECT_EQ(now.at("lua"), whole.at("lua"));
+    EXPECT_EQ(now.at("lua"), full.at("lua"));
 }
 
 // Two programs of different length, written by many runs under the same names: each file is completely one of
@@ -201,9 +201,9 @@ TEST(Folders, ManyAtOnceLeaveWholeFiles) {
         {"gsim-check", "PART", "--sarif", "found"}};
     for (const auto& command : commands) {
         const auto of = [&](const std::string& part) {
-            std::vector<std::string> whole = command;
-            for (std::string& word : whole) word = word == "PART" ? part : word;
-            return whole;
+            std::vector<std::string> full = command;
+            for (std::string& word : full) word = word == "PART" ? part : word;
+            return full;
         };
         const Files parts = {{"a.nc", "G0 X100\nM2\n"},
                              {"b.nc", "G0 X10\nG1 X110 F3000\nG1 X20\nG1 X50\nM2\n"}};
@@ -213,10 +213,10 @@ TEST(Folders, ManyAtOnceLeaveWholeFiles) {
         constexpr int kRuns = 64;
         std::vector<int> processes;
         for (int i = 0; i < kRuns; ++i) {
-            std::vector<std::string> whole = of(i % 2 == 0 ? "a.nc" : "b.nc");
-            whole.front() = program_path(whole.front());
+            std::vector<std::string> full = of(i % 2 == 0 ? "a.nc" : "b.nc");
+            full.front() = program_path(full.front());
             const fs::path err = said.path() / std::to_string(i);
-            processes.push_back(start({.command = whole, .folder = folder.path(), .err = err}));
+            processes.push_back(start({.command = full, .folder = folder.path(), .err = err}));
         }
         for (int i = 0; i < kRuns; ++i) {
             const Ended ended = wait_for(processes[static_cast<std::size_t>(i)]);

@@ -19,11 +19,12 @@ constexpr std::uint64_t kMany = 50;
 constexpr std::uint64_t kFew = 10;
 constexpr unsigned kSeed = 14;
 constexpr int kRefused = 2;
-constexpr std::size_t kShown = 5;
+constexpr std::size_t kMaxShownLength = 5;
 
 // Returns true if a run that was made to fail reports why; with --json on standard output.
-bool tells(const Outcome& clean, const Outcome& found) {
-    return (!found.err.empty() && found.err != clean.err) || (!found.out.empty() && found.out != clean.out);
+bool tells(const Outcome& is_clean, const Outcome& found) {
+    return (!found.err.empty() && found.err != is_clean.err) ||
+           (!found.out.empty() && found.out != is_clean.out);
 }
 
 // A lock with an unknown owner stays; it blocks no process.
@@ -31,16 +32,16 @@ bool is_lock(const std::string& name) {
     return name.ends_with(".lock");
 }
 
-std::string file_fault(const Job& job, const Outcome& clean, const Outcome& found) {
+std::string file_fault(const Job& job, const Outcome& is_clean, const Outcome& found) {
     for (const auto& [name, text] : found.files) {
         if (is_lock(name)) continue;
         const auto before = job.files.find(name);
-        const auto after = clean.files.find(name);
+        const auto after = is_clean.files.find(name);
         const bool is_old = before != job.files.end() && before->second == text;
-        const bool is_new = after != clean.files.end() && after->second == text;
+        const bool is_new = after != is_clean.files.end() && after->second == text;
         if (!is_old && !is_new)
             return fmt::format("'{}' is {}", name,
-                               after == clean.files.end() ? "left over" : "neither old nor new");
+                               after == is_clean.files.end() ? "left over" : "neither old nor new");
     }
     for (const auto& [name, text] : job.files) {
         if (found.files.count(name) == 0) return fmt::format("'{}' is gone", name);
@@ -49,30 +50,32 @@ std::string file_fault(const Job& job, const Outcome& clean, const Outcome& foun
 }
 
 // Returns the error of a run under this fault; empty: none.
-std::string find_wrong_with(const Job& job, const Conditions& fault, const Outcome& clean,
+std::string find_wrong_with(const Job& job, const Conditions& injected_fault, const Outcome& is_clean,
                             const Outcome& found) {
-    std::string wrong = find_wrong(job, clean, found);
-    if (!wrong.empty() || found.status == clean.status || fault.reason.empty()) return wrong;
-    const bool named = (found.err + found.out).find(fault.reason) != std::string::npos;
-    return named ? "" : fmt::format("the reason, '{}', is not named", fault.reason);
+    std::string wrong = find_wrong(job, is_clean, found);
+    if (!wrong.empty() || found.status == is_clean.status || injected_fault.reason.empty()) return wrong;
+    const bool named = (found.err + found.out).find(injected_fault.reason) != std::string::npos;
+    return named ? "" : fmt::format("the reason, '{}', is not named", injected_fault.reason);
 }
 
-void take(Count& count, const Job& job, const Conditions& fault, const Outcome& clean, const Outcome& found) {
+void record_outcome(Count& count, const Job& job, const Conditions& injected_fault, const Outcome& is_clean,
+                    const Outcome& found) {
     if (found.struck > 0) ++count.struck;
-    ++(found.status == clean.status ? count.done : count.told);
-    const std::string wrong = find_wrong_with(job, fault, clean, found);
-    if (!wrong.empty() && count.wrong.size() < kShown)
-        count.wrong.push_back(fmt::format("call {}: {}; it said: {}", fault.which, wrong, found.err));
+    ++(found.status == is_clean.status ? count.done : count.reported);
+    const std::string wrong = find_wrong_with(job, injected_fault, is_clean, found);
+    if (!wrong.empty() && count.wrong.size() < kMaxShownLength)
+        count.wrong.push_back(
+            fmt::format("call {}: {}; it said: {}", injected_fault.which, wrong, found.err));
 }
 
 }  // namespace
 
 bool tries_all() {
-    const char* const wanted = std::getenv("GSIM_TEST_ALL");
-    return wanted != nullptr && std::string_view(wanted) == "1";
+    const char* const expected_value = std::getenv("GSIM_TEST_ALL");
+    return expected_value != nullptr && std::string_view(expected_value) == "1";
 }
 
-std::vector<std::uint64_t> chosen(std::uint64_t count, std::uint64_t at_each_end) {
+std::vector<std::uint64_t> selected(std::uint64_t count, std::uint64_t at_each_end) {
     std::set<std::uint64_t> which;
     if (tries_all() || count <= 3 * at_each_end) {
         for (std::uint64_t i = 1; i <= count; ++i) which.insert(i);
@@ -88,34 +91,34 @@ std::vector<std::uint64_t> chosen(std::uint64_t count, std::uint64_t at_each_end
     return {which.begin(), which.end()};
 }
 
-std::string find_wrong(const Job& job, const Outcome& clean, const Outcome& found) {
+std::string find_wrong(const Job& job, const Outcome& is_clean, const Outcome& found) {
     if (!found.ended_by.empty()) return fmt::format("ended by {}", found.ended_by);
-    if (found.status == clean.status) {
-        if (found.out != clean.out) return "another standard output with the same status";
-        return found.files == clean.files ? "" : "other files with the same status";
+    if (found.status == is_clean.status) {
+        if (found.out != is_clean.out) return "another standard output with the same status";
+        return found.files == is_clean.files ? "" : "other files with the same status";
     }
     if (found.status != kRefused) return fmt::format("status {}", found.status);
-    if (!tells(clean, found)) return "status 2 without a word";
-    return file_fault(job, clean, found);
+    if (!tells(is_clean, found)) return "status 2 without a word";
+    return file_fault(job, is_clean, found);
 }
 
-Count sweep(const Job& job, const Conditions& fault) {
-    Conditions none = fault;
+Count sweep(const Job& job, const Conditions& injected_fault) {
+    Conditions none = injected_fault;
     none.which = 0;
-    const Outcome clean = run(job, none);
+    const Outcome is_clean = run(job, none);
     Count count;
-    count.of = clean.calls[static_cast<std::size_t>(fault.kind)];
-    const std::vector<std::uint64_t> all = chosen(count.of, fault.repeated ? kFew : kMany);
-    count.tried = all.size();
+    count.of = is_clean.calls[static_cast<std::size_t>(injected_fault.kind)];
+    const std::vector<std::uint64_t> all = selected(count.of, injected_fault.repeated ? kFew : kMany);
+    count.attempts = all.size();
     std::atomic<std::size_t> next = 0;
     std::mutex counting;
     const auto work = [&] {
         for (std::size_t i = next++; i < all.size(); i = next++) {
-            Conditions one = fault;
+            Conditions one = injected_fault;
             one.which = all[i];
             const Outcome found = run(job, one);
             const std::lock_guard lock(counting);
-            take(count, job, one, clean, found);
+            record_outcome(count, job, one, is_clean, found);
         }
     };
     std::thread other(work);
@@ -124,10 +127,10 @@ Count sweep(const Job& job, const Conditions& fault) {
     return count;
 }
 
-void print_row(const std::string& fault, const std::string& job, const Count& count) {
+void print_row(const std::string& injected_fault, const std::string& job, const Count& count) {
     if (std::getenv("GSIM_FAULT_TABLE") == nullptr) return;
-    std::fputs(fmt::format("| {} | {} | {} | {} | {} | {} |\n", fault, job, count.of, count.tried, count.told,
-                           count.done)
+    std::fputs(fmt::format("| {} | {} | {} | {} | {} | {} |\n", injected_fault, job, count.of, count.attempts,
+                           count.reported, count.done)
                    .c_str(),
                stdout);
 }

@@ -21,10 +21,10 @@ std::vector<machine::Axis> data_axes() {
 std::optional<std::string> fault_of_data(const machine::MachineData& data,
                                          const std::vector<machine::Axis>& axes) {
     const std::string text = machine::write_machine_data(data, axes);
-    const auto again = machine::read_machine_data(text, "again", axes);
-    if (!again) return fmt::format("what is written is refused: {}\n{}", again.error(), text);
-    if (*again != data) return fmt::format("what is written means other data:\n{}", text);
-    if (const auto aliases = engine::aliases_of(data); !aliases) return fault_of_sentence(aliases.error());
+    const auto relist = machine::read_machine_data(text, "again", axes);
+    if (!relist) return fmt::format("what is written is refused: {}\n{}", relist.error(), text);
+    if (*relist != data) return fmt::format("what is written means other data:\n{}", text);
+    if (const auto aliases = engine::make_aliases(data); !aliases) return fault_of_sentence(aliases.error());
     return std::nullopt;
 }
 
@@ -53,19 +53,19 @@ Outcome check_machine_data(std::string_view text) {
     if (!document) {
         if (document.error().empty()) return broken("a refusal without an error");
         for (const std::string& error : document.error()) {
-            if (auto fault = fault_of_error(error, file)) return broken(*std::move(fault));
+            if (auto violation = fault_of_error(error, file)) return broken(*std::move(violation));
         }
         if (document.error().front() != data.error())
             return broken("document and data name other first errors");
-        return refused();
+        return rejected();
     }
     if (document->text() != text) return broken("the file does not come back byte for byte");
     if (document->data() != *data) return broken("document and data mean other things");
-    if (auto fault = fault_of_data(*data, axes)) return broken(*std::move(fault));
+    if (auto violation = fault_of_data(*data, axes)) return broken(*std::move(violation));
     if (const auto updated = document->update(*data); !updated)
         return broken("its own data cannot be written: " + updated.error());
     if (document->text() != text) return broken("its own data change the file");
-    if (auto fault = fault_of_conversion(*std::move(document))) return broken(*std::move(fault));
+    if (auto violation = fault_of_conversion(*std::move(document))) return broken(*std::move(violation));
     return accepted();
 }
 
@@ -74,27 +74,27 @@ Outcome check_machine_data_json(std::string_view json) {
     const std::vector<machine::Axis> axes = data_axes();
     const auto document = engine::data_from_json(json, file, axes);
     if (!document) {
-        if (auto fault = fault_of_sentence(document.error())) return broken(*std::move(fault));
+        if (auto violation = fault_of_sentence(document.error())) return broken(*std::move(violation));
         if (!document.error().starts_with(file))
             return broken("an error without its file: " + document.error());
-        return refused();
+        return rejected();
     }
     const std::string written = engine::data_to_json(*document).dump();
-    const auto again = engine::data_from_json(written, file, axes);
-    if (!again) return broken(fmt::format("what is written is refused: {}\n{}", again.error(), written));
-    if (again->data() != document->data()) return broken("what is written means other data:\n" + written);
-    if (auto fault = fault_of_data(document->data(), axes)) return broken(*std::move(fault));
+    const auto relist = engine::data_from_json(written, file, axes);
+    if (!relist) return broken(fmt::format("what is written is refused: {}\n{}", relist.error(), written));
+    if (relist->data() != document->data()) return broken("what is written means other data:\n" + written);
+    if (auto violation = fault_of_data(document->data(), axes)) return broken(*std::move(violation));
     return accepted();
 }
 
 Outcome check_variables(std::string_view text) {
     const std::string file = name_beside(".var");
-    const auto values = engine::variables_of(text, file);
+    const auto values = engine::parse_variables(text, file);
     if (!values) return refused_with(values.error(), file);
     const std::string written = engine::variables_text(*values);
-    const auto again = engine::variables_of(written, file);
-    if (!again) return broken(fmt::format("what is written is refused: {}\n{}", again.error(), written));
-    if (*again != *values) return broken("what is written means other values:\n" + written);
+    const auto relist = engine::parse_variables(written, file);
+    if (!relist) return broken(fmt::format("what is written is refused: {}\n{}", relist.error(), written));
+    if (*relist != *values) return broken("what is written means other values:\n" + written);
     return accepted();
 }
 

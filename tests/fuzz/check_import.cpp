@@ -13,16 +13,16 @@
 namespace gsim::fuzz {
 namespace {
 
-using import::Imported;
+using import::ImportResult;
 
 constexpr std::string_view kLetters = "XYZBC";
 constexpr double kMmPerInch = 25.4;
 
 /// Imported settings can be written, or a message names what no file can hold; written files are right.
-std::optional<std::string> fault_of_files(const Imported& imported, const std::string& file) {
-    for (const auto* told : {&imported.warnings, &imported.left_out}) {
-        for (const std::string& sentence : *told) {
-            if (auto fault = fault_of_sentence(sentence)) return fault;
+std::optional<std::string> fault_of_files(const ImportResult& imported, const std::string& file) {
+    for (const auto* reported : {&imported.warnings, &imported.left_out}) {
+        for (const std::string& message : *reported) {
+            if (auto violation = fault_of_sentence(message)) return violation;
         }
     }
     const auto data = import::machine_data_text(imported);
@@ -32,7 +32,7 @@ std::optional<std::string> fault_of_files(const Imported& imported, const std::s
     return std::nullopt;
 }
 
-std::optional<std::string> fault_of_machine(const Imported& imported, const std::string& file) {
+std::optional<std::string> fault_of_machine(const ImportResult& imported, const std::string& file) {
     const auto toml = import::machine_toml(imported, file);
     if (!toml) return "a machine that is taken over cannot be written: " + toml.error();
     const auto machine = machine::read_machine(*toml, file);
@@ -50,13 +50,13 @@ std::optional<std::string> fault_of_import(const std::string& error, const std::
     return fault_of_error(error, file);
 }
 
-Outcome outcome_of_import(const tl::expected<Imported, std::string>& imported, const std::string& file) {
+Outcome outcome_of_import(const tl::expected<ImportResult, std::string>& imported, const std::string& file) {
     if (!imported) {
-        if (auto fault = fault_of_import(imported.error(), file)) return broken(*std::move(fault));
-        return refused();
+        if (auto violation = fault_of_import(imported.error(), file)) return broken(*std::move(violation));
+        return rejected();
     }
-    if (auto fault = fault_of_files(*imported, file)) return broken(*std::move(fault));
-    if (auto fault = fault_of_machine(*imported, file)) return broken(*std::move(fault));
+    if (auto violation = fault_of_files(*imported, file)) return broken(*std::move(violation));
+    if (auto violation = fault_of_machine(*imported, file)) return broken(*std::move(violation));
     Outcome outcome = outcome_of(run_moves({.machine = imported->machine}));
     outcome.accepted = true;
     return outcome;
@@ -64,27 +64,27 @@ Outcome outcome_of_import(const tl::expected<Imported, std::string>& imported, c
 
 template <typename Take>
 Outcome check_table(Take take, std::string_view text, const std::string& file, double unit_mm) {
-    Imported imported;
+    ImportResult imported;
     for (const char letter : kLetters) {
         imported.machine.axes.push_back(
             {.letter = letter, .kind = letter < 'U' ? machine::AxisKind::rotary : machine::AxisKind::linear});
     }
-    import::TableNotes notes;
+    import::ImportNotes notes;
     if (const auto taken = take(text, file, unit_mm, kLetters, imported.data, notes); !taken)
         return refused_with(taken.error(), file);
     imported.left_out = std::move(notes.left_out);
-    if (auto fault = fault_of_files(imported, file)) return broken(*std::move(fault));
+    if (auto violation = fault_of_files(imported, file)) return broken(*std::move(violation));
     return accepted();
 }
 
 }  // namespace
 
 Outcome check_tool_table(std::string_view text) {
-    return check_table(import::take_tools, text, name_beside(".tbl"), kMmPerInch);
+    return check_table(import::import_tools, text, name_beside(".tbl"), kMmPerInch);
 }
 
 Outcome check_parameters(std::string_view text) {
-    return check_table(import::take_parameters, text, name_beside(".var"), 1);
+    return check_table(import::import_parameters, text, name_beside(".var"), 1);
 }
 
 Outcome check_linuxcnc_ini(std::string_view text) {

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include "base/toml/toml_text.h"
+#include "base/toml/toml_writer.h"
 #include "machine/file/controller_file.h"
 #include "machine/file/machine_file.h"
 #include "tests/fuzz/checks.h"
@@ -32,9 +32,9 @@ Outcome check_machine(std::string_view toml) {
     auto machine = machine::read_machine(toml, file);
     if (!machine) return refused_with(machine.error(), file);
     const std::string printed = machine::print_machine(*machine);
-    const auto again = machine::read_machine(printed, file);
-    if (!again) return broken(fmt::format("what is printed is refused: {}\n{}", again.error(), printed));
-    if (*again != *machine)
+    const auto relist = machine::read_machine(printed, file);
+    if (!relist) return broken(fmt::format("what is printed is refused: {}\n{}", relist.error(), printed));
+    if (*relist != *machine)
         return broken(fmt::format("what is printed reads as another machine:\n{}", printed));
     return move_it(*std::move(machine));
 }
@@ -43,15 +43,15 @@ Outcome check_controller(std::string_view toml) {
     const std::string file = name_beside(".toml");
     const auto rules = machine::read_controller(toml, file, "fuzz");
     if (!rules) return refused_with(rules.error(), file);
-    base::TomlText out;
+    base::TomlWriter out;
     machine::print_controller(out, *rules);
-    const std::string printed = out.take();
+    const std::string printed = out.release();
     if (printed.empty()) return accepted();  // as a machine without such a table
-    const auto again = machine::read_controller(printed, file, "fuzz");
-    if (!again) return broken(fmt::format("what is printed is refused: {}\n{}", again.error(), printed));
-    if (*again != *rules) return broken(fmt::format("what is printed reads as other rules:\n{}", printed));
+    const auto relist = machine::read_controller(printed, file, "fuzz");
+    if (!relist) return broken(fmt::format("what is printed is refused: {}\n{}", relist.error(), printed));
+    if (*relist != *rules) return broken(fmt::format("what is printed reads as other rules:\n{}", printed));
     machine::Machine machine = machine_with(*rules);
-    if (machine::find_controller_fault(machine)) return accepted();
+    if (machine::find_controller_error(machine)) return accepted();
     return move_it(std::move(machine));
 }
 

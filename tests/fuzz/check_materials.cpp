@@ -15,15 +15,15 @@ constexpr double kThickness_mm = 10;
 constexpr double kRadius_mm = 5;
 
 std::optional<std::string> fault_of_plan(const waterjet::CuttingPlan& plan) {
-    const std::array figures{plan.cutting_speed_mm_min,
-                             plan.separation_speed_mm_min,
-                             plan.kerf_mm,
-                             plan.water_l_min,
-                             feed_for_radius_mm_min(plan, kRadius_mm),
-                             feed_for_corner_mm_min(plan, 1)};
-    for (const double figure : figures) {
-        if (!std::isfinite(figure) || figure <= 0)
-            return fmt::format("{} is cut with {}", plan.material, figure);
+    const std::array values{plan.cutting_speed_mm_min,
+                            plan.separation_speed_mm_min,
+                            plan.kerf_mm,
+                            plan.water_l_min,
+                            feed_for_radius_mm_min(plan, kRadius_mm),
+                            feed_for_corner_mm_min(plan, 1)};
+    for (const double metric : values) {
+        if (!std::isfinite(metric) || metric <= 0)
+            return fmt::format("{} is cut with {}", plan.material, metric);
     }
     if (!std::isfinite(plan.pierce_s) || plan.pierce_s < 0)
         return fmt::format("{} is pierced in {} s", plan.material, plan.pierce_s);
@@ -41,8 +41,8 @@ Outcome check_materials(std::string_view toml) {
         request.material = material.name;
         request.thickness_mm = kThickness_mm;
         const auto plan = waterjet::plan_cutting(*materials, request);
-        if (auto fault = plan ? fault_of_plan(*plan) : fault_of_sentence(plan.error()))
-            return broken(*std::move(fault));
+        if (auto violation = plan ? fault_of_plan(*plan) : fault_of_sentence(plan.error()))
+            return broken(*std::move(violation));
     }
     return accepted();
 }

@@ -17,9 +17,9 @@ constexpr double kMeshReach_mm = 1e6;
 Outcome check_mesh(std::string_view bytes, const std::string& file) {
     const auto mesh = cell::read_mesh(bytes, file, kScale);
     if (!mesh) {
-        if (auto fault = fault_of_sentence(mesh.error())) return broken(*std::move(fault));
+        if (auto violation = fault_of_sentence(mesh.error())) return broken(*std::move(violation));
         if (!mesh.error().starts_with(file)) return broken("an error without its file: " + mesh.error());
-        return refused();
+        return rejected();
     }
     if ((*mesh)->triangle_count() == 0 || (*mesh)->nodes().empty()) return broken("a mesh without triangles");
     for (const Eigen::Vector3d& vertex : (*mesh)->vertices_mm()) {
@@ -41,21 +41,21 @@ Outcome check_mesh_obj(std::string_view text) {
 
 Outcome check_solid_packet(std::string_view bytes) {
     solid::PacketReader plate(bytes);
-    solid::take_plate(plate);
+    solid::unpack_plate(plate);
     solid::PacketReader contours(bytes);
-    const solid::WallContours walls = solid::take_contours(contours);
-    if (contours.is_whole()) {
-        solid::PacketWriter again;
-        solid::put_contours(again, walls);
-        if (again.bytes().size() > bytes.size()) return broken("contours are written in another way");
+    const solid::WallContours walls = solid::unpack_contours(contours);
+    if (contours.is_complete()) {
+        solid::PacketWriter relist;
+        solid::pack_contours(relist, walls);
+        if (relist.bytes().size() > bytes.size()) return broken("contours are written in another way");
     }
     solid::PacketReader mesh(bytes);
-    const solid::Mesh triangles = solid::take_mesh(mesh);
-    if (!mesh.is_whole() && !plate.is_whole() && !contours.is_whole()) return refused();
-    if (!mesh.is_whole()) return accepted();
-    solid::PacketWriter again;
-    solid::put_mesh(again, triangles);
-    if (!bytes.starts_with(again.bytes())) return broken("a mesh is written in another way");
+    const solid::Mesh triangles = solid::unpack_mesh(mesh);
+    if (!mesh.is_complete() && !plate.is_complete() && !contours.is_complete()) return rejected();
+    if (!mesh.is_complete()) return accepted();
+    solid::PacketWriter relist;
+    solid::pack_mesh(relist, triangles);
+    if (!bytes.starts_with(relist.bytes())) return broken("a mesh is written in another way");
     return accepted();
 }
 

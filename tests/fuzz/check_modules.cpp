@@ -25,11 +25,11 @@ machine::Machine module_machine() {
 /// Machine as modules receive it, and the answers that they must give.
 class Description {
   public:
-    Description(const machine::Machine& machine, std::string_view answers)
-        : rcs_(simulation::setup_of_machine(machine)),
+    Description(const machine::Machine& machine, std::string_view response_bytes)
+        : rcs_(simulation::make_planner_setup(machine)),
           machine_(rcs_.get()),
-          answers_(answers),
-          size_(std::to_string(answers.size())),
+          answers_(response_bytes),
+          size_(std::to_string(response_bytes.size())),
           parameters_{{{"answers", answers_.data()}, {"answers_size", size_.c_str()}}} {
         machine_.parameters = parameters_.data();
         machine_.parameter_count = parameters_.size();
@@ -92,9 +92,9 @@ class Caller {
     /// Returns true if the service has given an answer.
     bool note(std::string_view service, Status status) {
         const bool is_fault = status == Status::RRS_MODULE_FAULT;
-        if (is_fault != shell_.fault().has_value())
+        if (is_fault != shell_.error().has_value())
             fail(service, "does not answer as the fault that there is");
-        if (shell_.fault()) {
+        if (shell_.error()) {
             std::string message;
             shell_.GetMessage(message);
             if (message.empty()) fail(service, "has a fault and no message");
@@ -150,7 +150,7 @@ Outcome check_rcs_values(std::string_view bytes) {
     const machine::Machine machine = module_machine();
     const Description description(machine, bytes);
     Caller caller(module_with(description), static_cast<int>(machine.axes.size()));
-    if (auto fault = caller.call_all()) return broken(*std::move(fault));
+    if (auto error = caller.call_all()) return broken(*std::move(error));
     return outcome_of(run_moves({.machine = machine, .module = module_with(description)}));
 }
 

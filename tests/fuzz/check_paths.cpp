@@ -74,7 +74,7 @@ tl::expected<std::string, std::string> written(path::PathFile file, const machin
         return tl::unexpected(placed.error());
     engine::PathProgramOptions options;
     options.name = "fuzz";
-    options.go_on = true;
+    options.continue_on_unknown = true;
     const auto program = engine::PathProgram::plan(file, machine, post, options);
     if (!program) return tl::unexpected(program.error());
     std::string text;
@@ -95,7 +95,7 @@ std::optional<std::string> fault_of_program(const path::PathFile& file, const ma
     if (!text) return fault_of_sentence(text.error());
     if (text->size() >= kMostBytes) return std::nullopt;
     codegen::TranslateOptions options;
-    options.dialect = grammar::dialect_named(post->reads_as);
+    options.dialect = grammar::find_dialect(post->dialect);
     const auto read = codegen::translate_text(*text, options);
     if (read.ok) return std::nullopt;
     return fmt::format("what the post {} writes has errors: {}\n{}", post_name, read.diagnostics, *text);
@@ -103,14 +103,14 @@ std::optional<std::string> fault_of_program(const path::PathFile& file, const ma
 
 Outcome check_path(const path::PathFile& file) {
     const std::string json = path::to_json(file.program);
-    const auto again = path::read_json(json, "again.json");
-    if (!again) return broken(fmt::format("what is written is refused: {}\n{}", again.error(), json));
-    if (again->program != file.program)
+    const auto relist = path::read_json(json, "again.json");
+    if (!relist) return broken(fmt::format("what is written is refused: {}\n{}", relist.error(), json));
+    if (relist->program != file.program)
         return broken(fmt::format("what is written is another path:\n{}", json));
     if (!is_small(file.program)) return accepted();
     const machine::Machine machine = path_machine();
     for (const std::string_view post : {"rs274ngc", "fanuc"}) {
-        if (auto fault = fault_of_program(file, machine, post)) return broken(*std::move(fault));
+        if (auto violation = fault_of_program(file, machine, post)) return broken(*std::move(violation));
     }
     return accepted();
 }

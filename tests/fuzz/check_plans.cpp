@@ -13,9 +13,9 @@ constexpr std::uint64_t kMostJobs = 10'000;  // which take milliseconds
 std::optional<std::string> fault_of_job(const batch::Job& job) {
     const std::string line = batch::print_job(job);
     if (line.find('\n') != std::string::npos) return "a job of two lines";
-    const auto again = batch::read_job(line);
-    if (!again) return "a job is refused: " + again.error();
-    if (batch::print_job(*again) != line) return "a job is another one when it is written";
+    const auto relist = batch::read_job(line);
+    if (!relist) return "a job is refused: " + relist.error();
+    if (batch::print_job(*relist) != line) return "a job is another one when it is written";
     return std::nullopt;
 }
 
@@ -23,7 +23,7 @@ std::optional<std::string> fault_of_job(const batch::Job& job) {
 Outcome check_search(std::string_view toml, const std::string& file) {
     const auto search = batch::read_search(toml, file);
     if (!search) return refused_with(search.error(), file);
-    const batch::Space space(search->plan.settings);
+    const batch::SearchSpace space(search->plan.settings);
     if (space.dimensions() == 0 || search->objective.empty()) return broken("a search for nothing");
     for (const double place : {0.0, 0.5, 1.0}) {
         const auto count = static_cast<Eigen::Index>(space.dimensions());
@@ -31,7 +31,7 @@ Outcome check_search(std::string_view toml, const std::string& file) {
                              .machine = "",
                              .options = nlohmann::json::object(),
                              .settings = space.variant(Eigen::VectorXd::Constant(count, place))};
-        if (auto fault = fault_of_job(job)) return broken(*std::move(fault));
+        if (auto violation = fault_of_job(job)) return broken(*std::move(violation));
     }
     return accepted();
 }
@@ -50,7 +50,7 @@ Outcome check_batch_plan(std::string_view toml) {
     if (ours.size() == 0 || ours.size() != theirs.size()) return broken("a plan of other jobs");
     for (const std::uint64_t number : {std::uint64_t{0}, ours.size() / 2, ours.size() - 1}) {
         const batch::Job job = ours.job(number);
-        if (auto fault = fault_of_job(job)) return broken(*std::move(fault));
+        if (auto violation = fault_of_job(job)) return broken(*std::move(violation));
         if (batch::print_job(theirs.job(number)) != batch::print_job(job))
             return broken("another job of the same plan");
     }

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "calibrate/geometry/measured_tip.h"
+#include "calibrate/geometry/measured_tcp.h"
 #include "calibrate/servo/servo_record.h"
 #include "calibrate/times/motion_record.h"
 #include "calibrate/times/recorded_run.h"
@@ -17,8 +17,8 @@ namespace {
 constexpr double kPeriod_s = 0.001;  // of recordings that have no times
 
 Outcome refused_in_a_sentence(const std::string& error) {
-    if (auto fault = fault_of_sentence(error)) return broken(*std::move(fault));
-    return refused();
+    if (auto violation = fault_of_sentence(error)) return broken(*std::move(violation));
+    return rejected();
 }
 
 bool all_finite(const std::vector<double>& values) {
@@ -26,7 +26,7 @@ bool all_finite(const std::vector<double>& values) {
 }
 
 /// Each is finite, and more than the one before.
-bool rises(const std::vector<double>& times_s) {
+bool is_rising(const std::vector<double>& times_s) {
     return all_finite(times_s) &&
            std::adjacent_find(times_s.begin(), times_s.end(), std::greater_equal<>()) == times_s.end();
 }
@@ -37,15 +37,15 @@ std::optional<std::string> fault_of_samples(const std::vector<calibrate::MotionS
         if (!sample.at_mm.allFinite()) return fmt::format("no place at {} s", sample.t_s);
         times_s.push_back(sample.t_s);
     }
-    if (!rises(times_s)) return "times that do not rise";
+    if (!is_rising(times_s)) return "times that do not rise";
     return std::nullopt;
 }
 
 std::optional<std::string> fault_of_axis(const calibrate::AxisRecord& record) {
-    if (!rises(record.t_s)) return fmt::format("{} has times that do not rise", record.letter);
-    if (record.set_points.size() != record.t_s.size() || record.places.size() != record.t_s.size())
+    if (!is_rising(record.t_s)) return fmt::format("{} has times that do not rise", record.letter);
+    if (record.set_points.size() != record.t_s.size() || record.positions.size() != record.t_s.size())
         return fmt::format("{} lacks set points or places", record.letter);
-    if (!all_finite(record.set_points) || !all_finite(record.places))
+    if (!all_finite(record.set_points) || !all_finite(record.positions))
         return fmt::format("{} is nowhere", record.letter);
     return std::nullopt;
 }
@@ -57,25 +57,25 @@ const machine::Machine& measured_machine() {
     return kMachine;
 }
 
-bool is_same(const calibrate::MeasuredTip& a, const calibrate::MeasuredTip& b) {
+bool is_same(const calibrate::MeasuredTcp& a, const calibrate::MeasuredTcp& b) {
     constexpr double kNear = 1e-6;  // as they are written
     if (a.readings.size() != b.readings.size() || a.has_orientation != b.has_orientation) return false;
     for (std::size_t axis = 0; axis < a.readings.size(); ++axis) {
         if (std::abs(a.readings[axis] - b.readings[axis]) > kNear * (1 + std::abs(a.readings[axis])))
             return false;
     }
-    return (a.tip.translation() - b.tip.translation()).norm() <= kNear * (1 + a.tip.translation().norm());
+    return (a.tcp.translation() - b.tcp.translation()).norm() <= kNear * (1 + a.tcp.translation().norm());
 }
 
-std::optional<std::string> fault_of_tips(const calibrate::TipList& list) {
+std::optional<std::string> fault_of_tips(const calibrate::TcpList& list) {
     const machine::Machine& machine = measured_machine();
-    for (const calibrate::MeasuredTip& tip : list.tips) {
-        if (tip.readings.size() != machine.axes.size()) return "a tip without readings of all axes";
-        if (!all_finite(tip.readings) || !tip.tip.matrix().allFinite()) return "a tip that is nowhere";
-        const auto again =
-            calibrate::read_tips(calibrate::print_tips({tip}, machine, tip.has_orientation, true), machine);
-        if (!again) return "what was written is refused: " + again.error();
-        if (again->tips.size() != 1 || !is_same(tip, again->tips.front()))
+    for (const calibrate::MeasuredTcp& tcp : list.tcps) {
+        if (tcp.readings.size() != machine.axes.size()) return "a tip without readings of all axes";
+        if (!all_finite(tcp.readings) || !tcp.tcp.matrix().allFinite()) return "a tip that is nowhere";
+        const auto relist =
+            calibrate::read_tcps(calibrate::print_tcps({tcp}, machine, tcp.has_orientation, true), machine);
+        if (!relist) return "what was written is refused: " + relist.error();
+        if (relist->tcps.size() != 1 || !is_same(tcp, relist->tcps.front()))
             return "a tip is another one when it is written";
     }
     return std::nullopt;
@@ -85,36 +85,36 @@ std::optional<std::string> fault_of_tips(const calibrate::TipList& list) {
 
 Outcome check_motion_record(std::string_view text) {
     for (const double period_s : {0.0, kPeriod_s}) {
-        const calibrate::RecordForm form{.period_s = period_s, .columns = "x-yz"};
-        const auto samples = calibrate::read_motion_record(text, form);
+        const calibrate::RecordFormat record_format{.period_s = period_s, .columns = "x-yz"};
+        const auto samples = calibrate::read_motion_record(text, record_format);
         if (!samples) {
-            if (auto fault = fault_of_sentence(samples.error())) return broken(*std::move(fault));
+            if (auto violation = fault_of_sentence(samples.error())) return broken(*std::move(violation));
             continue;
         }
-        if (auto fault = fault_of_samples(*samples)) return broken(*std::move(fault));
+        if (auto violation = fault_of_samples(*samples)) return broken(*std::move(violation));
         calibrate::RecordedRun run;
-        const auto added = calibrate::add_record(text, form, run);
+        const auto added = calibrate::add_record(text, record_format, run);
         if (!added) return refused_in_a_sentence(added.error());
         if (!(run.time_s > 0) || !std::isfinite(run.time_s))
             return broken(fmt::format("a motion of {} s", run.time_s));
         return accepted();
     }
-    return refused();
+    return rejected();
 }
 
 Outcome check_servo_record(std::string_view text) {
     for (const double period_s : {0.0, kPeriod_s}) {
         const auto records = calibrate::read_servo_record(text, {.period_s = period_s, .columns = "XxYy-"});
         if (!records) {
-            if (auto fault = fault_of_sentence(records.error())) return broken(*std::move(fault));
+            if (auto violation = fault_of_sentence(records.error())) return broken(*std::move(violation));
             continue;
         }
         for (const calibrate::AxisRecord& record : *records) {
-            if (auto fault = fault_of_axis(record)) return broken(*std::move(fault));
+            if (auto violation = fault_of_axis(record)) return broken(*std::move(violation));
         }
         return accepted();
     }
-    return refused();
+    return rejected();
 }
 
 Outcome check_run_list(std::string_view text) {
@@ -129,9 +129,9 @@ Outcome check_run_list(std::string_view text) {
 }
 
 Outcome check_tip_list(std::string_view text) {
-    const auto list = calibrate::read_tips(text, measured_machine());
+    const auto list = calibrate::read_tcps(text, measured_machine());
     if (!list) return refused_in_a_sentence(list.error());
-    if (auto fault = fault_of_tips(*list)) return broken(*std::move(fault));
+    if (auto violation = fault_of_tips(*list)) return broken(*std::move(violation));
     return accepted();
 }
 

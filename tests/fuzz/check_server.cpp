@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSecret = "not to be read";
-constexpr int kMostFiles = 20;
+constexpr int kMaxFiles = 20;
 
 std::string content_of(const fs::path& file) {
     std::ifstream stream(file);
@@ -34,12 +34,12 @@ class Served {
             throw fs::filesystem_error(name, std::error_code(errno, std::generic_category()));
         around_ = name;
         std::ofstream(around_ / "secret.txt") << kSecret;
-        renew();
+        refresh();
         server_ = std::make_unique<studio::StudioServer>(
-            studio::ServedStudio{.folder = *os::BoundFolder::open(folder()),
-                                 .page = "<!-- server -->",
-                                 .engine = {(around_ / "no engine").string()},
-                                 .log = [this](const std::string& line) { log_ = line; }});
+            studio::ServerContent{.folder = *os::RootedDirectory::open(folder()),
+                                  .page = "<!-- server -->",
+                                  .engine = {(around_ / "no engine").string()},
+                                  .log = [this](const std::string& line) { log_ = line; }});
         port_ = server_->bind(0);
         server_->stop_serving();  // what does not end by itself ends at once
         token_ = server_->address().substr(server_->address().size() - 33, 32);
@@ -51,7 +51,7 @@ class Served {
     }
 
     /// In the request @T represents the token and @P the port, which no input can know.
-    std::string answer_to(std::string_view sent) {
+    std::string handle_request(std::string_view sent) {
         std::string known;
         for (std::size_t i = 0; i < sent.size(); ++i) {
             const std::string_view two = sent.substr(i, 2);
@@ -64,7 +64,7 @@ class Served {
         }
         studio::MemoryStream stream(known);
         log_.clear();
-        server_->answer(stream, [] {});
+        server_->handle_stream(stream, [] {});
         return stream.answered();
     }
     const std::string& token() const { return token_; }
@@ -76,13 +76,13 @@ class Served {
                std::distance(fs::directory_iterator(around_), {}) == 2;
     }
     void tidy() {
-        if (std::distance(fs::recursive_directory_iterator(folder()), {}) > kMostFiles) renew();
+        if (std::distance(fs::recursive_directory_iterator(folder()), {}) > kMaxFiles) refresh();
     }
 
   private:
     fs::path folder() const { return around_ / "served"; }
     // The folder itself stays: the server has it open.
-    void renew() const {
+    void refresh() const {
         fs::create_directories(folder());
         for (const auto& entry : fs::directory_iterator(folder())) fs::remove_all(entry);
         fs::create_directories(folder() / "sub");
@@ -101,7 +101,7 @@ class Served {
 
 Outcome check_server_request(std::string_view sent) {
     static Served served;
-    const std::string answered = served.answer_to(sent);
+    const std::string answered = served.handle_request(sent);
     if (!answered.empty() && answered.rfind("HTTP/1.1 ", 0) != 0) return broken("an answer is no HTTP");
     const bool guessed = sent.find(kSecret) != std::string_view::npos;  // and repeated in an error
     if (!guessed && answered.find(kSecret) != std::string::npos)
@@ -111,7 +111,7 @@ Outcome check_server_request(std::string_view sent) {
     const bool done = answered.rfind("HTTP/1.1 200", 0) == 0;
     if (done && sent.find("@T") == std::string_view::npos) return broken("it was answered without the token");
     served.tidy();
-    return done ? accepted() : refused();
+    return done ? accepted() : rejected();
 }
 
 }  // namespace gsim::fuzz

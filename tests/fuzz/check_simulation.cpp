@@ -75,12 +75,12 @@ Outcome simulate(std::string_view gcode, const grammar::Dialect& dialect, machin
     options.dialect = &dialect;
     options.source_name = "fuzz.nc";
     codegen::TextTranslation translation = codegen::translate_text(gcode, options);
-    if (!translation.ok) return refused();
+    if (!translation.ok) return rejected();
     return check_run({.machine = std::move(machine),
                       .lua = std::move(translation.lua),
                       .dialect = std::string(dialect.name()),
                       .file_name = "fuzz.nc",
-                      .line_difference = -1});
+                      .line_offset = -1});
 }
 
 }  // namespace

@@ -56,18 +56,18 @@ std::size_t aligned(std::size_t size) {
 /// Messages of an answer, by the layout that pages read.
 class Messages {
   public:
-    void take(const std::string& bytes) {
-        if (!fault_) fault_ = look_at(bytes);
+    void add_message(const std::string& bytes) {
+        if (!error_) error_ = check_message(bytes);
     }
-    std::optional<std::string> fault() const {
-        if (fault_) return fault_;
+    std::optional<std::string> violation() const {
+        if (error_) return error_;
         if (ends_ != 1) return fmt::format("an answer has {} ends", ends_);
         return std::nullopt;
     }
     bool done() const { return done_; }
 
   private:
-    std::optional<std::string> look_at(const std::string& bytes) {
+    std::optional<std::string> check_message(const std::string& bytes) {
         if (ends_ > 0) return "a message behind the end";
         if (bytes.size() < 8 || number_at(bytes, 0) != bytes.size() || bytes.size() % 8 != 0)
             return "a message has another size than it says";
@@ -75,10 +75,11 @@ class Messages {
         if (8 + size > bytes.size()) return "a header goes past its message";
         const auto header = text::try_parse_json<nlohmann::json>(bytes.substr(8, size));
         if (!header.is_object() || !header.contains("is")) return "a header is no object with a name";
-        static const std::map<std::string, std::size_t> kSizes{{"f64", 8}, {"f32", 4}, {"u32", 4}, {"u8", 1}};
+        static const std::map<std::string, std::size_t> kTypeSizes{
+            {"f64", 8}, {"f32", 4}, {"u32", 4}, {"u8", 1}};
         std::size_t at = aligned(8 + size);
         for (const auto& column : header.value("columns", nlohmann::json::array()))
-            at += aligned(kSizes.at(column[1]) * column[2].get<std::size_t>());
+            at += aligned(kTypeSizes.at(column[1]) * column[2].get<std::size_t>());
         if (at != bytes.size()) return "columns do not fill their message";
         if (header["is"] == "done" || header["is"] == "failed") ++ends_;
         done_ = header["is"] == "done";
@@ -86,26 +87,27 @@ class Messages {
         return std::nullopt;
     }
 
-    std::optional<std::string> fault_;
+    std::optional<std::string> error_;
     int ends_ = 0;
     bool done_ = false;
 };
 
 /// The volume of a machine's reach takes long for good reason.
-bool takes_long(std::string_view asked) {
-    return asked.find("envelope") != std::string_view::npos || asked.find("\\u") != std::string_view::npos;
+bool takes_long(std::string_view requested) {
+    return requested.find("envelope") != std::string_view::npos ||
+           requested.find("\\u") != std::string_view::npos;
 }
 
 }  // namespace
 
 Outcome check_studio_request(std::string_view json) {
-    if (takes_long(json)) return refused();
+    if (takes_long(json)) return rejected();
     engine::Host host;
     host.files = engine::Files::given(file_of_page);
     Messages messages;
-    studio::serve(json, host, [&](const std::string& bytes) { messages.take(bytes); });
-    if (auto fault = messages.fault()) return broken(*std::move(fault));
-    return messages.done() ? accepted() : refused();
+    studio::handle_request(json, host, [&](const std::string& bytes) { messages.add_message(bytes); });
+    if (auto violation = messages.violation()) return broken(*std::move(violation));
+    return messages.done() ? accepted() : rejected();
 }
 
 }  // namespace gsim::fuzz

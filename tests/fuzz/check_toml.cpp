@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/text/json.h"
-#include "base/toml/toml_edit.h"
+#include "base/toml/toml_editor.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/promises.h"
 
@@ -14,7 +14,7 @@ namespace gsim::fuzz {
 namespace {
 
 using base::below;
-using base::TomlEdit;
+using base::TomlEditor;
 using base::TomlPath;
 using nlohmann::json;
 
@@ -30,7 +30,7 @@ void collect(const json& value, const TomlPath& path, std::vector<TomlPath>& pat
 }
 
 /// Returns the result of an edit given by two bytes: position and change.
-TomlEdit::Done edited(TomlEdit& edit, unsigned char where, unsigned char what) {
+TomlEditor::VoidResult edited(TomlEditor& edit, unsigned char where, unsigned char what) {
     static const std::vector<json> kValues{0.5,
                                            -3,
                                            true,
@@ -61,7 +61,7 @@ Outcome check_toml_edit(std::string_view bytes) {
     constexpr std::string_view kEnd = "\n%\n";  // no line of TOML; edits follow it
     const std::size_t end = bytes.find(kEnd);
     const std::string_view text = bytes.substr(0, end);
-    auto edit = TomlEdit::read(std::string(text), "fuzz.toml");
+    auto edit = TomlEditor::read(std::string(text), "fuzz.toml");
     if (!edit) return refused_with(edit.error(), "fuzz.toml");
     std::string_view edits =
         end == std::string_view::npos ? std::string_view() : bytes.substr(end + kEnd.size());
@@ -71,15 +71,15 @@ Outcome check_toml_edit(std::string_view bytes) {
         const auto done =
             edited(*edit, static_cast<unsigned char>(edits[0]), static_cast<unsigned char>(edits[1]));
         if (!done) {
-            if (auto fault = fault_of_sentence(done.error())) return broken(*std::move(fault));
+            if (auto violation = fault_of_sentence(done.error())) return broken(*std::move(violation));
             if (edit->text() != before || edit->value() != value_before)
                 return broken("a change that is refused has changed something");
             continue;
         }
-        const auto again = base::toml_json(edit->text(), "again");
-        if (!again)
-            return broken(fmt::format("what is written is no TOML: {}\n{}", again.error(), edit->text()));
-        if (*again != edit->value())
+        const auto relist = base::toml_json(edit->text(), "again");
+        if (!relist)
+            return broken(fmt::format("what is written is no TOML: {}\n{}", relist.error(), edit->text()));
+        if (*relist != edit->value())
             return broken(fmt::format("what is written is another value:\n{}", edit->text()));
     }
     return accepted();

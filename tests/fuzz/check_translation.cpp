@@ -42,7 +42,7 @@ Outcome check_in(const grammar::Dialect& dialect, std::string_view gcode) {
         return broken("two translations of one program differ");
     if (!first.ok) {
         if (first.diagnostics.empty()) return broken("the translation failed without a diagnostic");
-        return refused();
+        return rejected();
     }
     const std::ptrdiff_t expected = line_count(gcode) + 2;
     const bool may_end_early = dialect.rules().style == lexer::Style::rs274ngc;  // after a second %

@@ -34,8 +34,8 @@ const Target*& chosen_target() {
 }
 
 /// Returns the value of an argument that is one of these options, or none if it is none of them.
-std::optional<std::string_view> value_of(std::string_view argument,
-                                         std::initializer_list<std::string_view> options) {
+std::optional<std::string_view> option_value(std::string_view argument,
+                                             std::initializer_list<std::string_view> options) {
     for (const std::string_view option : options) {
         if (argument.starts_with(option)) return argument.substr(option.size());
     }
@@ -45,27 +45,28 @@ std::optional<std::string_view> value_of(std::string_view argument,
 /// Returns the access to what the arguments name: folders of inputs and single ones, of which the first may
 /// be added to, the dictionary, and the folder for findings. An input cannot open other files, except those
 /// in tests/fuzz/beside.
-gsim::os::Allowed allowed_to(int argc, char** argv) {
-    gsim::os::Allowed allowed;
-    allowed.read.emplace_back(gsim::tests::source_path("tests/fuzz/beside"));
-    for (const char* path : {"/proc/self", "/dev/null"}) allowed.read.emplace_back(path);
+gsim::os::SandboxPolicy fuzz_sandbox_policy(int argc, char** argv) {
+    gsim::os::SandboxPolicy feasible;
+    feasible.read.emplace_back(gsim::tests::source_path("tests/fuzz/beside"));
+    for (const char* path : {"/proc/self", "/dev/null"}) feasible.read.emplace_back(path);
     // The symbolizer of the sanitizers, and what it reads.
-    allowed.run.emplace_back(gsim::tests::build_path("lib/fuzz_modules"));
-    for (const char* folder : {"/usr", "/lib", "/lib64"}) allowed.run.emplace_back(folder);
+    feasible.run.emplace_back(gsim::tests::build_path("lib/fuzz_modules"));
+    for (const char* folder : {"/usr", "/lib", "/lib64"}) feasible.run.emplace_back(folder);
     std::error_code ignored;
-    allowed.read.push_back(fs::read_symlink("/proc/self/exe", ignored));
+    feasible.read.push_back(fs::read_symlink("/proc/self/exe", ignored));
     bool is_first = true;
     for (int i = 1; i < argc; ++i) {
         const std::string_view argument = argv[i];
-        if (const auto dictionary = value_of(argument, {"-dict="})) {
-            allowed.read.emplace_back(*dictionary);
-        } else if (const auto output = value_of(argument, {"-artifact_prefix=", "-exact_artifact_path="})) {
-            allowed.changed.push_back(fs::absolute(*output).parent_path());
+        if (const auto dictionary = option_value(argument, {"-dict="})) {
+            feasible.read.emplace_back(*dictionary);
+        } else if (const auto output =
+                       option_value(argument, {"-artifact_prefix=", "-exact_artifact_path="})) {
+            feasible.changed.push_back(fs::absolute(*output).parent_path());
         } else if (!argument.starts_with('-')) {
-            (std::exchange(is_first, false) ? allowed.changed : allowed.read).emplace_back(argument);
+            (std::exchange(is_first, false) ? feasible.changed : feasible.read).emplace_back(argument);
         }
     }
-    return allowed;
+    return feasible;
 }
 
 }  // namespace
@@ -74,7 +75,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
     chosen_target() = gsim::fuzz::find_target(fs::path((*argv)[0]).filename().string());
     if (chosen_target() == nullptr) list_targets();
     if (!chosen_target()->confined) return 0;
-    if (const auto confined = gsim::os::confine(allowed_to(*argc, *argv)); !confined) {
+    if (const auto confined = gsim::os::confine(fuzz_sandbox_policy(*argc, *argv)); !confined) {
         fmt::print(stderr, "{}\n", confined.error());
         std::exit(1);
     }

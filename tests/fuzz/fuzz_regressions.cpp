@@ -21,8 +21,8 @@ std::vector<fs::path> files_in(const fs::path& folder) {
     std::vector<fs::path> files;
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(folder, none)) {
-        const bool hidden = entry.path().filename().string().starts_with('.');
-        if (entry.is_regular_file() && !hidden) files.push_back(entry.path());
+        const bool ground_truth = entry.path().filename().string().starts_with('.');
+        if (entry.is_regular_file() && !ground_truth) files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
     return files;

@@ -26,8 +26,8 @@ std::optional<std::string_view> behind_line_number(std::string_view text) {
 
 }  // namespace
 
-std::string name_beside(std::string_view ending) {
-    return tests::source_path("tests/fuzz/beside/fuzz").append(ending);
+std::string name_beside(std::string_view extension) {
+    return tests::source_path("tests/fuzz/beside/fuzz").append(extension);
 }
 
 std::optional<std::string> fault_of_sentence(std::string_view error) {
@@ -38,13 +38,13 @@ std::optional<std::string> fault_of_sentence(std::string_view error) {
 }
 
 std::optional<std::string> fault_of_error(std::string_view error, std::string_view file) {
-    if (auto fault = fault_of_sentence(error)) return fault;
+    if (auto violation = fault_of_sentence(error)) return violation;
     const std::string_view folder = file.substr(0, file.rfind('/') + 1);
     if (!error.starts_with(folder) || error.size() == folder.size())
         return fmt::format("an error that does not begin with its file: {}", error);
-    const auto sentence = behind_line_number(error.substr(folder.size()));
-    if (!sentence) return fmt::format("an error without a line: {}", error);
-    return fault_of_sentence(*sentence);
+    const auto message = behind_line_number(error.substr(folder.size()));
+    if (!message) return fmt::format("an error without a line: {}", error);
+    return fault_of_sentence(*message);
 }
 
 Outcome refused_with(std::string_view error, std::string_view file) {

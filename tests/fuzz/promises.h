@@ -10,7 +10,7 @@ namespace gsim::fuzz {
 
 /// Returns the file name that an input pretends to have: "fuzz" with an extension, in a folder with harmless
 /// files that inputs may name (tests/fuzz/beside).
-std::string name_beside(std::string_view ending);
+std::string name_beside(std::string_view extension);
 
 /// Returns why an error of the file `file` breaks the promise: one line, which begins with the file (or a
 /// file next to it) and a line number, and a message after them. Characters that it quotes may be any other.

@@ -10,7 +10,7 @@
 
 #include "base/text/json.h"
 #include "engine/src/run/word_table.h"
-#include "runtime/monitors/cell_watch.h"
+#include "runtime/monitors/cell_monitor.h"
 #include "runtime/script/engine/engine.h"
 #include "runtime/simulator/simulator.h"
 
@@ -33,13 +33,12 @@ constexpr double kTimeSlack = 1e-9;
 class Continuity final : public simulation::RunOutput {
   public:
     /// `sampled`: the controller is a module, with perhaps another position for the start of motion.
-    explicit Continuity(bool sampled) : sampled_(sampled) {}
+    explicit Continuity(bool is_sampled) : sampled_(is_sampled) {}
 
     const std::optional<std::string>& broken() const { return broken_; }
 
-    using RunOutput::take;
     void begin(const rrs::JointPos& start) override { at_ = start; }
-    void take(const motion::Segment& segment, const simulation::MoveInfo& /*info*/) override {
+    void on_segment(const motion::Segment& segment, const simulation::MoveInfo& /*info*/) override {
         if (broken_) return;
         if (!(segment.duration_s >= 0) || !(std::abs(segment.start_s - end_s_) <= slack_s()))
             note(segment, fmt::format("begins at {} s, lasts {} s and follows on {} s", segment.start_s,
@@ -64,15 +63,15 @@ class Continuity final : public simulation::RunOutput {
 };
 
 script::Script script_of(const SmallRun& run) {
-    script::Script script = script::Script::from_text(run.lua, run.file_name, run.line_difference);
+    script::Script script = script::Script::from_text(run.lua, run.file_name, run.line_offset);
     script.dialect = run.dialect;
     return script;
 }
 
 bool all_finite(const Report& report) {
-    const std::array figures{report.cycle_time_s, report.rapid_s,  report.feed_s,  report.dwell_s,
-                             report.words_s,      report.rapid_mm, report.feed_mm, report.jet_on_mm};
-    return std::all_of(figures.begin(), figures.end(), [](double f) { return std::isfinite(f) && f >= 0; });
+    const std::array values{report.cycle_time_s, report.rapid_s,  report.feed_s,  report.dwell_s,
+                            report.words_s,      report.rapid_mm, report.feed_mm, report.process_on_mm};
+    return std::all_of(values.begin(), values.end(), [](double f) { return std::isfinite(f) && f >= 0; });
 }
 
 double greatest_step(const machine::Machine& machine) {
@@ -169,7 +168,7 @@ RunResult run_once(const SmallRun& run) {
     options.limits.memory_bytes = kMemory_bytes;
     options.limits.steps = kSteps;
     options.dialect = run.dialect;
-    options.codes = engine::word_table(*grammar::dialect_named(run.dialect));
+    options.codes = engine::word_table(*grammar::find_dialect(run.dialect));
     script::Engine engine(simulator, options);
     engine.run(script_of(run));
     RunResult result{
@@ -183,7 +182,7 @@ RunResult run_moves(MovesRun run) {
     Continuity continuity(run.module.has_value());
     simulation::Simulator simulator(run.machine, kLimits, std::move(run.module));
     simulator.add_output(continuity);
-    std::optional<simulation::CellWatch> cell;
+    std::optional<simulation::CellMonitor> cell;
     if (run.cell) simulator.set_cell(cell.emplace(*std::move(run.cell), run.machine));
     if (!run.overrides.changes().empty()) simulator.set_overrides(run.overrides);
     ShortMoves(simulator).make();
@@ -203,22 +202,22 @@ std::optional<std::string> fault_of_report(const RunResult& result) {
     const bool ended = report.status == RunStatus::alarm || report.status == RunStatus::stopped;
     if (ended != report.alarm.has_value()) return "the status does not go with the alarm";
     if (report.alarm && report.alarm->message.empty()) return "an alarm without a sentence";
-    if (report.alarm && report.alarm->place.file >= std::max<std::size_t>(report.files.size(), 1))
+    if (report.alarm && report.alarm->location.file >= std::max<std::size_t>(report.files.size(), 1))
         return "the place of the alarm is in no file";
     return fault_of_bounds(report, result.greatest_step);
 }
 
 Outcome outcome_of(const RunResult& result) {
     if (result.broken) return broken(*result.broken);
-    if (auto fault = fault_of_report(result)) return broken(*std::move(fault));
+    if (auto violation = fault_of_report(result)) return broken(*std::move(violation));
     const RunStatus status = result.report.status;
-    return status == RunStatus::completed || status == RunStatus::violations ? accepted() : refused();
+    return status == RunStatus::completed || status == RunStatus::violations ? accepted() : rejected();
 }
 
 Outcome check_run(const SmallRun& run) {
     const RunResult first = run_once(run);
-    const bool again = std::hash<std::string>()(run.lua) % kRunTwice == 0;
-    if (again && simulation::to_json(first.report) != simulation::to_json(run_once(run).report))
+    const bool relist = std::hash<std::string>()(run.lua) % kRunTwice == 0;
+    if (relist && simulation::to_json(first.report) != simulation::to_json(run_once(run).report))
         return broken("two runs of one program differ");
     return outcome_of(first);
 }

@@ -20,7 +20,7 @@ struct SmallRun {
     std::string lua;
     std::string dialect = "ab9";
     std::string file_name = "fuzz.lua";
-    std::int64_t line_difference = 0;  ///< As script::Script has it.
+    std::int64_t line_offset = 0;  ///< As script::Script has it.
 };
 
 /// Conditions of some moves.

@@ -16,11 +16,11 @@ struct Outcome {
 inline Outcome accepted() {
     return {.accepted = true, .broken = {}};
 }
-inline Outcome refused() {
+inline Outcome rejected() {
     return {};
 }
-inline Outcome broken(std::string sentence) {
-    return {.accepted = false, .broken = std::move(sentence)};
+inline Outcome broken(std::string message) {
+    return {.accepted = false, .broken = std::move(message)};
 }
 
 /// Something of the project that reads what others wrote.

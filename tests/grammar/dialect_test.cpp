@@ -57,7 +57,7 @@ TEST(Dialect, Rs274NgcRefusesByNameWhatItHasAndDoesNotDo) {
     for (const int code_x10 : {171, 181, 191, 700, 710, 711, 720}) {
         const Code* code = dialect_rs274ngc().find('G', code_x10);
         ASSERT_NE(code, nullptr) << code_x10;
-        EXPECT_EQ(code->support, Support::later) << code_x10;
+        EXPECT_EQ(code->support, Support::planned) << code_x10;
     }
     for (const int code_x10 :
          {50, 51, 52, 53, 281, 301, 331, 382, 385, 411, 431, 432, 593, 611, 901, 911, 922})
@@ -147,11 +147,11 @@ TEST(Dialect, EveryGroupAndPhaseHasAName) {
 }
 
 TEST(Dialect, Named) {
-    EXPECT_EQ(dialect_named("ab9"), &dialect_ab9());
-    EXPECT_EQ(dialect_named("rs274ngc"), &dialect_rs274ngc());
-    EXPECT_EQ(dialect_named("klipper"), &dialect_klipper());
-    EXPECT_EQ(dialect_named("fanuc"), nullptr);
-    EXPECT_EQ(dialect_named(""), nullptr);
+    EXPECT_EQ(find_dialect("ab9"), &dialect_ab9());
+    EXPECT_EQ(find_dialect("rs274ngc"), &dialect_rs274ngc());
+    EXPECT_EQ(find_dialect("klipper"), &dialect_klipper());
+    EXPECT_EQ(find_dialect("fanuc"), nullptr);
+    EXPECT_EQ(find_dialect(""), nullptr);
 }
 
 TEST(Dialect, Names) {

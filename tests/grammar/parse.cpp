@@ -90,7 +90,7 @@ class Writer : public BlockSink {
   public:
     explicit Writer(std::vector<std::string>& blocks) : blocks_(blocks) {}
 
-    void take(const Block& block) override {
+    void on_block(const Block& block) override {
         std::string out;
         if (block.has_program) out += fmt::format("O{} ", block.text->view(block.text->program));
         if (block.sequence) out += fmt::format("N{} ", *block.sequence);
@@ -107,8 +107,8 @@ class Writer : public BlockSink {
 Parsed parse(std::string_view text, lexer::Style style) {
     Parsed result;
     lexer::Source source = lexer::Source::from_text(std::string(text), "t");
-    lexer::Diagnostics diagnostics(source, 1000, [&](const text::Diagnostic& told) {
-        const std::string message = text::to_text(told);
+    lexer::Diagnostics diagnostics(source, 1000, [&](const text::Diagnostic& reported) {
+        const std::string message = text::to_text(reported);
         result.messages += std::string(message.substr(2, message.find('\n') - 1));
     });
     const lexer::Aliases aliases;
@@ -122,9 +122,9 @@ Parsed parse_ngc(std::string_view text) {
     return parse(text, lexer::Style::rs274ngc);
 }
 
-std::string repeated(std::string before, std::string_view piece, std::size_t count) {
+std::string repeated(std::string before, std::string_view fragment, std::size_t count) {
     std::string text = std::move(before);
-    for (std::size_t i = 0; i < count; ++i) text += piece;
+    for (std::size_t i = 0; i < count; ++i) text += fragment;
     return text;
 }
 

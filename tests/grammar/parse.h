@@ -22,6 +22,6 @@ Parsed parse(std::string_view text, lexer::Style style = lexer::Style::ab9);
 Parsed parse_ngc(std::string_view text);
 
 /// Returns `before` followed by `count` times `piece`.
-std::string repeated(std::string before, std::string_view piece, std::size_t count);
+std::string repeated(std::string before, std::string_view fragment, std::size_t count);
 
 }  // namespace gsim::grammar

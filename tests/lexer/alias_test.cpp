@@ -73,10 +73,10 @@ TEST(Aliases, StandForAWord) {
     Aliases aliases;
     ASSERT_FALSE(aliases.add("GoBack", "M099"));
     ASSERT_FALSE(aliases.add("Jet", "M08.0"));
-    EXPECT_TRUE(aliases.stand_for('M', 99));
-    EXPECT_TRUE(aliases.stand_for('M', 8));
-    EXPECT_FALSE(aliases.stand_for('G', 99));
-    EXPECT_FALSE(aliases.stand_for('M', 9));
+    EXPECT_TRUE(aliases.has_alias_of('M', 99));
+    EXPECT_TRUE(aliases.has_alias_of('M', 8));
+    EXPECT_FALSE(aliases.has_alias_of('G', 99));
+    EXPECT_FALSE(aliases.has_alias_of('M', 9));
 }
 
 }  // namespace

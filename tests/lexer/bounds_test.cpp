@@ -10,9 +10,9 @@ using testing::Contains;
 using testing::ElementsAre;
 
 /// Returns `before` followed by `piece` many times.
-std::string repeated(std::string before, std::string_view piece, std::size_t count) {
+std::string repeated(std::string before, std::string_view fragment, std::size_t count) {
     std::string text = std::move(before);
-    for (std::size_t i = 0; i < count; ++i) text += piece;
+    for (std::size_t i = 0; i < count; ++i) text += fragment;
     return text;
 }
 
@@ -46,14 +46,14 @@ TEST(Bounds, AMillionBrackets) {
 }
 
 TEST(Bounds, LengthOfALine) {
-    const std::string longest = "X1" + std::string(kMaxLineBytes - 2, ' ');
-    EXPECT_EQ(scan(longest + "\nY2\n").messages, "");
-    const Scan over = scan(longest + "7\nY2 @\n");
+    const std::string max_length = "X1" + std::string(kMaxLineBytes - 2, ' ');
+    EXPECT_EQ(scan(max_length + "\nY2\n").messages, "");
+    const Scan over = scan(max_length + "7\nY2 @\n");
     EXPECT_EQ(over.messages,
               "1:1: error: the line has more than 65536 bytes\n"
               "2:4: error: unexpected character '@'\n");
     EXPECT_THAT(over.words, ElementsAre("X=1", "Y=2"));
-    EXPECT_EQ(scan(longest + "7").messages, "1:1: error: the line has more than 65536 bytes\n")
+    EXPECT_EQ(scan(max_length + "7").messages, "1:1: error: the line has more than 65536 bytes\n")
         << "as last line";
 }
 

@@ -10,7 +10,8 @@ namespace {
 std::string rendered(const std::string& text, std::uint32_t column) {
     const Source source = Source::from_text(text, "part.nc");
     std::string out;
-    Diagnostics diagnostics(source, 10, [&](const text::Diagnostic& told) { out += text::to_text(told); });
+    Diagnostics diagnostics(source, 10,
+                            [&](const text::Diagnostic& reported) { out += text::to_text(reported); });
     diagnostics.error({0, 1, column}, DiagnosticKind::syntax, "wrong");
     return out;
 }
@@ -45,7 +46,8 @@ TEST(Diagnostics, LongLinesAreCutAroundTheColumn) {
 TEST(Diagnostics, StopsAfterTheLastErrorAllowed) {
     const Source source = Source::from_text("X\n", "p.nc");
     std::string out;
-    Diagnostics diagnostics(source, 2, [&](const text::Diagnostic& told) { out += text::to_text(told); });
+    Diagnostics diagnostics(source, 2,
+                            [&](const text::Diagnostic& reported) { out += text::to_text(reported); });
     diagnostics.warning({0, 1, 1}, DiagnosticKind::syntax, "look");
     EXPECT_EQ(diagnostics.error_count(), 0U) << "a warning is no error";
     EXPECT_FALSE(diagnostics.first_error());
@@ -68,7 +70,8 @@ TEST(Diagnostics, AWordEndsBehindItsNumber) {
     const auto end_of = [](const std::string& line, std::uint32_t column) {
         const Source source = Source::from_text(line, "p.nc");
         std::uint32_t end = 0;
-        Diagnostics diagnostics(source, 10, [&](const text::Diagnostic& told) { end = told.end_column; });
+        Diagnostics diagnostics(source, 10,
+                                [&](const text::Diagnostic& reported) { end = reported.end_column; });
         diagnostics.error({0, 1, column}, DiagnosticKind::syntax, "wrong");
         return end;
     };

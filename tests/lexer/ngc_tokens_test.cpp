@@ -74,10 +74,10 @@ TEST(NgcTokens, NamesOfParameters) {
     EXPECT_EQ(result.messages, "");
     EXPECT_THAT(result.names, ElementsAre("width", "_theglobalone", "a-b.c"));
     EXPECT_EQ(scan_ngc("#< >=1\n").messages, "1:1: error: the name of a parameter is empty\n");
-    const std::string longest(100, 'n');
-    EXPECT_EQ(scan_ngc("#<" + longest + ">=1\n").messages, "");
+    const std::string max_length(100, 'n');
+    EXPECT_EQ(scan_ngc("#<" + max_length + ">=1\n").messages, "");
     for (const std::string& text :
-         {"#<" + longest + "n>=1\n", std::string("#<a=1\n"), "X[#<" + longest + "n>]\n"}) {
+         {"#<" + max_length + "n>=1\n", std::string("#<a=1\n"), "X[#<" + max_length + "n>]\n"}) {
         EXPECT_THAT(scan_ngc(text).messages,
                     testing::HasSubstr("error: the name has no '>' behind it, or more than 100 characters\n"))
             << text;

@@ -26,8 +26,8 @@ struct Scan {
 inline Scan scan(std::string_view text, const Aliases& aliases = {}, Style style = Style::ab9) {
     Scan result;
     Source source = Source::from_text(std::string(text), "t");
-    Diagnostics diagnostics(source, 1000, [&](const text::Diagnostic& told) {
-        const std::string message = text::to_text(told);
+    Diagnostics diagnostics(source, 1000, [&](const text::Diagnostic& reported) {
+        const std::string message = text::to_text(reported);
         const std::string_view line = std::string_view(message).substr(0, message.find('\n'));
         result.messages += std::string(line.substr(2)) + "\n";  // without "t:"
     });

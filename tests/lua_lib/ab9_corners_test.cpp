@@ -30,8 +30,8 @@ TEST(Corners, AChamferBeginsAndEndsAtItsLengthFromTheCorner) {
     expect_to(r, 1, 108, 100);
     expect_to(r, 2, 110, 102);
     expect_to(r, 3, 110, 110);
-    EXPECT_EQ(r.moves[2].info.place.line, 2U);
-    EXPECT_EQ(r.moves[3].info.place.line, 3U);
+    EXPECT_EQ(r.moves[2].info.location.line, 2U);
+    EXPECT_EQ(r.moves[3].info.location.line, 3U);
 }
 
 TEST(Corners, ARadiusIsTangentToBothMoves) {
@@ -94,8 +94,8 @@ TEST(Corners, InOtherPlanesUnitsAndScales) {
 TEST(Corners, SwitchesStandBehindTheCorner) {
     const Outcome r = corners("corner(2) G1{x=110} M8()\nG1{y=110}");
     ASSERT_EQ(r.moves.size(), 4U) << r.message();
-    EXPECT_FALSE(r.moves[2].info.jet_on);
-    EXPECT_TRUE(r.moves[3].info.jet_on);
+    EXPECT_FALSE(r.moves[2].info.process_on);
+    EXPECT_TRUE(r.moves[3].info.process_on);
 }
 
 TEST(Corners, InverseTimeKeepsTheSpeed) {
@@ -173,8 +173,8 @@ TEST(Angles, TwoLinesMeet) {
     ASSERT_EQ(r.moves.size(), 3U) << r.message();
     expect_to(r, 1, 110, 110);
     expect_to(r, 2, 120, 100);
-    EXPECT_EQ(r.moves[1].info.place.line, 2U);
-    EXPECT_EQ(r.moves[2].info.place.line, 3U);
+    EXPECT_EQ(r.moves[1].info.location.line, 2U);
+    EXPECT_EQ(r.moves[2].info.location.line, 3U);
     const Outcome rounded = corners("line_angle(45) corner(1) G1()\nline_angle(-45) G1{x=120, y=100}");
     ASSERT_EQ(rounded.moves.size(), 4U) << rounded.message();
     EXPECT_NEAR(rounded.moves[2].length_mm, kPi / 2, 1e-6);

@@ -34,18 +34,19 @@ TEST(Skip, WithoutASignalItGoesToItsEnd) {
 }
 
 TEST(Skip, ASignalCutsItShort) {
-    const std::string answer = "on_probe(function(from, to) return 0.25 end) ";
+    const std::string probe_script = "on_probe(function(from, to) return 0.25 end) ";
     const double braking_mm = 100.0 * 100 / (2 * kAcceleration_mm_s2);  // from F6000
-    expect_end(run_lua(answer + kAway + "G31{x=200}"), 125 + braking_mm, 100, 50);
-    expect_end(run_lua(answer + kAway + "G52{x=10} G31{x=190} G0{y=v[5061]}"), 125 + braking_mm, 115, 50);
+    expect_end(run_lua(probe_script + kAway + "G31{x=200}"), 125 + braking_mm, 100, 50);
+    expect_end(run_lua(probe_script + kAway + "G52{x=10} G31{x=190} G0{y=v[5061]}"), 125 + braking_mm, 115,
+               50);
 }
 
 TEST(Skip, WhatProbesFeelEndsItToo) {
     Conditions setup;
-    setup.probe = {.kind = simulation::ProbeFeels::Kind::plane, .axis = 0, .at_mm = 130};
+    setup.probe = {.kind = simulation::ProbeSurface::Kind::plane, .axis = 0, .at_mm = 130};
     expect_end(run_lua(kAway + "F(600) G31{x=200} G0{y=v[5061]}", setup),
                130 + 10.0 * 10 / (2 * kAcceleration_mm_s2), 130, 50);
-    setup.probe = {.kind = simulation::ProbeFeels::Kind::nothing};
+    setup.probe = {.kind = simulation::ProbeSurface::Kind::none};
     expect_end(run_lua(kAway + "G31{x=200} G0{y=v[5061]}", setup), 200, 200, 50);
 }
 

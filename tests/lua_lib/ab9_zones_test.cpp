@@ -84,19 +84,19 @@ TEST(Zones, AreInMachineCoordinates) {
 // Against a fine walk along each straight move.
 TEST(Zones, AgreeWithAWalkAlongTheMove) {
     std::mt19937 random(7);
-    std::uniform_real_distribution<double> place(0, 300);
+    std::uniform_real_distribution<double> location(0, 300);
     for (int n = 0; n < 150; ++n) {
-        const double a[3] = {place(random), place(random), place(random)};
-        const double b[3] = {place(random), place(random), place(random)};
+        const double a[3] = {location(random), location(random), location(random)};
+        const double b[3] = {location(random), location(random), location(random)};
         double depth = -1e9;  // depth of the path in the box
         for (int i = 0; i <= 3000; ++i) {
             const double t = i / 3000.0;
-            double here = 1e9;
+            double current = 1e9;
             for (int k = 0; k < 3; ++k) {
                 const double at = a[k] + t * (b[k] - a[k]);
-                here = std::min({here, at - 100, 200 - at});
+                current = std::min({current, at - 100, 200 - at});
             }
-            depth = std::max(depth, here);
+            depth = std::max(depth, current);
         }
         if (std::abs(depth) < 0.1) continue;
         bool starts_inside = true;
@@ -171,13 +171,13 @@ TEST(Zones, TheTimeIsThatOfTheLawAlongTheWay) {
         const Outcome ended =
             run(fmt::format("F6000 G22 X{} Y{} I400 J400\nG1 X300 Y300", x, x), with_tools());
         expect_alarm(ended, 2, {"enters the zone of G22"});
-        const double way = std::sqrt(2.0) * x;
+        const double distance = std::sqrt(2.0) * x;
         const double left = std::sqrt(2.0) * (300 - x);
         const double ramp_mm = 100 * 100 / kAcceleration_mm_s2 / 2;
-        const double whole_s = trapezoid_s(std::sqrt(2.0) * 300, 100, kAcceleration_mm_s2);
-        double wanted_s = 100 / kAcceleration_mm_s2 / 2 + way / 100;
-        if (way < ramp_mm) wanted_s = std::sqrt(2 * way / kAcceleration_mm_s2);
-        if (left < ramp_mm) wanted_s = whole_s - std::sqrt(2 * left / kAcceleration_mm_s2);
+        const double total_s = trapezoid_s(std::sqrt(2.0) * 300, 100, kAcceleration_mm_s2);
+        double wanted_s = 100 / kAcceleration_mm_s2 / 2 + distance / 100;
+        if (distance < ramp_mm) wanted_s = std::sqrt(2 * distance / kAcceleration_mm_s2);
+        if (left < ramp_mm) wanted_s = total_s - std::sqrt(2 * left / kAcceleration_mm_s2);
         EXPECT_NEAR(ended.report.cycle_time_s, wanted_s, 1e-9);
         EXPECT_NEAR(ended.end()[0], x, 1e-6);
         EXPECT_NEAR(ended.end()[1], x, 1e-6);

@@ -47,7 +47,7 @@ TEST(Arcs, InTheOtherPlanes) {
     expect_arc(run("F1000 G19 G0 Y110 Z100\nG2 Y100 Z110 J-10\n"), {0, 100, 100}, 15 * kPi, {0, 100, 110});
     expect_arc(run("F1000 G18 G0 X100 Z110\nG3 X110 Z100 R10\n"), {100, 0, 100}, 10 * kPi / 2, {110, 0, 100});
     EXPECT_EQ(run("F1000 G18 G0 X100 Z110\nG3 X110 Z100 R10\n").moves.back().info.normal,
-              simulation::normal_of(Plane::zx));
+              simulation::plane_normal(Plane::zx));
     EXPECT_EQ(run("F1000 G19 G0 Y110 Z100\nG2 Y100 Z110 J-10\n").moves.back().info.kind,
               simulation::MoveKind::arc_cw);
 }

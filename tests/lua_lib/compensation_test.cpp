@@ -74,7 +74,7 @@ TEST(NgcCompensation, GoesAroundOutsideCornersOnAnArc) {
     EXPECT_EQ(ways(r), "r 0 0, f 10 2, f 30 2, cw 32 0, f 32 -20");
     EXPECT_NEAR(r.moves.at(3).arc->center[0], 30, 1e-9);
     EXPECT_NEAR(r.moves.at(3).length_mm, kPi, 1e-9);
-    EXPECT_EQ(r.moves.at(3).info.place.line, 6U);
+    EXPECT_EQ(r.moves.at(3).info.location.line, 6U);
 }
 
 TEST(NgcCompensation, CutsBackTheMoveBeforeAnInsideCorner) {
@@ -90,7 +90,7 @@ TEST(NgcCompensation, MovesOutsideThePlaneKeepTheirPlaceInTheOrder) {
     EXPECT_EQ(ways(r), "r 0 0, f 10 2, f 28 2, f 28 2, f 28 20");
     EXPECT_EQ(r.to(2, 'Z'), 5);
     EXPECT_EQ(r.to(3, 'Z'), -5);
-    EXPECT_EQ(r.moves.at(3).info.place.line, 6U);
+    EXPECT_EQ(r.moves.at(3).info.location.line, 6U);
 }
 
 // LinuxCNC has forgotten there that the tool came on an arc; the numbers are LinuxCNC's.
@@ -235,72 +235,79 @@ TEST(Ab9Compensation, AChangeOfCoordinatesLeadsOutAndInAgain) {
 
 // --- The tool never touches the path ---
 
-struct Piece {
+struct PathElement {
     std::array<double, 2> from{}, to{}, centre{};
     double radius = 0, sweep = 0;  // of an arc
     int turn = 0;                  // 1 counterclockwise, -1 clockwise, 0: a line
 };
 
-double distance(const Piece& piece, std::array<double, 2> p) {
+double distance(const PathElement& path_element, std::array<double, 2> p) {
     const auto to_point = [&](std::array<double, 2> q) { return std::hypot(p[0] - q[0], p[1] - q[1]); };
-    const double nearest_end = std::min(to_point(piece.from), to_point(piece.to));
-    if (piece.turn == 0) {
-        const double dx = piece.to[0] - piece.from[0], dy = piece.to[1] - piece.from[1];
-        const double t = ((p[0] - piece.from[0]) * dx + (p[1] - piece.from[1]) * dy) / (dx * dx + dy * dy);
+    const double nearest_end = std::min(to_point(path_element.from), to_point(path_element.to));
+    if (path_element.turn == 0) {
+        const double dx = path_element.to[0] - path_element.from[0],
+                     dy = path_element.to[1] - path_element.from[1];
+        const double t =
+            ((p[0] - path_element.from[0]) * dx + (p[1] - path_element.from[1]) * dy) / (dx * dx + dy * dy);
         if (t <= 0 || t >= 1) return nearest_end;
-        return std::abs((p[1] - piece.from[1]) * dx - (p[0] - piece.from[0]) * dy) / std::hypot(dx, dy);
+        return std::abs((p[1] - path_element.from[1]) * dx - (p[0] - path_element.from[0]) * dy) /
+               std::hypot(dx, dy);
     }
-    const double start = std::atan2(piece.from[1] - piece.centre[1], piece.from[0] - piece.centre[0]);
-    const double angle = std::atan2(p[1] - piece.centre[1], p[0] - piece.centre[0]);
-    const double along = std::remainder(piece.turn * (angle - start) - kPi, 2 * kPi) + kPi;
-    return along <= piece.sweep ? std::abs(to_point(piece.centre) - piece.radius) : nearest_end;
+    const double start = std::atan2(path_element.from[1] - path_element.centre[1],
+                                    path_element.from[0] - path_element.centre[0]);
+    const double angle = std::atan2(p[1] - path_element.centre[1], p[0] - path_element.centre[0]);
+    const double along = std::remainder(path_element.turn * (angle - start) - kPi, 2 * kPi) + kPi;
+    return along <= path_element.sweep ? std::abs(to_point(path_element.centre) - path_element.radius)
+                                       : nearest_end;
 }
 
 // A path that always leads on in X, of lines and arcs, some tangent to the one before.
-std::vector<Piece> random_path(std::mt19937& random) {
+std::vector<PathElement> random_path(std::mt19937& random) {
     const auto between = [&](double low, double high) {
         return std::uniform_real_distribution(low, high)(random);
     };
-    std::vector<Piece> path;
+    std::vector<PathElement> path;
     std::array<double, 2> at{0, 0};
     double heading = between(-1.2, 1.2);
     const int count = std::uniform_int_distribution(2, 8)(random);
     for (int i = 0; i < count; ++i) {
         if (between(0, 1) > 0.3) heading = between(-1.45, 1.45);
-        Piece piece;
-        piece.from = at;
+        PathElement path_element;
+        path_element.from = at;
         if (between(0, 1) < 0.5) {
             const double length = between(0.5, 20);
-            piece.to = {at[0] + length * std::cos(heading), at[1] + length * std::sin(heading)};
+            path_element.to = {at[0] + length * std::cos(heading), at[1] + length * std::sin(heading)};
         } else {
             double target = between(-1.45, 1.45);
             if (std::abs(target - heading) < 0.1) target = heading > 0 ? heading - 0.5 : heading + 0.5;
-            piece.turn = target > heading ? 1 : -1;
-            piece.sweep = std::abs(target - heading);
-            piece.radius = between(0.5, 20);
-            const double r = piece.turn * piece.radius;
-            piece.centre = {at[0] - r * std::sin(heading), at[1] + r * std::cos(heading)};
-            piece.to = {piece.centre[0] + r * std::sin(target), piece.centre[1] - r * std::cos(target)};
+            path_element.turn = target > heading ? 1 : -1;
+            path_element.sweep = std::abs(target - heading);
+            path_element.radius = between(0.5, 20);
+            const double r = path_element.turn * path_element.radius;
+            path_element.centre = {at[0] - r * std::sin(heading), at[1] + r * std::cos(heading)};
+            path_element.to = {path_element.centre[0] + r * std::sin(target),
+                               path_element.centre[1] - r * std::cos(target)};
             heading = target;
         }
-        at = piece.to;
-        path.push_back(piece);
+        at = path_element.to;
+        path.push_back(path_element);
     }
     return path;
 }
 
-std::string words(const Piece& piece) {
-    if (piece.turn == 0) return fmt::format("G1{{x={:.17g}, y={:.17g}}}\n", piece.to[0], piece.to[1]);
-    return fmt::format("G{}{{x={:.17g}, y={:.17g}, i={:.17g}, j={:.17g}}}\n", piece.turn > 0 ? 3 : 2,
-                       piece.to[0], piece.to[1], piece.centre[0] - piece.from[0],
-                       piece.centre[1] - piece.from[1]);
+std::string words(const PathElement& path_element) {
+    if (path_element.turn == 0)
+        return fmt::format("G1{{x={:.17g}, y={:.17g}}}\n", path_element.to[0], path_element.to[1]);
+    return fmt::format("G{}{{x={:.17g}, y={:.17g}, i={:.17g}, j={:.17g}}}\n", path_element.turn > 0 ? 3 : 2,
+                       path_element.to[0], path_element.to[1], path_element.centre[0] - path_element.from[0],
+                       path_element.centre[1] - path_element.from[1]);
 }
 
 TEST(Ab9Compensation, KeepsItsDistanceFromRandomPaths) {
     int completed = 0;
     for (unsigned seed = 1; seed <= 150; ++seed) {
         std::mt19937 random(seed);
-        const std::vector<Piece> path = random_path(random);
+        const std::vector<PathElement> path = random_path(random);
         const bool left = random() % 2 == 0;
         Conditions setup = ab9_conditions();
         const double radius = 0.25 * static_cast<double>(1 + random() % 8);
@@ -308,7 +315,7 @@ TEST(Ab9Compensation, KeepsItsDistanceFromRandomPaths) {
         std::string lua =
             fmt::format("F(1000) G0{{x=-30, y={}}} {}() {}{{d=1}} G1{{x=0, y=0}}\n", left ? 40 : -40,
                         random() % 2 == 0 ? "G39" : "G39_1", left ? "G41" : "G42");
-        for (const Piece& piece : path) lua += words(piece);
+        for (const PathElement& path_element : path) lua += words(path_element);
         const Outcome r = run_lua(lua + "G40()\n", setup);
         if (!r.completed()) {
             EXPECT_NE(r.message().find("compensation"), std::string::npos)
@@ -324,7 +331,8 @@ TEST(Ab9Compensation, KeepsItsDistanceFromRandomPaths) {
                 const auto position = segment.position_at(segment.duration_s * i / 10);
                 const std::array<double, 2> point{position[0], position[1]};
                 double nearest = 1e9;
-                for (const Piece& piece : path) nearest = std::min(nearest, distance(piece, point));
+                for (const PathElement& path_element : path)
+                    nearest = std::min(nearest, distance(path_element, point));
                 ASSERT_GT(nearest, radius - 1e-5) << "seed " << seed << ", move " << n << "\n" << lua;
                 ASSERT_LT(nearest, radius * std::numbers::sqrt2 + 1e-5)
                     << "seed " << seed << ", move " << n << "\n"

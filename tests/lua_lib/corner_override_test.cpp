@@ -63,14 +63,14 @@ TEST(CornerOverride, LowersTheFeedBeforeAndBehindAnInsideCorner) {
 }
 
 TEST(CornerOverride, IsSwitchedOffByTheOtherPathModes) {
-    const double whole_s = (38 + 28) / kFeed_mm_s;
-    const double longer_s = whole_s + 8 / kFeed_mm_s;
+    const double total_s = (38 + 28) / kFeed_mm_s;
+    const double longer_s = total_s + 8 / kFeed_mm_s;
     EXPECT_NEAR(cut_s(run(kG62 + kCorner, conditions())), longer_s, 1e-9);
     for (const std::string mode : {"", "G62\nG61\n", "G62\nG63\n", "G62\nG64\n"})
-        EXPECT_NEAR(cut_s(run(mode + kCorner, conditions())), whole_s, 1e-9) << mode;
+        EXPECT_NEAR(cut_s(run(mode + kCorner, conditions())), total_s, 1e-9) << mode;
     // Each move has the mode in which it was programmed.
-    EXPECT_NEAR(cut_s(run(kG62 + kStart + "X50\nG64 Y30\n", conditions())), whole_s + 3 / kFeed_mm_s, 1e-9);
-    EXPECT_NEAR(cut_s(run(kStart + "X50\nG62 Y30\n", conditions())), whole_s + 5 / kFeed_mm_s, 1e-9);
+    EXPECT_NEAR(cut_s(run(kG62 + kStart + "X50\nG64 Y30\n", conditions())), total_s + 3 / kFeed_mm_s, 1e-9);
+    EXPECT_NEAR(cut_s(run(kStart + "X50\nG62 Y30\n", conditions())), total_s + 5 / kFeed_mm_s, 1e-9);
 }
 
 TEST(CornerOverride, ConcernsInsideCornersOfCompensationOnly) {

@@ -47,9 +47,9 @@ std::string strokes(const Outcome& run) {
     return text;
 }
 
-void expect_strokes(const Outcome& run, const std::string& wanted) {
+void expect_strokes(const Outcome& run, const std::string& expected_value) {
     EXPECT_TRUE(run.completed()) << run.message() << "\n" << run.lua;
-    EXPECT_EQ(strokes(run), wanted) << run.lua;
+    EXPECT_EQ(strokes(run), expected_value) << run.lua;
 }
 
 // --- Both dialects ---

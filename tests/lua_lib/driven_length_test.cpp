@@ -96,10 +96,10 @@ class Programs {
         at_ += Vector3d(number(size), number(size), number(size));
         program_.text += fmt::format("G1 X{:.6f} Y{:.6f} Z{:.6f}{}\n", at_.x(), at_.y(), at_.z(),
                                      chance(0.2) ? fmt::format(" C{:.4f}", number(20)) : "");
-        Way way = mode_;
-        way.length_mm = (at_ - start).norm();
-        for (int i = 0; i <= 40; ++i) way.points.push_back(start + (at_ - start) * i / 40);
-        program_.ways.push_back(std::move(way));
+        Way path = mode_;
+        path.length_mm = (at_ - start).norm();
+        for (int i = 0; i <= 40; ++i) path.points.push_back(start + (at_ - start) * i / 40);
+        program_.ways.push_back(std::move(path));
     }
 
     // Adds up to five turns; half of them end where they begin; half of them climb.
@@ -109,23 +109,23 @@ class Programs {
         const int turns = chance(0.5) ? 1 : 1 + static_cast<int>(std::abs(number(4.99)));
         const double sense = chance(0.5) ? 1 : -1, lift = chance(0.5) ? number(size_mm()) : 0;
         const Vector3d center = at_ - radius * Vector3d(std::cos(from), std::sin(from), 0);
-        Way way = mode_;
-        way.radius_mm = radius;
-        way.sweep_rad = part + kTurn_rad * (turns - 1);
-        way.length_mm = std::hypot(radius * way.sweep_rad, lift);
+        Way path = mode_;
+        path.radius_mm = radius;
+        path.sweep_rad = part + kTurn_rad * (turns - 1);
+        path.length_mm = std::hypot(radius * path.sweep_rad, lift);
         const auto point = [&](double share) {
-            const double angle = from + sense * share * way.sweep_rad;
+            const double angle = from + sense * share * path.sweep_rad;
             return Vector3d(center.x() + radius * std::cos(angle), center.y() + radius * std::sin(angle),
                             at_.z() + share * lift);
         };
-        for (int i = 0; i <= 200; ++i) way.points.push_back(point(i / 200.0));
+        for (int i = 0; i <= 200; ++i) path.points.push_back(point(i / 200.0));
         const Vector3d start = at_;
         if (part < kTurn_rad) at_.head<2>() = point(1).head<2>();
         at_.z() += lift;
         program_.text +=
             fmt::format("G{} X{:.6f} Y{:.6f} Z{:.6f} I{:.6f} J{:.6f} P{}\n", sense > 0 ? 3 : 2, at_.x(),
                         at_.y(), at_.z(), center.x() - start.x(), center.y() - start.y(), turns);
-        program_.ways.push_back(std::move(way));
+        program_.ways.push_back(std::move(path));
     }
 
     std::mt19937 random_;
@@ -139,16 +139,16 @@ class Programs {
 // within the tolerance it is far less.
 double most_cut_mm(const Way& before, const Way& after, double own_tolerance_mm) {
     if (!before.rounds && own_tolerance_mm == 0) return 0;
-    const double whole = 2 * std::min(before.length_mm, after.length_mm);
+    const double full = 2 * std::min(before.length_mm, after.length_mm);
     const double tolerance =
         before.tolerance_mm > 0 ? std::max(before.tolerance_mm, own_tolerance_mm) : own_tolerance_mm;
-    return tolerance > 0 ? std::min(whole, 8 * tolerance) : whole;
+    return tolerance > 0 ? std::min(full, 8 * tolerance) : full;
 }
 
 // Returns the max difference of an arc and its chords within the tolerance.
-double most_chord_loss_mm(const Way& way) {
-    if (way.radius_mm == 0) return 0;
-    return way.length_mm * std::min(0.5, 2 * kGrblChord_mm / way.radius_mm);
+double most_chord_loss_mm(const Way& path) {
+    if (path.radius_mm == 0) return 0;
+    return path.length_mm * std::min(0.5, 2 * kGrblChord_mm / path.radius_mm);
 }
 
 class DrivenLength : public testing::TestWithParam<const char*> {
@@ -180,7 +180,7 @@ class DrivenLength : public testing::TestWithParam<const char*> {
 
 double programmed_mm(const std::vector<Way>& ways) {
     double length = 0;
-    for (const Way& way : ways) length += way.length_mm;
+    for (const Way& path : ways) length += path.length_mm;
     return length;
 }
 
@@ -188,7 +188,7 @@ double programmed_mm(const std::vector<Way>& ways) {
 std::vector<Vector3d> driven(const Outcome& run) {
     std::vector<Vector3d> points{Vector3d::Zero()};
     for (const motion::Segment& segment : run.segments) {
-        const int steps = segment.kind == motion::SegmentKind::linear && !segment.beside ? 1 : 200;
+        const int steps = segment.kind == motion::SegmentKind::linear && !segment.superimposed ? 1 : 200;
         for (int i = 1; i <= steps; ++i)
             points.push_back(segment.position_at(segment.duration_s * i / steps).head<3>());
     }
@@ -198,10 +198,10 @@ std::vector<Vector3d> driven(const Outcome& run) {
 double distance_mm(const Vector3d& point, const std::vector<Vector3d>& chain) {
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < chain.size(); ++i) {
-        const Vector3d way = chain[i] - chain[i - 1];
-        const double square = way.squaredNorm();
-        const double share = square > 0 ? std::clamp((point - chain[i - 1]).dot(way) / square, 0.0, 1.0) : 0;
-        nearest = std::min(nearest, (chain[i - 1] + share * way - point).norm());
+        const Vector3d path = chain[i] - chain[i - 1];
+        const double square = path.squaredNorm();
+        const double share = square > 0 ? std::clamp((point - chain[i - 1]).dot(path) / square, 0.0, 1.0) : 0;
+        nearest = std::min(nearest, (chain[i - 1] + share * path - point).norm());
     }
     return nearest;
 }
@@ -228,15 +228,15 @@ TEST_P(DrivenLength, MergedLinesLeaveNothingOut) {
         const Outcome run = run_ngc(program.text, conditions());
         ASSERT_TRUE(run.completed()) << run.message() << program.text;
         const std::vector<Vector3d> chain = driven(run);
-        double least = 0, tolerance = 0.1;
-        for (const Way& way : program.ways) tolerance = std::max(tolerance, way.tolerance_mm);
-        for (const Way& way : program.ways) {
-            if (way.radius_mm > 2 * way.merge_mm && way.sweep_rad > std::numbers::pi)
-                least += way.length_mm - most_chord_loss_mm(way) - 16 * tolerance;
-            for (const Vector3d& point : way.points)
-                ASSERT_LE(distance_mm(point, chain), 3 * tolerance + 0.01 * way.radius_mm) << program.text;
+        double min = 0, tolerance = 0.1;
+        for (const Way& path : program.ways) tolerance = std::max(tolerance, path.tolerance_mm);
+        for (const Way& path : program.ways) {
+            if (path.radius_mm > 2 * path.merge_mm && path.sweep_rad > std::numbers::pi)
+                min += path.length_mm - most_chord_loss_mm(path) - 16 * tolerance;
+            for (const Vector3d& point : path.points)
+                ASSERT_LE(distance_mm(point, chain), 3 * tolerance + 0.01 * path.radius_mm) << program.text;
         }
-        ASSERT_GE(driven_mm(run), least) << program.text;
+        ASSERT_GE(driven_mm(run), min) << program.text;
     }
 }
 

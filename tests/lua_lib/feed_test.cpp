@@ -106,15 +106,15 @@ TEST(Switches, AreEventsAtTheirTimes) {
               "jet_on jet_off abrasive_on abrasive_off spindle_cw spindle_off stop optional_stop tool_select "
               "tool_change");
     EXPECT_NEAR(r.report.events[0].t_s, r.moves[0].end_s, 1e-9);
-    EXPECT_EQ(r.report.events[0].place.line, 2U);
+    EXPECT_EQ(r.report.events[0].location.line, 2U);
     EXPECT_NEAR(r.report.events[1].t_s, r.moves[1].end_s, 1e-9);
 }
 
 TEST(Switches, LengthWithTheJetOn) {
     const Outcome r = run("F6000 G1 X100\nM8\nX130 Y40\nG3 X120 Y50 I-10\nM9\nX300\nG0 X0\n");
-    EXPECT_NEAR(r.report.jet_on_mm, 50 + 5 * kPi, 1e-9);
-    EXPECT_FALSE(r.moves[0].info.jet_on);
-    EXPECT_TRUE(r.moves[2].info.jet_on);
+    EXPECT_NEAR(r.report.process_on_mm, 50 + 5 * kPi, 1e-9);
+    EXPECT_FALSE(r.moves[0].info.process_on);
+    EXPECT_TRUE(r.moves[2].info.process_on);
 }
 
 TEST(Switches, CuttingModeWarnsOfItsTime) {

@@ -31,9 +31,10 @@ TEST(GrblHalCycles, PecksWaitAndFeedAllTheWayDownAgain) {
     // A dwell ends where it begins.
     std::vector<double> levels;
     for (std::size_t i = 0; i < r.moves.size(); ++i) levels.push_back(r.to(i, 'Z'));
-    const std::vector<double> wanted{2, -1, -1, 2, -4, -4, 2, -6, -6, 2};
-    ASSERT_EQ(levels.size(), wanted.size());
-    for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(levels[i], wanted[i], kGrid_mm) << i;
+    const std::vector<double> expected_value{2, -1, -1, 2, -4, -4, 2, -6, -6, 2};
+    ASSERT_EQ(levels.size(), expected_value.size());
+    for (std::size_t i = 0; i < expected_value.size(); ++i)
+        EXPECT_NEAR(levels[i], expected_value[i], kGrid_mm) << i;
     EXPECT_NEAR(r.seconds(2), 0.25, 1e-9);
     EXPECT_NEAR(r.seconds(4), trapezoid(6, 10, 1000), 1e-6);  // by feed, from R to the second depth
 }
@@ -80,8 +81,8 @@ TEST(GrblHalFeeds, OfRotaryAxesAreTheToolsOrThatOfAllAxes) {
     ASSERT_TRUE(of_all.completed()) << of_all.message();
     const double length = std::hypot(50, 90);
     EXPECT_NEAR(of_all.seconds(0), trapezoid(length, 50, 360 * length / 90), 1e-6);
-    const Outcome alone = run_on("grblhal-rotary.toml", "G1 A90 F3600");
-    EXPECT_NEAR(alone.seconds(0), trapezoid(90, 60, 360), 1e-6);
+    const Outcome standalone = run_on("grblhal-rotary.toml", "G1 A90 F3600");
+    EXPECT_NEAR(standalone.seconds(0), trapezoid(90, 60, 360), 1e-6);
 }
 
 // Its planner knows four axes alike: between a turn and a line the junction is one of 90 degrees, as between
@@ -92,14 +93,14 @@ TEST(GrblHalFeeds, CornersOfTurnsAreJunctionsToo) {
     // The change of direction is (-1, 1) / sqrt 2: A allows 360 sqrt 2 along it.
     const double sine = std::sqrt(0.5);
     const double speed = std::sqrt(360 * std::sqrt(2) * 0.01 * sine / (1 - sine));
-    EXPECT_NEAR(r.segments.at(0).lead.end_speed(), speed, 1e-6);
+    EXPECT_NEAR(r.segments.at(0).master.end_speed(), speed, 1e-6);
 }
 
 TEST(GrblHalStops, AreForSwitchesThatSwitch) {
     const auto stops_at = [](const std::string& word) {
         const Outcome r = run_on("grblhal-router.toml", "G1 X40 F3000\n" + word + "\nG1 X80");
         EXPECT_TRUE(r.completed()) << r.message();
-        return r.segments.at(0).lead.end_speed() == 0;
+        return r.segments.at(0).master.end_speed() == 0;
     };
     for (const char* word : {"M49", "G4 P0", "G92 X40", "G10 L2 P1 X5", "G43.1 Z1", "M3 S500", "M8", "T1 M6"})
         EXPECT_TRUE(stops_at(word)) << word;

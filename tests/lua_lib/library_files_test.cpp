@@ -22,7 +22,7 @@ class LibraryFiles : public LibraryFolder {
     std::string trouble_of(const std::string& name, const std::string& text) {
         write(name + ".lua", text);
         insert("init.lua", "use \"" + name + "\"\n", "for _, list in");
-        return trouble();
+        return error_text();
     }
 
     /// The names of the files in one list of files.lua.
@@ -174,9 +174,9 @@ Conditions busy_conditions(const std::string& dialect) {
     return setup;
 }
 
-std::string report_of(const Program& program, const Library& library) {
+std::string library_report(const Program& program, const Library& library) {
     codegen::TranslateOptions options;
-    options.dialect = grammar::dialect_named(program.dialect);
+    options.dialect = grammar::find_dialect(program.dialect);
     const codegen::TextTranslation translation = codegen::translate_text(program.gcode, options);
     EXPECT_TRUE(translation.ok) << translation.diagnostics;
     Script script = Script::from_text(translation.lua, "part.nc", -1);
@@ -184,25 +184,25 @@ std::string report_of(const Program& program, const Library& library) {
     Conditions setup = busy_conditions(program.dialect);
     setup.options.library = library;
     const Outcome run = run_script(std::move(script), std::move(setup));
-    std::string told = simulation::to_json(run.report);
+    std::string reported = simulation::to_json(run.report);
     for (const simulation::RecordedMove& move : run.moves) {
-        for (const double value : move.end) told += std::to_string(value) + " ";
+        for (const double value : move.end) reported += std::to_string(value) + " ";
     }
-    return told;
+    return reported;
 }
 
 class LibraryOrder : public LibraryFiles, public testing::WithParamInterface<const char*> {};
 
 TEST_P(LibraryOrder, DoesNotMatter) {
     const std::string dialect = GetParam();
-    std::vector<std::pair<Program, std::string>> wanted;
+    std::vector<std::pair<Program, std::string>> expected_value;
     for (const Program& program : programs()) {
         if (program.dialect != dialect) continue;
-        wanted.emplace_back(program, report_of(program, Library()));
-        EXPECT_NE(wanted.back().second.find("\"status\": \"completed\""), std::string::npos)
-            << program.name << wanted.back().second.substr(0, 400);
+        expected_value.emplace_back(program, library_report(program, Library()));
+        EXPECT_NE(expected_value.back().second.find("\"status\": \"completed\""), std::string::npos)
+            << program.name << expected_value.back().second.substr(0, 400);
     }
-    ASSERT_GE(wanted.size(), 2U);
+    ASSERT_GE(expected_value.size(), 2U);
     std::vector<std::string> names = listed("both");
     const std::vector<std::string> own = listed(dialect);
     names.insert(names.end(), own.begin(), own.end());
@@ -211,8 +211,9 @@ TEST_P(LibraryOrder, DoesNotMatter) {
     for (int order = 0; order < kOrders; ++order) {
         std::shuffle(names.begin(), names.end(), random);
         write_order(names);
-        for (const auto& [program, report] : wanted) {
-            EXPECT_EQ(report_of(program, library()), report) << program.name << ": " << read("files.lua");
+        for (const auto& [program, report] : expected_value) {
+            EXPECT_EQ(library_report(program, library()), report)
+                << program.name << ": " << read("files.lua");
         }
     }
 }

@@ -34,16 +34,16 @@ class LibraryFolder : public testing::Test {
     /// Writes lines of Lua in front of a text of a file.
     void insert(const std::string& name, const std::string& lines, const std::string& in_front_of) {
         std::string text = read(name);
-        const std::size_t place = text.find(in_front_of);
-        ASSERT_NE(place, std::string::npos) << name;
-        write(name, text.insert(place, lines));
+        const std::size_t location = text.find(in_front_of);
+        ASSERT_NE(location, std::string::npos) << name;
+        write(name, text.insert(location, lines));
     }
     /// Removes one line from a file.
     void remove(const std::string& name, const std::string& line) {
         std::string text = read(name);
-        const std::size_t place = text.find(line + "\n");
-        ASSERT_NE(place, std::string::npos) << name;
-        write(name, text.erase(place, line.size() + 1));
+        const std::size_t location = text.find(line + "\n");
+        ASSERT_NE(location, std::string::npos) << name;
+        write(name, text.erase(location, line.size() + 1));
     }
     Library library() const { return Library(folder_); }
     Outcome run_here(const std::string& lua) {
@@ -53,7 +53,7 @@ class LibraryFolder : public testing::Test {
         return run_lua(lua, conditions);
     }
     /// Returns the error if the library cannot be loaded.
-    std::string trouble() {
+    std::string error_text() {
         try {
             run_here("G0{x=1}");
         } catch (const std::runtime_error& error) {

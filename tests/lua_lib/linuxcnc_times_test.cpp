@@ -32,7 +32,7 @@ TEST_P(LinuxcncTimes, AreThoseRecorded) {
     EXPECT_EQ(run.moves.back().end_s, run.report.cycle_time_s);  // with the periods in which the axes follow
 }
 
-std::string name_of(const testing::TestParamInfo<Recorded>& recorded) {
+std::string test_name(const testing::TestParamInfo<Recorded>& recorded) {
     return recorded.param.name;
 }
 
@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Recorded{"four", "G64 P0.05\nG1 Z5 F2000\nG1 Z0\nG2 X0 Y0 Z-4 I5 J0 P4 F4000\nG1 X10\n", 2.976},
         Recorded{"two", "G64 P0.05\nG1 Z5 F2000\nG1 Z0\nG2 X0 Y0 Z-4 I5 J0 P2 F4000\nG1 X10\n", 1.922}),
-    name_of);
+    test_name);
 
 /// No blend arc leads into a helix from an arc or out of it.
 INSTANTIATE_TEST_SUITE_P(
@@ -53,14 +53,14 @@ INSTANTIATE_TEST_SUITE_P(
                              "G64\nG19\nG1 F4000 Y-1.4480 Z1.0160\nG2 Y-1.4480 Z1.0160 J-0.3437 K0 P3\n"
                              "G3 X0.7 Y-1.4480 Z1.0160 J0 K3.2548 P3\n",
                              1.940}),
-    name_of);
+    test_name);
 
 /// For rotary axes alone the tolerance counts in degrees, and they move along X for the angle of a corner.
 INSTANTIATE_TEST_SUITE_P(
     RotaryAxes, LinuxcncTimes,
     testing::Values(Recorded{"before_a_line", "G64 P0.05\nG1 B15 F2000\nG1 B30\nG1 X-10\n", 1.557},
                     Recorded{"between_lines", "G64 P0.05\nG1 X10 F2000\nG1 B15\nG1 X20\n", 1.152}),
-    name_of);
+    test_name);
 
 INSTANTIATE_TEST_SUITE_P(
     Splines, LinuxcncTimes,
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
                  "G5.1 X45 Y0 I5 J8\nG5.1 X55 Y0 I5 J-8\nG5.1 X65 Y0 I5 J8\nG5.1 X75 Y0 I5 J-8\n"
                  "G5.1 X85 Y0 I5 J8\nG1 X100\n",
                  2.701}),
-    name_of);
+    test_name);
 
 double feed_mm(const std::string& feed) {
     Conditions setup = ngc_conditions();
@@ -86,11 +86,11 @@ double feed_mm(const std::string& feed) {
 /// The speed that the spindle will require is not known, so that corners are rounded for the limits of the
 /// machine.
 TEST(LinuxcncSpindleFeed, RoundsCornersAsForTheTopSpeed) {
-    const double by_time = feed_mm("G94 F300\n");
+    const double over_time = feed_mm("G94 F300\n");
     const double by_turns = feed_mm("G95 F0.3\n");
     // At 5 mm/s an arc of less than 0.1 mm is wide enough; each one shortens the path by (2 - pi/2) of its
     // radius.
-    EXPECT_GT(by_time, 120 - 0.1);
+    EXPECT_GT(over_time, 120 - 0.1);
     EXPECT_LT(by_turns, 120 - 2);
 }
 

@@ -58,9 +58,9 @@ TEST(NgcCycles, PecksAreCountedExactly) {
     for (const simulation::RecordedMove& move : r.moves)
         strokes += move.info.kind == simulation::MoveKind::linear;
     double depth = 1 - .1;
-    std::size_t wanted = 1;  // to the bottom
-    for (; depth > -1; depth -= .1) ++wanted;
-    EXPECT_EQ(strokes, wanted);
+    std::size_t expected_value = 1;  // to the bottom
+    for (; depth > -1; depth -= .1) ++expected_value;
+    EXPECT_EQ(strokes, expected_value);
 }
 
 TEST(NgcPolar, AnAngleAloneAtTheZeroPointHasTheRadiusZero) {

@@ -19,7 +19,7 @@ double end_x(const std::string& gcode) {
     return r.end()[0];
 }
 
-std::string told(const std::string& gcode) {
+std::string reported(const std::string& gcode) {
     return debug_texts(run_ngc("G21 F600\nG7\n" + gcode + "\nM2\n"));
 }
 
@@ -61,13 +61,13 @@ TEST(NgcLathe, PolarTargetsAreRadii) {
 }
 
 TEST(NgcLathe, OffsetsAreSetByDiameters) {
-    EXPECT_EQ(told("G10 L2 P2 X25.4\n(debug,%f#5241)"), "0.5000\n");
+    EXPECT_EQ(reported("G10 L2 P2 X25.4\n(debug,%f#5241)"), "0.5000\n");
     EXPECT_NEAR(end_x("G0 X20\nG92 X8\nG0 X0"), 6, kSame_mm);
     EXPECT_NEAR(end_x("G52 X10\nG0 X0"), 5, kSame_mm);
     EXPECT_NEAR(end_x("G0 X20\nG10 L20 P1 X8\nG0 X0"), 6, kSame_mm);
     EXPECT_NEAR(end_x("G43.1 X4\nG0 X0"), 2, kSame_mm);
     EXPECT_NEAR(end_x("G10 L1 P1 X6\nG43 H1\nG0 X0"), 3, kSame_mm);
-    EXPECT_EQ(told("G10 L1 P1 R2\nT1 M6\n(debug,%f#5410)"), "0.1575\n") << "4 mm: R is a radius";
+    EXPECT_EQ(reported("G10 L1 P1 R2\nT1 M6\n(debug,%f#5410)"), "0.1575\n") << "4 mm: R is a radius";
 }
 
 TEST(NgcLathe, HoldsForHomeProbesThreadsAndSplines) {
@@ -82,30 +82,30 @@ TEST(NgcLathe, CyclesTakeTheirPlaceAndTheirDepthAsDiameters) {
     EXPECT_NEAR(end_x("G0 Z5\nG81 X20 Z-2 R2\nX8\nG80"), 4, kSame_mm);
     EXPECT_NEAR(end_x("G91 G81 X4 Z-2 R-1 L3\nG80"), 6, kSame_mm);
     const Outcome r = run_ngc("G21 F600\nG7 G19\nG0 X40\nG81 X-10 R12 Y1 Z1\nG80\nM2\n");
-    double least = 0, r_level = 0;
+    double min = 0, r_level = 0;
     for (std::size_t n = 0; n < r.moves.size(); ++n) {
-        if (r.to(n, 'X') < least) least = r.to(n, 'X');
+        if (r.to(n, 'X') < min) min = r.to(n, 'X');
         if (r.moves[n].info.kind == simulation::MoveKind::rapid && n > 0 && r_level == 0 && r.to(n, 'X') < 20)
             r_level = r.to(n, 'X');
     }
-    EXPECT_NEAR(least, -5, kSame_mm) << r.message();
+    EXPECT_NEAR(min, -5, kSame_mm) << r.message();
     EXPECT_NEAR(r_level, 12, kSame_mm) << "R is no diameter, though it is along X here";
 }
 
 TEST(NgcLathe, DepthsOfG76AreDiameters) {
     const Outcome r = run_ngc("G21 G18 S100 M3 G7\nG0 X20 Z5\nG76 P1 Z-10 I-1 J0.5 K2 H0\nM2\n");
-    double least = 10;
-    for (std::size_t n = 0; n < r.moves.size(); ++n) least = std::min(least, r.to(n, 'X'));
-    EXPECT_NEAR(least, 10 - 0.5 - 1, kSame_mm) << "half of I, and half of K";
+    double min = 10;
+    for (std::size_t n = 0; n < r.moves.size(); ++n) min = std::min(min, r.to(n, 'X'));
+    EXPECT_NEAR(min, 10 - 0.5 - 1, kSame_mm) << "half of I, and half of K";
     ASSERT_GT(r.moves.size(), 2U) << r.message();
     EXPECT_NEAR(r.to(2, 'X'), 10.75 - 0.5 - 1, kSame_mm) << "the first cut is half of J deep";
 }
 
 TEST(NgcLathe, WhatParametersTellIsTheRadius) {
-    EXPECT_EQ(told("G0 X20\n(debug,%d#5420 %d#<_x> %d#<_abs_x>)"), "10 10 10\n");
-    EXPECT_EQ(told("G38.3 X30\n(debug,%d#5061)"), "15\n");
-    EXPECT_EQ(told("(debug,%d#<_lathe_diameter_mode> %d#<_lathe_radius_mode>)"), "1 0\n");
-    EXPECT_EQ(told("G8\n(debug,%d#<_lathe_diameter_mode> %d#<_lathe_radius_mode>)"), "0 1\n");
+    EXPECT_EQ(reported("G0 X20\n(debug,%d#5420 %d#<_x> %d#<_abs_x>)"), "10 10 10\n");
+    EXPECT_EQ(reported("G38.3 X30\n(debug,%d#5061)"), "15\n");
+    EXPECT_EQ(reported("(debug,%d#<_lathe_diameter_mode> %d#<_lathe_radius_mode>)"), "1 0\n");
+    EXPECT_EQ(reported("G8\n(debug,%d#<_lathe_diameter_mode> %d#<_lathe_radius_mode>)"), "0 1\n");
 }
 
 TEST(NgcLathe, IsKeptAndBroughtBack) {
@@ -119,13 +119,14 @@ TEST(NgcLathe, IsKeptAndBroughtBack) {
 TEST(NgcLathe, CompensationGoesBesideTheHalvedPath) {
     const Outcome r = run_ngc("G21 F600 G7\nG41.1 D2\nG1 X30 Y10\nX60\nY20\nG40 X80 Y30\nM2\n");
     ASSERT_TRUE(r.completed()) << r.message();
-    double most = 0;
-    for (std::size_t n = 0; n + 1 < r.moves.size(); ++n) most = std::max(most, r.to(n, 'X'));
-    EXPECT_NEAR(most, 29, kSame_mm) << "the tool's radius is 1, left of X30";
+    double max = 0;
+    for (std::size_t n = 0; n + 1 < r.moves.size(); ++n) max = std::max(max, r.to(n, 'X'));
+    EXPECT_NEAR(max, 29, kSame_mm) << "the tool's radius is 1, left of X30";
 }
 
 TEST(NgcLathe, OneOfThemStandsInABlock) {
-    EXPECT_NE(errors_of("G7 G8\n", "rs274ngc").find("G7 and G8 are of one modal group"), std::string::npos);
+    EXPECT_NE(diagnostics_text("G7 G8\n", "rs274ngc").find("G7 and G8 are of one modal group"),
+              std::string::npos);
 }
 
 }  // namespace

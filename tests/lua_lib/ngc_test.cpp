@@ -11,37 +11,37 @@ namespace gsim::script::ngc_test {
 namespace {
 
 // Returns the value of an expression, printed with six decimals.
-std::string value_of(const std::string& expression) {
+std::string variable_value(const std::string& expression) {
     return debug_texts(run_ngc("#100=" + expression + "\n(debug,#100)\nM2\n"));
 }
 
 TEST(NgcExpressions, LogicIsOfZeroAndOther) {
-    EXPECT_EQ(value_of("[2 and 3]"), "1.000000\n");
-    EXPECT_EQ(value_of("[0 or 5]"), "1.000000\n");
-    EXPECT_EQ(value_of("[2 xor 3]"), "0.000000\n");
-    EXPECT_EQ(value_of("[1 and 0.00000001]"), "1.000000\n");
+    EXPECT_EQ(variable_value("[2 and 3]"), "1.000000\n");
+    EXPECT_EQ(variable_value("[0 or 5]"), "1.000000\n");
+    EXPECT_EQ(variable_value("[2 xor 3]"), "0.000000\n");
+    EXPECT_EQ(variable_value("[1 and 0.00000001]"), "1.000000\n");
 }
 
 TEST(NgcExpressions, OnlyEqualityHasATolerance) {
-    EXPECT_EQ(value_of("[1 eq 1.00009]"), "1.000000\n");
-    EXPECT_EQ(value_of("[1 eq 1.00011]"), "0.000000\n");
-    EXPECT_EQ(value_of("[1 ne 1.00009]"), "0.000000\n");
-    EXPECT_EQ(value_of("[1 lt 1.00000001]"), "1.000000\n");
-    EXPECT_EQ(value_of("[1 ge 1.0000001]"), "0.000000\n");
+    EXPECT_EQ(variable_value("[1 eq 1.00009]"), "1.000000\n");
+    EXPECT_EQ(variable_value("[1 eq 1.00011]"), "0.000000\n");
+    EXPECT_EQ(variable_value("[1 ne 1.00009]"), "0.000000\n");
+    EXPECT_EQ(variable_value("[1 lt 1.00000001]"), "1.000000\n");
+    EXPECT_EQ(variable_value("[1 ge 1.0000001]"), "0.000000\n");
 }
 
 TEST(NgcExpressions, RemainderRoundingAndAngles) {
-    EXPECT_EQ(value_of("[-7 mod 3]"), "2.000000\n");
-    EXPECT_EQ(value_of("[7 mod -3]"), "1.000000\n");
-    EXPECT_EQ(value_of("[-5.5 mod 2]"), "0.500000\n");
-    EXPECT_EQ(value_of("[1 mod 0.1]"), "0.100000\n") << "0.1 is a little more than a tenth";
-    EXPECT_EQ(value_of("[2 ** 80 mod 10]"), "6.000000\n");
-    EXPECT_EQ(value_of("round[-2.5]"), "-3.000000\n");
-    EXPECT_EQ(value_of("fix[-2.5]"), "-3.000000\n");
-    EXPECT_EQ(value_of("fup[-2.5]"), "-2.000000\n");
-    EXPECT_EQ(value_of("atan[-1]/[-1]"), "-135.000000\n");
-    EXPECT_EQ(value_of("atan[0]/[-1]"), "180.000000\n");
-    EXPECT_EQ(value_of("[2 ** -1]"), "0.500000\n");
+    EXPECT_EQ(variable_value("[-7 mod 3]"), "2.000000\n");
+    EXPECT_EQ(variable_value("[7 mod -3]"), "1.000000\n");
+    EXPECT_EQ(variable_value("[-5.5 mod 2]"), "0.500000\n");
+    EXPECT_EQ(variable_value("[1 mod 0.1]"), "0.100000\n") << "0.1 is a little more than a tenth";
+    EXPECT_EQ(variable_value("[2 ** 80 mod 10]"), "6.000000\n");
+    EXPECT_EQ(variable_value("round[-2.5]"), "-3.000000\n");
+    EXPECT_EQ(variable_value("fix[-2.5]"), "-3.000000\n");
+    EXPECT_EQ(variable_value("fup[-2.5]"), "-2.000000\n");
+    EXPECT_EQ(variable_value("atan[-1]/[-1]"), "-135.000000\n");
+    EXPECT_EQ(variable_value("atan[0]/[-1]"), "180.000000\n");
+    EXPECT_EQ(variable_value("[2 ** -1]"), "0.500000\n");
 }
 
 TEST(NgcExpressions, WhatHasNoValueIsAnAlarm) {
@@ -54,7 +54,7 @@ TEST(NgcExpressions, WhatHasNoValueIsAnAlarm) {
 }
 
 TEST(NgcParameters, UnsetOnesAreZeroAndNamedOnesAreNot) {
-    EXPECT_EQ(value_of("[#77+1]"), "1.000000\n");
+    EXPECT_EQ(variable_value("[#77+1]"), "1.000000\n");
     expect_alarm(run_ngc("G21\n#1=#<width>\nM2\n"), 2, {"#<width>", "no value"});
     EXPECT_EQ(debug_texts(run_ngc("(debug,#<width> #5)\nM2\n")), "###### 0.000000\n");
     EXPECT_EQ(debug_texts(run_ngc(
@@ -256,8 +256,9 @@ TEST(NgcModes, AreKeptAndBroughtBack) {
 TEST(NgcModes, OverridesComeBackInOneOrder) {
     const Outcome r = run_ngc("M49\nM52\nM53 P0\nM70\nM48\nM52 P0\nM53\nM72\nM2\n");
     ASSERT_EQ(r.report.events.size(), 12U) << r.message();
-    const char* const wanted[] = {"feed disabled", "speed disabled", "adaptive enabled", "hold disabled"};
-    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(r.report.events[8 + i].detail, wanted[i]);
+    const char* const expected_value[] = {"feed disabled", "speed disabled", "adaptive enabled",
+                                          "hold disabled"};
+    for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(r.report.events[8 + i].detail, expected_value[i]);
 }
 
 TEST(NgcModes, ComeBackAtTheEndOfASubroutineThatAsksForIt) {
@@ -316,19 +317,19 @@ TEST(NgcOutputs, ChangeWithTheNextMoveOrAtOnce) {
         "G21 G64\nM62 P1\nG4 P1\nG1 X10 F600\nM64 P2\nG1 X20\nM67 E1 Q2\nM63 P3\nM68 E2 Q5\nG1 X30\nM62 "
         "P4\nG4 P1\nM65 P5\nM2\n");
     ASSERT_EQ(r.moves.size(), 5U);
-    const auto time_of = [&](const std::string& detail) {
+    const auto run_time_s = [&](const std::string& detail) {
         for (const simulation::Event& event : r.report.events)
             if (event.detail == detail) return event.t_s;
         return -1.0;
     };
     EXPECT_EQ(r.moves[1].start_s, 1);
-    EXPECT_EQ(time_of("P1 on with the next move"), r.moves[1].start_s);
-    EXPECT_EQ(time_of("P2 on"), r.moves[1].end_s);
-    EXPECT_EQ(time_of("E1 2 with the next move"), r.moves[3].start_s);
-    EXPECT_EQ(time_of("P3 off with the next move"), r.moves[3].start_s);
-    EXPECT_EQ(time_of("E2 5"), r.moves[2].end_s);
-    EXPECT_EQ(time_of("P4 on with the next move"), -1);  // no move comes any more
-    EXPECT_EQ(time_of("P5 off"), r.moves[4].end_s);
+    EXPECT_EQ(run_time_s("P1 on with the next move"), r.moves[1].start_s);
+    EXPECT_EQ(run_time_s("P2 on"), r.moves[1].end_s);
+    EXPECT_EQ(run_time_s("E1 2 with the next move"), r.moves[3].start_s);
+    EXPECT_EQ(run_time_s("P3 off with the next move"), r.moves[3].start_s);
+    EXPECT_EQ(run_time_s("E2 5"), r.moves[2].end_s);
+    EXPECT_EQ(run_time_s("P4 on with the next move"), -1);  // no move comes any more
+    EXPECT_EQ(run_time_s("P5 off"), r.moves[4].end_s);
 }
 
 // If the controller does not stop, the next move begins in the corner.

@@ -7,27 +7,27 @@
 namespace gsim::script::ngc_words_test {
 namespace {
 
-std::string value_of(const std::string& expression, const std::string& before = "") {
+std::string variable_value(const std::string& expression, const std::string& before = "") {
     return debug_texts(run_ngc(before + "#100=" + expression + "\n(debug,%d#100)\nM2\n"));
 }
 
 TEST(NgcExists, OfANumberedParameterAsksForItsNumberNotForItsValue) {
-    EXPECT_EQ(value_of("EXISTS[#1]"), "1\n");
-    EXPECT_EQ(value_of("EXISTS[#400]"), "1\n") << "without a value, too";
-    EXPECT_EQ(value_of("EXISTS[#5601]"), "1\n");
-    EXPECT_EQ(value_of("EXISTS[#5602]"), "0\n");
-    EXPECT_EQ(value_of("EXISTS[#0]"), "0\n");
-    EXPECT_EQ(value_of("EXISTS[##1]", "#1=5601\n"), "1\n");
-    EXPECT_EQ(value_of("EXISTS[##1]", "#1=9000\n"), "0\n");
-    EXPECT_EQ(value_of("EXISTS[##1]", "#1=-5\n"), "0\n");
-    EXPECT_EQ(value_of("EXISTS[#[1.00001]]"), "1\n");
+    EXPECT_EQ(variable_value("EXISTS[#1]"), "1\n");
+    EXPECT_EQ(variable_value("EXISTS[#400]"), "1\n") << "without a value, too";
+    EXPECT_EQ(variable_value("EXISTS[#5601]"), "1\n");
+    EXPECT_EQ(variable_value("EXISTS[#5602]"), "0\n");
+    EXPECT_EQ(variable_value("EXISTS[#0]"), "0\n");
+    EXPECT_EQ(variable_value("EXISTS[##1]", "#1=5601\n"), "1\n");
+    EXPECT_EQ(variable_value("EXISTS[##1]", "#1=9000\n"), "0\n");
+    EXPECT_EQ(variable_value("EXISTS[##1]", "#1=-5\n"), "0\n");
+    EXPECT_EQ(variable_value("EXISTS[#[1.00001]]"), "1\n");
     expect_alarm(run_ngc("#100=EXISTS[#[1.5]]\nM2\n"), "the number of a parameter is whole, not 1.5");
 }
 
 TEST(NgcExists, OfANamedOneAsksForItsValue) {
-    EXPECT_EQ(value_of("EXISTS[#<width>]"), "0\n");
-    EXPECT_EQ(value_of("EXISTS[#<width>]", "#<width>=0\n"), "1\n");
-    EXPECT_EQ(value_of("EXISTS[#<_metric>]"), "1\n");
+    EXPECT_EQ(variable_value("EXISTS[#<width>]"), "0\n");
+    EXPECT_EQ(variable_value("EXISTS[#<width>]", "#<width>=0\n"), "1\n");
+    EXPECT_EQ(variable_value("EXISTS[#<_metric>]"), "1\n");
 }
 
 TEST(NgcExists, ChoosesTheBranch) {
@@ -37,18 +37,18 @@ TEST(NgcExists, ChoosesTheBranch) {
 }
 
 TEST(NgcParameters, TheirNumberMayBeAFunctionOrHaveSigns) {
-    EXPECT_EQ(value_of("#45", "#ATAN[1]/[1]=3\n"), "3\n");
-    EXPECT_EQ(value_of("#1", "#SIN[90]=4\n"), "4\n");
-    EXPECT_EQ(value_of("#2", "#ABS[-2]=5\n"), "5\n");
-    EXPECT_EQ(value_of("#3", "#-[-3]=6\n"), "6\n");
-    EXPECT_EQ(value_of("#+4", "#4=7\n"), "7\n");
-    EXPECT_EQ(value_of("#SQRT[16]", "#4=8\n"), "8\n");
+    EXPECT_EQ(variable_value("#45", "#ATAN[1]/[1]=3\n"), "3\n");
+    EXPECT_EQ(variable_value("#1", "#SIN[90]=4\n"), "4\n");
+    EXPECT_EQ(variable_value("#2", "#ABS[-2]=5\n"), "5\n");
+    EXPECT_EQ(variable_value("#3", "#-[-3]=6\n"), "6\n");
+    EXPECT_EQ(variable_value("#+4", "#4=7\n"), "7\n");
+    EXPECT_EQ(variable_value("#SQRT[16]", "#4=8\n"), "8\n");
 }
 
 TEST(NgcAngles, AreRoundedOnce) {
-    EXPECT_EQ(value_of("FIX[ACOS[SIN[-7]]]"), "97\n");
-    EXPECT_EQ(value_of("[SIN[30] EQ 0.5]"), "1\n");
-    EXPECT_EQ(value_of("[SIN[33.3]*2**53]"), "4945157917108571\n");
+    EXPECT_EQ(variable_value("FIX[ACOS[SIN[-7]]]"), "97\n");
+    EXPECT_EQ(variable_value("[SIN[30] EQ 0.5]"), "1\n");
+    EXPECT_EQ(variable_value("[SIN[33.3]*2**53]"), "4945157917108571\n");
 }
 
 TEST(NgcCodes, ThatTheDialectRefusesAreRefusedInScriptsByHand) {
@@ -144,16 +144,17 @@ TEST(NgcSubroutines, ANumberedProgramLeavesNoValue) {
 }
 
 TEST(NgcModes, FeedAndSpeedComeBackAsLinuxcncWritesThem) {
-    const std::string shown = "M72\n(debug,%.3f#<_feed> #<_rpm>)\nM2\n";
-    EXPECT_EQ(debug_texts(run_ngc("G21 F92.987 S100.6 M3\nM70\nF33 S120\n" + shown)), "93.000 101.000\n");
-    EXPECT_EQ(debug_texts(run_ngc("G21 F92.987 S100.6 M3\nM70\nG91\n" + shown)), "92.987 100.600\n")
+    const std::string display_text = "M72\n(debug,%.3f#<_feed> #<_rpm>)\nM2\n";
+    EXPECT_EQ(debug_texts(run_ngc("G21 F92.987 S100.6 M3\nM70\nF33 S120\n" + display_text)),
+              "93.000 101.000\n");
+    EXPECT_EQ(debug_texts(run_ngc("G21 F92.987 S100.6 M3\nM70\nG91\n" + display_text)), "92.987 100.600\n")
         << "what has not changed is not written";
-    EXPECT_EQ(debug_texts(run_ngc("G21 F92.987 S100.6 M3\nM70\nG93\n" + shown)), "0.000 100.600\n")
+    EXPECT_EQ(debug_texts(run_ngc("G21 F92.987 S100.6 M3\nM70\nG93\n" + display_text)), "0.000 100.600\n")
         << "G94 drops F, and F had not changed";
 }
 
 TEST(NgcTools, NoneInTheSpindleIsInNoPocket) {
-    EXPECT_EQ(value_of("#<_current_pocket>"), "0\n");
+    EXPECT_EQ(variable_value("#<_current_pocket>"), "0\n");
 }
 
 }  // namespace

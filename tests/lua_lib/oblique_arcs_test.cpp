@@ -22,7 +22,7 @@ Vector3d turned(const Vector3d& vector, double degrees, const Vector3d& about) {
     return Eigen::AngleAxisd(degrees * kPi / 180, about) * vector;
 }
 
-Vector3d axis_of(const RecordedMove& move) {
+Vector3d arc_axis(const RecordedMove& move) {
     return move.info.kind == MoveKind::arc_ccw ? move.info.normal : Vector3d(-move.info.normal);
 }
 
@@ -36,32 +36,35 @@ struct Wanted {
 
 // Every point that the machine passes on its last move is at one distance from the axis, climbs in proportion
 // to its angle, and the angle runs by the right hand.
-void expect_helix(const Outcome& run, const Wanted& wanted) {
+void expect_helix(const Outcome& run, const Wanted& expected_value) {
     ASSERT_TRUE(run.completed()) << run.message() << run.lua;
     const RecordedMove& move = run.moves.back();
-    EXPECT_LT((axis_of(move) - wanted.axis).norm(), 1e-9) << move.info.normal.transpose();
+    EXPECT_LT((arc_axis(move) - expected_value.axis).norm(), 1e-9) << move.info.normal.transpose();
     const motion::Segment& segment = run.segments.back();
     const auto at = [&](double share) {
         return Vector3d(segment.position_at(share * segment.duration_s).head<3>());
     };
-    EXPECT_LT((at(1) - wanted.end).norm(), kTiny_mm) << at(1).transpose();
-    const Vector3d start = at(0) - wanted.center;
-    const double along = start.dot(wanted.axis);
-    const Vector3d out = start - along * wanted.axis;
-    const Vector3d ahead = wanted.axis.cross(out);
+    EXPECT_LT((at(1) - expected_value.end).norm(), kTiny_mm) << at(1).transpose();
+    const Vector3d start = at(0) - expected_value.center;
+    const double along = start.dot(expected_value.axis);
+    const Vector3d out = start - along * expected_value.axis;
+    const Vector3d ahead = expected_value.axis.cross(out);
     double before = 0;
     for (int i = 1; i <= 64; ++i) {
-        const Vector3d point = at(i / 64.0) - wanted.center;
-        const Vector3d aside = point - point.dot(wanted.axis) * wanted.axis;
-        EXPECT_NEAR(aside.norm(), out.norm(), kTiny_mm) << i;
-        double angle = std::atan2(aside.dot(ahead), aside.dot(out));
+        const Vector3d point = at(i / 64.0) - expected_value.center;
+        const Vector3d lateral = point - point.dot(expected_value.axis) * expected_value.axis;
+        EXPECT_NEAR(lateral.norm(), out.norm(), kTiny_mm) << i;
+        double angle = std::atan2(lateral.dot(ahead), lateral.dot(out));
         while (angle < before - 1e-6) angle += 2 * kPi;
         EXPECT_LT(angle - before, kPi) << i;
-        EXPECT_NEAR(point.dot(wanted.axis) - along, wanted.rise_mm * angle / wanted.sweep_rad, kTiny_mm) << i;
+        EXPECT_NEAR(point.dot(expected_value.axis) - along,
+                    expected_value.rise_mm * angle / expected_value.sweep_rad, kTiny_mm)
+            << i;
         before = angle;
     }
-    EXPECT_NEAR(before, wanted.sweep_rad, 1e-6);
-    EXPECT_NEAR(move.length_mm, std::hypot(out.norm() * wanted.sweep_rad, wanted.rise_mm), kTiny_mm);
+    EXPECT_NEAR(before, expected_value.sweep_rad, 1e-6);
+    EXPECT_NEAR(move.length_mm, std::hypot(out.norm() * expected_value.sweep_rad, expected_value.rise_mm),
+                kTiny_mm);
 }
 
 // Program coordinates of a system with the origin 10, 20, 5 that is turned about Z.
@@ -105,15 +108,15 @@ TEST(ObliqueArcs, WhatARotationTurnsIntoAMainPlaneIsToldAsThat) {
 TEST(ObliqueArcs, EachPlaneUnderARotationInAnother) {
     // G68 turns YZ about X by 40 degrees, or mirrors before it turns.
     const Vector3d x = Vector3d::UnitX();
-    const auto place = [&](const Vector3d& point) { return turned(point, 40, x); };
+    const auto location = [&](const Vector3d& point) { return turned(point, 40, x); };
     expect_helix(run("F1000 G19 G68 Y0 Z0 R40\nG0 X20 Y10 Z0\nG17 G3 X10 Y20 I-10\n"),
-                 {place({10, 10, 0}), place(Vector3d::UnitZ()), place({10, 20, 0}), kPi / 2, 0});
+                 {location({10, 10, 0}), location(Vector3d::UnitZ()), location({10, 20, 0}), kPi / 2, 0});
     expect_helix(run("F1000 G19 G68 Y0 Z0 R40\nG0 X20 Y10 Z0\nG17 G3 I-10 AR=90\n"),
-                 {place({10, 10, 0}), place(Vector3d::UnitZ()), place({10, 20, 0}), kPi / 2, 0});
+                 {location({10, 10, 0}), location(Vector3d::UnitZ()), location({10, 20, 0}), kPi / 2, 0});
     expect_helix(run("F1000 G51.1 X0\nG19 G68 Y0 Z0 R40\nG0 X-20 Y10 Z0\nG17 G3 X-30 Y20 I-10\n"),
-                 {place({30, 10, 0}), place(-Vector3d::UnitZ()), place({30, 20, 0}), kPi / 2, 0});
+                 {location({30, 10, 0}), location(-Vector3d::UnitZ()), location({30, 20, 0}), kPi / 2, 0});
     expect_helix(run("F1000 G14 P2\nG19 G68 Y0 Z0 R40\nG0 X10 Y5 Z0\nG17 G3 X5 Y10 R5\n"),
-                 {place({10, 10, 0}), place(Vector3d::UnitZ()), place({10, 20, 0}), kPi / 2, 0});
+                 {location({10, 10, 0}), location(Vector3d::UnitZ()), location({10, 20, 0}), kPi / 2, 0});
 }
 
 TEST(ObliqueArcs, ThroughAPoint) {
@@ -130,15 +133,15 @@ void expect_turned(const Outcome& plain, const Outcome& turned_run, const Eigen:
     ASSERT_TRUE(turned_run.completed()) << turned_run.message() << turned_run.lua;
     ASSERT_EQ(plain.moves.size(), turned_run.moves.size()) << plain.lua;
     for (std::size_t i = 1; i < plain.moves.size(); ++i) {  // the first one leads there
-        const RecordedMove& wanted = plain.moves[i];
+        const RecordedMove& expected_value = plain.moves[i];
         const RecordedMove& found = turned_run.moves[i];
-        EXPECT_LT((map * wanted.end.head<3>() - found.end.head<3>()).norm(), kTiny_mm) << i;
-        EXPECT_NEAR(wanted.length_mm, found.length_mm, kTiny_mm) << i;
-        EXPECT_NEAR(wanted.info.feed_per_min, found.info.feed_per_min, 1e-6) << i;
-        ASSERT_EQ(wanted.arc.has_value(), found.arc.has_value()) << i;
-        if (!wanted.arc) continue;
-        EXPECT_LT((map.linear() * axis_of(wanted) - axis_of(found)).norm(), 1e-9) << i;
-        EXPECT_LT((map * wanted.arc->center - found.arc->center).norm(), kTiny_mm) << i;
+        EXPECT_LT((map * expected_value.end.head<3>() - found.end.head<3>()).norm(), kTiny_mm) << i;
+        EXPECT_NEAR(expected_value.length_mm, found.length_mm, kTiny_mm) << i;
+        EXPECT_NEAR(expected_value.info.feed_per_min, found.info.feed_per_min, 1e-6) << i;
+        ASSERT_EQ(expected_value.arc.has_value(), found.arc.has_value()) << i;
+        if (!expected_value.arc) continue;
+        EXPECT_LT((map.linear() * arc_axis(expected_value) - arc_axis(found)).norm(), 1e-9) << i;
+        EXPECT_LT((map * expected_value.arc->center - found.arc->center).norm(), kTiny_mm) << i;
     }
 }
 

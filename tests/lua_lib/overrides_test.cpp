@@ -14,7 +14,7 @@ namespace {
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 constexpr double kRapid_mm_s = 508;
 
-Conditions turned(Conditions setup, const motion::Overrides& to) {
+Conditions overridden(Conditions setup, const motion::Overrides& to) {
     setup.machine = built_in_machine();
     for (machine::Axis& axis : setup.machine.axes) {
         axis.min = -kUnlimited;
@@ -28,11 +28,11 @@ Conditions turned(Conditions setup, const motion::Overrides& to) {
 constexpr motion::Overrides kHalf{.feed = 0.5, .rapid = 0.25, .spindle = 0.8};
 
 Outcome run_ab9(const std::string& program) {
-    return run(program, turned({}, kHalf));
+    return run(program, overridden({}, kHalf));
 }
 
 Outcome run_linuxcnc(const std::string& program) {
-    return run_ngc(program, turned(ngc_conditions(), kHalf));
+    return run_ngc(program, overridden(ngc_conditions(), kHalf));
 }
 
 /// Returns the share of its speed that a feed of 100 mm at F600, or a rapid, has after `words`.
@@ -131,11 +131,11 @@ TEST(OverrideLocks, TapsGoAsProgrammed) {
 }
 
 TEST(OverrideLocks, ProbesObeyWhereTheControllerSaysSo) {
-    Conditions setup = turned(ngc_conditions(), kHalf);
-    setup.probe.kind = simulation::ProbeFeels::Kind::nothing;
+    Conditions setup = overridden(ngc_conditions(), kHalf);
+    setup.probe.kind = simulation::ProbeSurface::Kind::none;
     const std::string program = "G21 G90 F600\nG38.3 X100\nM2\n";
     EXPECT_NEAR(feed_share(run_ngc(program, setup)), 0.5, 1e-9);
-    setup.machine.controller.overrides.feed_of_probes = false;
+    setup.machine.controller.overrides.override_probe_feed = false;
     const Outcome grbl = run_ngc(program, setup);
     EXPECT_NEAR(feed_share(grbl), 1, 1e-9);
     EXPECT_NEAR(grbl.report.overrides->feed_locked_s, 10, 1e-9);
@@ -157,7 +157,7 @@ TEST(OverrideLocks, TheReportTellsHowLongWhatWasLocked) {
 }
 
 TEST(OverrideLocks, AChangeTakesAsLongAsTheControllerNeedsForIt) {
-    Conditions setup = turned(ngc_conditions(), {});
+    Conditions setup = overridden(ngc_conditions(), {});
     setup.overrides = motion::OverrideSchedule({{2, {.feed = 0.5}}});
     const std::string program = "G21 G90 F600\nG1 X100\nM2\n";
     EXPECT_NEAR(run_ngc(program, setup).report.cycle_time_s, 2 + 16, 1e-6);

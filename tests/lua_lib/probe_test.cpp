@@ -5,7 +5,7 @@
 namespace gsim::script::probe_test {
 namespace {
 
-using simulation::ProbeFeels;
+using simulation::ProbeSurface;
 
 constexpr double kF3000_mm_s = 50;
 
@@ -15,7 +15,7 @@ double braking_mm(double speed_mm_s) {
 }
 
 /// RS274/NGC on the built-in machine, of which the accelerations are known.
-Conditions on_built_in(const ProbeFeels& feels = {}) {
+Conditions on_built_in(const ProbeSurface& feels = {}) {
     Conditions setup;
     setup.options.dialect = "rs274ngc";
     setup.machine.axes[2].min = -1000;
@@ -25,7 +25,7 @@ Conditions on_built_in(const ProbeFeels& feels = {}) {
 
 Conditions at_plane(char axis, double at_mm) {
     return on_built_in(
-        {.kind = ProbeFeels::Kind::plane, .axis = static_cast<std::size_t>(axis - 'x'), .at_mm = at_mm});
+        {.kind = ProbeSurface::Kind::plane, .axis = static_cast<std::size_t>(axis - 'x'), .at_mm = at_mm});
 }
 
 TEST(Probe, TripsWhereTheScriptSaysAndBrakesBehindIt) {
@@ -52,8 +52,8 @@ TEST(Probe, MayAnswerWithAPartOfTheWay) {
         run_ngc_lua("on_probe(function() return 0 end) G21() F(100) G38_2{x=8} DEBUG('%.1f', v[5070])");
     EXPECT_EQ(debug_texts(at_once), "1.0\n");
     EXPECT_TRUE(at_once.moves.empty());
-    const Outcome whole = run_ngc_lua("on_probe(function() return 1 end) G21() F(100) G38_2{x=8}");
-    EXPECT_NEAR(whole.to(0, 'X'), 8, 1e-12);
+    const Outcome full = run_ngc_lua("on_probe(function() return 1 end) G21() F(100) G38_2{x=8}");
+    EXPECT_NEAR(full.to(0, 'X'), 8, 1e-12);
 }
 
 TEST(Probe, FindingNothingIsAnAlarmWhereItMust) {
@@ -146,7 +146,7 @@ TEST(Probe, ContactAsWantedBeforehandIsAnAlarmWhereItMustBeFound) {
 }
 
 TEST(Probe, NothingFoundIsAnAlarmAsOnTheControl) {
-    const Conditions nothing = on_built_in({.kind = ProbeFeels::Kind::nothing});
+    const Conditions nothing = on_built_in({.kind = ProbeSurface::Kind::none});
     expect_alarm(run_ngc("G21 F600\nG38.2 Z-20\nM2\n", nothing), 2,
                  {"G38.2 has come to its end, and the probe has not touched anything"});
     expect_alarm(run_ngc("G21 F600\nG38.4 Z-20\nM2\n", nothing), 2,
@@ -168,7 +168,7 @@ TEST(Probe, TheMachineComesToRestBeforeIt) {
     EXPECT_NEAR(r.to(0, 'Z'), 0, 1e-9);
     EXPECT_NEAR(r.to(1, 'Z'), -3 - braking_mm(kF3000_mm_s), 1e-6);
     EXPECT_NEAR(r.seconds(1), 3 / kF3000_mm_s + 1.5 * kF3000_mm_s / kAcceleration_mm_s2, 1e-6);
-    for (const motion::Segment& segment : r.segments) EXPECT_FALSE(segment.beside);
+    for (const motion::Segment& segment : r.segments) EXPECT_FALSE(segment.superimposed);
 }
 
 TEST(Probe, GoesOnFromWhereItStandsInALoopOfASubroutine) {

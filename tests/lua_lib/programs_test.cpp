@@ -31,9 +31,9 @@ TEST(Programs, ACallComesBackPlainlyWhereOthersSayAtWhichBlockToGoOn) {
         const Outcome plain = run("O1\n" + main + sub);
         expect_end(plain, 60, 0, 0);
         EXPECT_EQ(plain.moves.size(), 2U);
-        const Outcome led = run("O1\n#100=2\n" + main + sub);
-        expect_end(led, 60, 0, 0);
-        EXPECT_EQ(led.moves.size(), 1U) << "X50 is passed over";
+        const Outcome group_joints = run("O1\n#100=2\n" + main + sub);
+        expect_end(group_joints, 60, 0, 0);
+        EXPECT_EQ(group_joints.moves.size(), 1U) << "X50 is passed over";
     }
 }
 
@@ -101,8 +101,8 @@ TEST(Programs, OneIsFoundBesideTheFile) {
     const Outcome r = run("O1\nM98 P7\nM98 P7\nM98 P8\nM2\n", setup);
     expect_alarm(r, 4, {"it is broken"});
     ASSERT_EQ(r.moves.size(), 1U);
-    EXPECT_EQ(r.report.files[r.moves[0].info.place.file], "O0007.nc");
-    EXPECT_EQ(r.moves[0].info.place.line, 1U);
+    EXPECT_EQ(r.report.files[r.moves[0].info.location.file], "O0007.nc");
+    EXPECT_EQ(r.moves[0].info.location.line, 1U);
     expect_alarm(run("O1\nM98 P9\nM2\n", setup), 2, {"O9"});
 }
 
@@ -123,7 +123,7 @@ TEST(Programs, M99InTheMainProgramIsTheEndOfAPass) {
     EXPECT_EQ(one.moves.size(), 2U);
     ASSERT_TRUE(one.report.passes);
     EXPECT_EQ(one.report.passes->count, 1U);
-    EXPECT_EQ(one.report.passes->place.line, 3U);
+    EXPECT_EQ(one.report.passes->location.line, 3U);
     EXPECT_EQ(one.report.passes->to_block, std::nullopt);
     Conditions setup;
     setup.options.passes = 3;
@@ -152,7 +152,7 @@ TEST(Programs, AJumpBackAtTheEndOfTheMainProgramIsAPassToo) {
         expect_end(one, 5, 1, 0);
         ASSERT_TRUE(one.report.passes) << last;
         EXPECT_EQ(one.report.passes->to_block, 10);
-        EXPECT_EQ(one.report.passes->place.line, 3U);
+        EXPECT_EQ(one.report.passes->location.line, 3U);
         Conditions setup;
         setup.options.passes = 4;
         expect_end(run(gcode, setup), 5, 4, 0);
@@ -224,9 +224,9 @@ TEST(Places, AnAlarmOfAnExpressionIsOfItsOwnLine) {
 TEST(Places, MovesHaveTheLineOfTheGCode) {
     const Outcome r = run("(head)\nO1\nG0 X1\n\nX2 (two)\nM98 P2\nM2\nO2\nX3\nM99\n");
     ASSERT_EQ(r.moves.size(), 3U);
-    EXPECT_EQ(r.moves[0].info.place.line, 3U);
-    EXPECT_EQ(r.moves[1].info.place.line, 5U);
-    EXPECT_EQ(r.moves[2].info.place.line, 9U);
+    EXPECT_EQ(r.moves[0].info.location.line, 3U);
+    EXPECT_EQ(r.moves[1].info.location.line, 5U);
+    EXPECT_EQ(r.moves[2].info.location.line, 9U);
 }
 
 }  // namespace

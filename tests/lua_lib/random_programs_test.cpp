@@ -52,7 +52,7 @@ class Generator {
     }
 
     std::string text;
-    std::vector<Wanted> wanted;
+    std::vector<Wanted> expected_value;
     machine::MachineData data() const {
         machine::MachineData data;
         for (std::size_t f = 0; f < 3; ++f)
@@ -65,11 +65,11 @@ class Generator {
     double number(double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(random_);
     }
-    int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
+    int random_integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(random_); }
     static double round(double value) { return std::round(value * 1e4) / 1e4; }
 
     void block() {
-        switch (whole(0, 11)) {
+        switch (random_integer(0, 11)) {
             case 0:
                 unit_ = 25.4;
                 text += "G20\n";
@@ -83,14 +83,14 @@ class Generator {
                 text += incremental_ ? "G91\n" : "G90\n";
                 break;
             case 3:
-                frame_ = static_cast<std::size_t>(whole(0, 2));
+                frame_ = static_cast<std::size_t>(random_integer(0, 2));
                 text += fmt::format("G{}\n", 54 + frame_);
                 break;
             case 4: zero_point(); break;
             case 5: set_feed(); break;
-            case 6: line(true, whole(1, 31)); break;
+            case 6: line(true, random_integer(1, 31)); break;
             case 7:
-            case 8: line(false, whole(1, 31)); break;
+            case 8: line(false, random_integer(1, 31)); break;
             default: arc(); break;
         }
     }
@@ -103,7 +103,7 @@ class Generator {
     }
 
     void zero_point() {
-        const auto axis = static_cast<std::size_t>(whole(0, 4));
+        const auto axis = static_cast<std::size_t>(random_integer(0, 4));
         const double value = round(number(-30, 30) / (axis < 3 ? unit_ : 1));
         g52_[static_cast<Eigen::Index>(axis)] = value * (axis < 3 ? unit_ : 1);
         text += fmt::format("G52 {}{}\n", kLetters[axis], value);
@@ -138,11 +138,11 @@ class Generator {
     void arc() {
         Wanted move;
         move.arc = true;
-        move.plane = whole(0, 2);
+        move.plane = random_integer(0, 2);
         const auto [first, second, normal] = kPlanes[static_cast<std::size_t>(move.plane)];
         move.radius = number(5, 90);
         const double from = number(0, 2 * kPi), sweep = number(0.2, 2 * kPi - 0.2);
-        const bool ccw = whole(0, 1) == 1;
+        const bool ccw = random_integer(0, 1) == 1;
         move.turn = ccw ? sweep : -sweep;
         move.start = move.end = position_;
         // The centre is written in digits; all else follows from it.
@@ -155,8 +155,8 @@ class Generator {
         move.center[second] -= out[1];
         move.end[first] = move.center[first] + std::cos(move.turn) * out[0] - std::sin(move.turn) * out[1];
         move.end[second] = move.center[second] + std::sin(move.turn) * out[0] + std::cos(move.turn) * out[1];
-        if (whole(0, 2) == 0) move.end[normal] += number(-20, 20);
-        if (whole(0, 2) == 0) move.end[3] += number(-30, 30);
+        if (random_integer(0, 2) == 0) move.end[normal] += number(-20, 20);
+        if (random_integer(0, 2) == 0) move.end[3] += number(-30, 30);
         if (!fits(move)) return line(false, 31);
         text += fmt::format("G{} G{}", 17 + move.plane, ccw ? 3 : 2);
         for (std::size_t axis = 0; axis < 4; ++axis) {
@@ -164,7 +164,7 @@ class Generator {
             if (n == first || n == second || move.end[n] != position_[n]) text += word(axis, move.end[n]);
         }
         static constexpr char kCentre[] = "IJK";
-        if (whole(0, 2) == 0 && std::abs(sweep - kPi) > 0.2) {
+        if (random_integer(0, 2) == 0 && std::abs(sweep - kPi) > 0.2) {
             text += fmt::format(" R{:.9f}\n", (sweep < kPi ? 1 : -1) * move.radius / unit_);
         } else {
             text += fmt::format(" {}{} {}{}\n", kCentre[first], i, kCentre[second], j);
@@ -182,7 +182,7 @@ class Generator {
     }
 
     void add(const Wanted& move) {
-        wanted.push_back(move);
+        expected_value.push_back(move);
         position_ = move.end;
     }
 
@@ -207,7 +207,7 @@ Vector3d arc_point(const Wanted& move, double part) {
     return point;
 }
 
-double length_of(const Wanted& move) {
+double move_length(const Wanted& move) {
     if (!move.arc) return (move.end - move.start).head<3>().norm();
     const int normal = kPlanes[static_cast<std::size_t>(move.plane)][2];
     return std::hypot(move.radius * move.turn, move.end[normal] - move.start[normal]);
@@ -216,7 +216,7 @@ double length_of(const Wanted& move) {
 void expect_limits(const Wanted& move, const motion::JointState& state, const machine::Machine& machine) {
     const Vector3d velocity = state.velocity.head<3>(), acceleration = state.acceleration.head<3>();
     const double degrees = 180 / kPi;
-    const double turning = state.velocity.tail<2>().norm() * degrees;
+    const double rotary_speed = state.velocity.tail<2>().norm() * degrees;
     for (int i = 0; i < 5; ++i) {
         const machine::Axis& axis = machine.axes[static_cast<std::size_t>(i)];
         const double scale = i < 3 ? 1 : degrees;
@@ -226,18 +226,18 @@ void expect_limits(const Wanted& move, const motion::JointState& state, const ma
             << axis.letter;
     }
     if (move.rapid) return;
-    const bool turns_alone = length_of(move) == 0;
-    ASSERT_LE(turns_alone ? turning : velocity.norm(),
+    const bool turns_alone = move_length(move) == 0;
+    ASSERT_LE(turns_alone ? rotary_speed : velocity.norm(),
               std::min(move.feed_per_s, turns_alone ? 1e9 : kFeed_mm_s) * (1 + kRelative));
     if (velocity.norm() > 1e-6) {
         ASSERT_LE(std::abs(acceleration.dot(velocity.normalized())), kAcceleration_mm_s2 * (1 + kRelative));
     }
 }
 
-void expect_path(const Wanted& move, const Vector3d& point, double way_mm) {
-    const double length = length_of(move);
+void expect_path(const Wanted& move, const Vector3d& point, double distance_mm) {
+    const double length = move_length(move);
     if (move.arc) {
-        ASSERT_LT((point - arc_point(move, way_mm / length)).norm(), kPath_mm);
+        ASSERT_LT((point - arc_point(move, distance_mm / length)).norm(), kPath_mm);
         return;
     }
     const Vector3d direction =
@@ -250,14 +250,14 @@ void expect_move(const Wanted& move, const Outcome& r, std::size_t n) {
     const simulation::RecordedMove& recorded = r.moves[n];
     for (std::size_t i = 0; i < 5; ++i)
         ASSERT_NEAR(r.to(n, kLetters[i]), move.end[static_cast<Eigen::Index>(i)], kPath_mm) << kLetters[i];
-    ASSERT_NEAR(recorded.length_mm, length_of(move), kPath_mm);
+    ASSERT_NEAR(recorded.length_mm, move_length(move), kPath_mm);
     ASSERT_EQ(recorded.start_s, n == 0 ? 0 : r.moves[n - 1].end_s);
     const motion::Segment& segment = r.segments[n];
     ASSERT_EQ(segment.start_s, recorded.start_s);
     for (int k = 0; k <= kSamples; ++k) {
         const double t_s = segment.duration_s * k / kSamples;
         const motion::JointState state = segment.at(t_s);
-        expect_path(move, state.position.head<3>(), segment.length_mm > 0 ? segment.lead.at(t_s).s : 0);
+        expect_path(move, state.position.head<3>(), segment.length_mm > 0 ? segment.master.at(t_s).s : 0);
         expect_limits(move, state, r.machine);
         if (testing::Test::HasFatalFailure()) return;
     }
@@ -272,11 +272,11 @@ TEST(RandomPrograms, EveryMoveIsWhereItsBlockSaysAndKeepsTheLimits) {
         setup.options.data = program.data();
         const Outcome r = run(program.text, setup);
         ASSERT_TRUE(r.completed()) << r.line() << ": " << r.message();
-        ASSERT_EQ(r.moves.size(), program.wanted.size());
-        ASSERT_EQ(r.segments.size(), program.wanted.size());
+        ASSERT_EQ(r.moves.size(), program.expected_value.size());
+        ASSERT_EQ(r.segments.size(), program.expected_value.size());
         for (std::size_t n = 0; n < r.moves.size(); ++n) {
-            SCOPED_TRACE(fmt::format("line {}", r.moves[n].info.place.line));
-            expect_move(program.wanted[n], r, n);
+            SCOPED_TRACE(fmt::format("line {}", r.moves[n].info.location.line));
+            expect_move(program.expected_value[n], r, n);
             if (HasFatalFailure()) return;
         }
         moves += r.moves.size();

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& path) {
+std::string read_file_text(const fs::path& path) {
     std::ifstream file(path);
     std::ostringstream text;
     text << file.rdbuf();
@@ -23,13 +23,13 @@ std::string text_of(const fs::path& path) {
 
 const fs::path kSource = tests::source_path();
 
-// 129.99 s was worked out by hand, from each joint's own trapezoid, as with own_ramps.
+// 129.99 s was worked out by hand, from each joint's own trapezoid, as with independent_ramps.
 TEST(Reference, TheWheelOnTheCalibratedMachine) {
     Conditions setup;
     setup.machine = machine::load_machine(kSource / "samples/machines/af5-measured.toml").value();
-    for (const auto& [own_ramps, time_s] : {std::pair{true, 129.99}, std::pair{false, 131.44}}) {
-        setup.machine.controller.own_ramps = own_ramps;
-        const Outcome r = run(text_of(kSource / "samples/wheel.nc"), setup);
+    for (const auto& [independent_ramps, time_s] : {std::pair{true, 129.99}, std::pair{false, 131.44}}) {
+        setup.machine.controller.independent_ramps = independent_ramps;
+        const Outcome r = run(read_file_text(kSource / "samples/wheel.nc"), setup);
         ASSERT_TRUE(r.completed()) << r.message();
         EXPECT_NEAR(r.report.cycle_time_s, time_s, time_s * 0.0005);
         EXPECT_NEAR(r.report.feed_mm + r.report.rapid_mm, 4525.35, 0.02);
@@ -43,9 +43,9 @@ TEST(Reference, AppendixJAsWritten) {
     const fs::path path = fs::path(folder != nullptr ? folder : "") / "appendix_j.nc";
     if (!fs::is_regular_file(path)) GTEST_SKIP() << "no appendix_j.nc in the folder GSIM_REFERENCE";
     Conditions setup;
-    for (const auto& [own_ramps, time_s] : {std::pair{true, 1635.5}, std::pair{false, 1653.2}}) {
-        setup.machine.controller.own_ramps = own_ramps;
-        const Outcome r = run(text_of(path), setup);
+    for (const auto& [independent_ramps, time_s] : {std::pair{true, 1635.5}, std::pair{false, 1653.2}}) {
+        setup.machine.controller.independent_ramps = independent_ramps;
+        const Outcome r = run(read_file_text(path), setup);
         ASSERT_TRUE(r.completed()) << r.message();
         EXPECT_NEAR(r.report.feed_mm, 6752.81, 0.02);
         EXPECT_NEAR(r.report.cycle_time_s, time_s, time_s * 0.0005);

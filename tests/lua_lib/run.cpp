@@ -13,10 +13,10 @@ namespace {
 class Collector : public simulation::RunOutput {
   public:
     explicit Collector(Outcome& run) : run_(run) {}
-    void take(const motion::Segment& segment, const simulation::MoveInfo&) override {
+    void on_segment(const motion::Segment& segment, const simulation::MoveInfo&) override {
         run_.segments.push_back(segment);
     }
-    void take(const simulation::RecordedMove& move) override { run_.moves.push_back(move); }
+    void on_move(const simulation::RecordedMove& move) override { run_.moves.push_back(move); }
 
   private:
     Outcome& run_;
@@ -24,7 +24,7 @@ class Collector : public simulation::RunOutput {
 
 codegen::TranslateOptions in_dialect(std::string_view dialect) {
     codegen::TranslateOptions options;
-    options.dialect = grammar::dialect_named(dialect);
+    options.dialect = grammar::find_dialect(dialect);
     return options;
 }
 
@@ -36,13 +36,13 @@ Script in_functions(const codegen::TextTranslation& translation) {
     return script;
 }
 
-void expect_same(const Outcome& whole, const Outcome& in_functions) {
-    EXPECT_EQ(simulation::to_json(whole.report), simulation::to_json(in_functions.report)) << whole.lua;
-    ASSERT_EQ(whole.moves.size(), in_functions.moves.size()) << whole.lua;
-    for (std::size_t i = 0; i < whole.moves.size(); ++i) {
-        EXPECT_EQ(whole.moves[i].end, in_functions.moves[i].end);
-        EXPECT_EQ(whole.moves[i].end_s, in_functions.moves[i].end_s);
-        EXPECT_EQ(whole.moves[i].info.place.line, in_functions.moves[i].info.place.line);
+void expect_same(const Outcome& full, const Outcome& in_functions) {
+    EXPECT_EQ(simulation::to_json(full.report), simulation::to_json(in_functions.report)) << full.lua;
+    ASSERT_EQ(full.moves.size(), in_functions.moves.size()) << full.lua;
+    for (std::size_t i = 0; i < full.moves.size(); ++i) {
+        EXPECT_EQ(full.moves[i].end, in_functions.moves[i].end);
+        EXPECT_EQ(full.moves[i].end_s, in_functions.moves[i].end_s);
+        EXPECT_EQ(full.moves[i].info.location.line, in_functions.moves[i].info.location.line);
     }
 }
 
@@ -85,7 +85,7 @@ Outcome run_script(Script script, Conditions setup) {
     if (!setup.overrides.changes().empty()) simulator.set_overrides(setup.overrides);
     const std::string name = script.file_name;
     {
-        setup.options.codes = engine::word_table(*grammar::dialect_named(setup.options.dialect));
+        setup.options.codes = engine::word_table(*grammar::find_dialect(setup.options.dialect));
         Engine engine(simulator, std::move(setup.options));
         engine.run(std::move(script));
         result.report = simulator.finish(name);
@@ -111,7 +111,7 @@ Outcome run_lua(std::string_view lua, Conditions setup) {
     return result;
 }
 
-std::string errors_of(std::string_view gcode, std::string_view dialect) {
+std::string diagnostics_text(std::string_view gcode, std::string_view dialect) {
     const codegen::TextTranslation translation = codegen::translate_text(gcode, in_dialect(dialect));
     EXPECT_FALSE(translation.ok) << translation.lua;
     return translation.diagnostics;
@@ -125,9 +125,10 @@ double trapezoid_s(double length, double speed, double acceleration) {
 
 void expect_end(const Outcome& run, double x, double y, double z, double b, double c) {
     EXPECT_TRUE(run.completed()) << run.message() << "\n" << run.lua;
-    const std::array<double, 5> wanted{x, y, z, b, c};
+    const std::array<double, 5> expected_value{x, y, z, b, c};
     const std::array<double, 5> got = run.end();
-    for (std::size_t i = 0; i < 5; ++i) EXPECT_NEAR(got[i], wanted[i], 1e-6) << "XYZBC"[i] << "\n" << run.lua;
+    for (std::size_t i = 0; i < 5; ++i)
+        EXPECT_NEAR(got[i], expected_value[i], 1e-6) << "XYZBC"[i] << "\n" << run.lua;
 }
 
 void expect_alarm(const Outcome& run, std::uint32_t line, const std::vector<std::string>& texts) {

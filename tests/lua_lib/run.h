@@ -24,7 +24,7 @@ struct Conditions {
     Engine::Options options;
     /// Past a range or in a zone the run ends there, unless a test wants it to go on.
     simulation::RunLimits limits{.stop_at_first = true};
-    simulation::ProbeFeels probe;
+    simulation::ProbeSurface probe;
     motion::OverrideSchedule overrides;
 };
 
@@ -41,7 +41,7 @@ struct Outcome {
 
     bool completed() const { return report.status == simulation::RunStatus::completed; }
     std::string message() const { return report.alarm ? report.alarm->message : std::string(); }
-    std::uint32_t line() const { return report.alarm ? report.alarm->place.line : 0; }
+    std::uint32_t line() const { return report.alarm ? report.alarm->location.line : 0; }
     /// Value of an axis (mm or deg) at the end of move `n`, from 0.
     double to(std::size_t n, char letter) const;
     /// Returns the machine's position at the end: X, Y, Z in mm, B and C in deg.
@@ -59,7 +59,7 @@ Outcome run_lua(std::string_view lua, Conditions setup = {});
 /// Runs any script.
 Outcome run_script(Script script, Conditions setup);
 /// The diagnostics of a program that must not translate.
-std::string errors_of(std::string_view gcode, std::string_view dialect = "ab9");
+std::string diagnostics_text(std::string_view gcode, std::string_view dialect = "ab9");
 
 /// Returns the min time from standstill to standstill, from first principles.
 double trapezoid_s(double length, double speed, double acceleration);

@@ -37,7 +37,7 @@ TEST(Boring, LeavesTheToolToTheOperatorBelow) {
     const Outcome r = run(kHole + "G88 Z40 R60\nM30\n");
     EXPECT_TRUE(r.completed()) << r.message();
     EXPECT_EQ(r.events().substr(0, 38), "spindle_cw spindle_off stop spindle_cw") << r.events();
-    EXPECT_NEAR(r.moves.back().info.place.line, 4, 0);
+    EXPECT_NEAR(r.moves.back().info.location.line, 4, 0);
     EXPECT_NEAR(r.end()[2], 60, kClose_mm);
 }
 

@@ -79,10 +79,10 @@ TEST(Splines, WeightsMakeAnExactCircle) {
 TEST(Splines, SpansMeetAtTheWeightedMiddleOfTheirControlPoints) {
     const Outcome r = run_ngc("G21 F100\nG5.2 X0 Y10 P2 L3\nX10 Y10 P1\nX10 Y0 P1\nG5.3\nM2\n");
     ASSERT_TRUE(r.completed()) << r.message();
-    const Point meeting{(2 * 0 + 1 * 10) / 3.0, 10};
+    const Point midpoint{(2 * 0 + 1 * 10) / 3.0, 10};
     const std::vector<Point> ends = ends_of(r);
     EXPECT_TRUE(std::any_of(ends.begin(), ends.end(), [&](const Point& end) {
-        return std::hypot(end[0] - meeting[0], end[1] - meeting[1]) < 1e-9;
+        return std::hypot(end[0] - midpoint[0], end[1] - midpoint[1]) < 1e-9;
     }));
     EXPECT_NEAR(ends.back()[0], 10, 1e-12);
     EXPECT_NEAR(ends.back()[1], 0, 1e-12);

@@ -8,46 +8,46 @@ namespace gsim::script::variables_test {
 namespace {
 
 // Returns the value of an expression, by a move: X moves to 500 + the value.
-double value_of(const std::string& expression) {
+double variable_value(const std::string& expression) {
     const Outcome r = run("G0 X[500+" + expression + "]\nG91 G0 Y1\n");
     EXPECT_TRUE(r.completed()) << expression << ": " << r.message();
     return r.moves.empty() ? NAN : r.end()[0] - 500;
 }
 
 TEST(Expressions, ArithmeticAndItsOrder) {
-    EXPECT_DOUBLE_EQ(value_of("[1+2*3]"), 7);
-    EXPECT_DOUBLE_EQ(value_of("[[1+2]*3]"), 9);
-    EXPECT_DOUBLE_EQ(value_of("[10-2-3]"), 5);
-    EXPECT_DOUBLE_EQ(value_of("[7/2]"), 3.5);
-    EXPECT_DOUBLE_EQ(value_of("[-2*3]"), -6);
-    EXPECT_DOUBLE_EQ(value_of("[2--3]"), 5);
-    EXPECT_DOUBLE_EQ(value_of("[17 MOD 5]"), 2);
-    EXPECT_DOUBLE_EQ(value_of("[12 AND 10]"), 8);
-    EXPECT_DOUBLE_EQ(value_of("[12 OR 10]"), 14);
-    EXPECT_DOUBLE_EQ(value_of("[12 XOR 10]"), 6);
+    EXPECT_DOUBLE_EQ(variable_value("[1+2*3]"), 7);
+    EXPECT_DOUBLE_EQ(variable_value("[[1+2]*3]"), 9);
+    EXPECT_DOUBLE_EQ(variable_value("[10-2-3]"), 5);
+    EXPECT_DOUBLE_EQ(variable_value("[7/2]"), 3.5);
+    EXPECT_DOUBLE_EQ(variable_value("[-2*3]"), -6);
+    EXPECT_DOUBLE_EQ(variable_value("[2--3]"), 5);
+    EXPECT_DOUBLE_EQ(variable_value("[17 MOD 5]"), 2);
+    EXPECT_DOUBLE_EQ(variable_value("[12 AND 10]"), 8);
+    EXPECT_DOUBLE_EQ(variable_value("[12 OR 10]"), 14);
+    EXPECT_DOUBLE_EQ(variable_value("[12 XOR 10]"), 6);
 }
 
 TEST(Expressions, Functions) {
-    EXPECT_NEAR(value_of("SIN[30]"), 0.5, 1e-9);
-    EXPECT_NEAR(value_of("COS[60]"), 0.5, 1e-9);
-    EXPECT_NEAR(value_of("TAN[45]"), 1, 1e-9);
-    EXPECT_NEAR(value_of("ASIN[0.5]"), 30, 1e-9);
-    EXPECT_NEAR(value_of("ACOS[0.5]"), 60, 1e-9);
-    EXPECT_NEAR(value_of("ATAN[1]"), 45, 1e-9);
-    EXPECT_NEAR(value_of("ATAN[1]/[-1]"), 135, 1e-9);
-    EXPECT_NEAR(value_of("ATAN[-1]/[-1]"), 225, 1e-9);
-    EXPECT_NEAR(value_of("SQRT[2]"), std::sqrt(2.0), 1e-9);
-    EXPECT_NEAR(value_of("ABS[-4.5]"), 4.5, 1e-9);
-    EXPECT_NEAR(value_of("LN[10]"), std::log(10.0), 1e-9);
-    EXPECT_NEAR(value_of("EXP[2]"), std::exp(2.0), 1e-9);
-    EXPECT_NEAR(value_of("ROUND[2.5]"), 3, 1e-9);
-    EXPECT_NEAR(value_of("ROUND[-2.5]"), -3, 1e-9);
-    EXPECT_NEAR(value_of("FIX[2.9]"), 2, 1e-9);
-    EXPECT_NEAR(value_of("FIX[-2.9]"), -2, 1e-9);
-    EXPECT_NEAR(value_of("FUP[2.1]"), 3, 1e-9);
-    EXPECT_NEAR(value_of("FUP[-2.1]"), -3, 1e-9);
-    EXPECT_NEAR(value_of("BIN[18]"), 12, 1e-9);  // 12 in BCD is 0x12, 18
-    EXPECT_NEAR(value_of("BCD[12]"), 18, 1e-9);
+    EXPECT_NEAR(variable_value("SIN[30]"), 0.5, 1e-9);
+    EXPECT_NEAR(variable_value("COS[60]"), 0.5, 1e-9);
+    EXPECT_NEAR(variable_value("TAN[45]"), 1, 1e-9);
+    EXPECT_NEAR(variable_value("ASIN[0.5]"), 30, 1e-9);
+    EXPECT_NEAR(variable_value("ACOS[0.5]"), 60, 1e-9);
+    EXPECT_NEAR(variable_value("ATAN[1]"), 45, 1e-9);
+    EXPECT_NEAR(variable_value("ATAN[1]/[-1]"), 135, 1e-9);
+    EXPECT_NEAR(variable_value("ATAN[-1]/[-1]"), 225, 1e-9);
+    EXPECT_NEAR(variable_value("SQRT[2]"), std::sqrt(2.0), 1e-9);
+    EXPECT_NEAR(variable_value("ABS[-4.5]"), 4.5, 1e-9);
+    EXPECT_NEAR(variable_value("LN[10]"), std::log(10.0), 1e-9);
+    EXPECT_NEAR(variable_value("EXP[2]"), std::exp(2.0), 1e-9);
+    EXPECT_NEAR(variable_value("ROUND[2.5]"), 3, 1e-9);
+    EXPECT_NEAR(variable_value("ROUND[-2.5]"), -3, 1e-9);
+    EXPECT_NEAR(variable_value("FIX[2.9]"), 2, 1e-9);
+    EXPECT_NEAR(variable_value("FIX[-2.9]"), -2, 1e-9);
+    EXPECT_NEAR(variable_value("FUP[2.1]"), 3, 1e-9);
+    EXPECT_NEAR(variable_value("FUP[-2.1]"), -3, 1e-9);
+    EXPECT_NEAR(variable_value("BIN[18]"), 12, 1e-9);  // 12 in BCD is 0x12, 18
+    EXPECT_NEAR(variable_value("BCD[12]"), 18, 1e-9);
 }
 
 TEST(Expressions, OutOfTheirDomain) {
@@ -61,10 +61,10 @@ TEST(Expressions, OutOfTheirDomain) {
 }
 
 TEST(Variables, VacantCountsAsZeroInArithmeticAndComparison) {
-    EXPECT_DOUBLE_EQ(value_of("[#1+2]"), 2);
-    EXPECT_DOUBLE_EQ(value_of("[#1*#2]"), 0);
-    EXPECT_DOUBLE_EQ(value_of("[-#1]"), 0);
-    EXPECT_DOUBLE_EQ(value_of("COS[#1]"), 1);
+    EXPECT_DOUBLE_EQ(variable_value("[#1+2]"), 2);
+    EXPECT_DOUBLE_EQ(variable_value("[#1*#2]"), 0);
+    EXPECT_DOUBLE_EQ(variable_value("[-#1]"), 0);
+    EXPECT_DOUBLE_EQ(variable_value("COS[#1]"), 1);
     expect_end(run("IF[#1 LT 1]GOTO5\nG0 X9\nN5 G0 Y1\n"), 0, 1, 0);
     expect_end(run("IF[#1 GE 0]GOTO5\nG0 X9\nN5 G0 Y1\n"), 0, 1, 0);
 }

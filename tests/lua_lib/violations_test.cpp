@@ -10,20 +10,20 @@ namespace {
 using simulation::RunStatus;
 using simulation::Violation;
 
-Conditions goes_on(Conditions setup = {}) {
+Conditions continues(Conditions setup = {}) {
     setup.limits.stop_at_first = false;
     return setup;
 }
 
 Conditions with_x_range(double min, double max) {
-    Conditions setup = goes_on();
+    Conditions setup = continues();
     setup.machine.axes[0].min = min;
     setup.machine.axes[0].max = max;
     return setup;
 }
 
 Conditions with_zone(machine::ZoneKind kind, double min_mm, double max_mm) {
-    Conditions setup = goes_on();
+    Conditions setup = continues();
     machine::Zone zone;
     zone.kind = kind;
     zone.active_at_start = true;
@@ -38,21 +38,21 @@ struct Wanted {
     double value, limit;
 };
 
-void expect_list(const Outcome& run, const std::vector<Wanted>& wanted) {
-    ASSERT_EQ(run.report.violations.list.size(), wanted.size());
-    EXPECT_EQ(run.report.violations.count, wanted.size());
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
+void expect_list(const Outcome& run, const std::vector<Wanted>& expected_value) {
+    ASSERT_EQ(run.report.violations.list.size(), expected_value.size());
+    EXPECT_EQ(run.report.violations.count, expected_value.size());
+    for (std::size_t i = 0; i < expected_value.size(); ++i) {
         const Violation& violation = run.report.violations.list[i];
-        EXPECT_EQ(violation.place.line, wanted[i].line) << i;
-        EXPECT_EQ(violation.axis, wanted[i].axis) << i;
-        EXPECT_NEAR(violation.value, wanted[i].value, 1e-9) << i;
-        EXPECT_NEAR(violation.limit, wanted[i].limit, 1e-9) << i;
+        EXPECT_EQ(violation.location.line, expected_value[i].line) << i;
+        EXPECT_EQ(violation.axis, expected_value[i].axis) << i;
+        EXPECT_NEAR(violation.value, expected_value[i].value, 1e-9) << i;
+        EXPECT_NEAR(violation.limit, expected_value[i].limit, 1e-9) << i;
     }
 }
 
 TEST(Violations, AllAreListedInOnePassAndTheRunGoesOn) {
     const char* program = "G0 X10 Y10\nG1 X-5 Y-2 F6000\nG1 X20\nG1 Y2500\nG1 Y100 B-400\nG1 B0\nM30\n";
-    const Outcome run = script::run(program, goes_on());
+    const Outcome run = script::run(program, continues());
     EXPECT_EQ(run.report.status, RunStatus::violations);
     EXPECT_FALSE(run.report.alarm);
     expect_list(
@@ -64,7 +64,7 @@ TEST(Violations, AllAreListedInOnePassAndTheRunGoesOn) {
     EXPECT_EQ(run.report.violations.list[4].message,
               "axis B goes to -400 deg, 40 deg past its limit of -360 deg");
     // The time is that of the same machine with wider ranges.
-    Conditions wide = goes_on();
+    Conditions wide = continues();
     for (machine::Axis& axis : wide.machine.axes) axis.min = -1e4, axis.max = 1e4;
     const Outcome free = script::run(program, wide);
     EXPECT_TRUE(free.completed());
@@ -72,21 +72,21 @@ TEST(Violations, AllAreListedInOnePassAndTheRunGoesOn) {
 }
 
 TEST(Violations, AnArcCountsByItsFarthestPoint) {
-    const Outcome run = script::run("G0 X10 Y100\nG3 X10 Y60 I0 J-20 F6000\nG0 X30\nM30\n", goes_on());
+    const Outcome run = script::run("G0 X10 Y100\nG3 X10 Y60 I0 J-20 F6000\nG0 X30\nM30\n", continues());
     expect_list(run, {{2, 'X', -10, 0}});  // about X10 Y80, radius 20
-    EXPECT_EQ(run.moves[1].info.beyond, 1U);
-    EXPECT_EQ(run.moves[2].info.beyond, 0U);
+    EXPECT_EQ(run.moves[1].info.out_of_range, 1U);
+    EXPECT_EQ(run.moves[2].info.out_of_range, 0U);
 }
 
 TEST(Violations, AMoveThatComesBackIsNone) {
-    const Outcome run = script::run("G1 X-5 F6000\nG1 X-3\nG2 X5 Y8 I4 J4\nG1 X8\nM30\n", goes_on());
+    const Outcome run = script::run("G1 X-5 F6000\nG1 X-3\nG2 X5 Y8 I4 J4\nG1 X8\nM30\n", continues());
     expect_list(run, {{1, 'X', -5, 0}, {2, 'X', -3, 0}, {3, 'X', 1 - std::sqrt(32.0), 0}});
-    const Outcome back = script::run("G1 X-5 F6000\nG1 X10\nM30\n", goes_on());
+    const Outcome back = script::run("G1 X-5 F6000\nG1 X10\nM30\n", continues());
     expect_list(back, {{1, 'X', -5, 0}});
 }
 
 TEST(Violations, TheListIsBoundedAndTheCountIsNot) {
-    const Outcome run = run_lua("F(60000) for i = 1, 600 do G1{x=-1} G1{x=-2} end", goes_on());
+    const Outcome run = run_lua("F(60000) for i = 1, 600 do G1{x=-1} G1{x=-2} end", continues());
     EXPECT_EQ(run.report.violations.list.size(), 1000U);
     EXPECT_EQ(run.report.violations.count, 1200U);
 }
@@ -99,23 +99,23 @@ TEST(Violations, StopAtFirstEndsTheRunThere) {
 }
 
 TEST(Violations, WhatTheControlCannotGoOnFromStillStops) {
-    const Outcome run = script::run("G1 X-5 F6000\nG2 X10 Y10 I50 J3\nG1 X-6\n", goes_on());
+    const Outcome run = script::run("G1 X-5 F6000\nG2 X10 Y10 I50 J3\nG1 X-6\n", continues());
     expect_alarm(run, 2, {"the arc is impossible"});
     expect_list(run, {{1, 'X', -5, 0}});
     expect_alarm(run_lua("F(600) G1{x=-5}\nlocal status\nstatus = rrs.SetNextTarget({-7, 0, 0, 0, 0})\n"
                          "error(\"status \" .. status)",
-                         goes_on()),
+                         continues()),
                  4, {"status -7"});
 }
 
 TEST(Violations, CallsAndWorkOffsetsAreNamed) {
-    const Outcome run = script::run("O1\nG55\nM98 P2\nM30\nO2\nG0 X-5\nM99\n", goes_on());
+    const Outcome run = script::run("O1\nG55\nM98 P2\nM30\nO2\nG0 X-5\nM99\n", continues());
     ASSERT_EQ(run.report.violations.list.size(), 1U);
     const Violation& violation = run.report.violations.list[0];
     EXPECT_EQ(violation.offset, "G55");
     ASSERT_EQ(violation.calls.size(), 1U);
     EXPECT_EQ(violation.calls[0].program, "O2");
-    EXPECT_EQ(violation.calls[0].place.line, 3U);
+    EXPECT_EQ(violation.calls[0].location.line, 3U);
 }
 
 // The list has one entry for each time that the tool enters, with the depth of entry.
@@ -147,7 +147,7 @@ TEST(Violations, OneMoveInAndOutTwice) {
 }
 
 TEST(Violations, ShiftsThatBringAllBack) {
-    const Outcome run = script::run("G54\nG0 X-12.5 Y10\nG55\nG0 Y2440 X10\nM30\n", goes_on());
+    const Outcome run = script::run("G54\nG0 X-12.5 Y10\nG55\nG0 Y2440 X10\nM30\n", continues());
     const auto& shifts = run.report.violations.shifts;
     ASSERT_EQ(shifts.size(), 2U);
     EXPECT_EQ(shifts[0].offset, "G54");
@@ -155,13 +155,13 @@ TEST(Violations, ShiftsThatBringAllBack) {
     EXPECT_EQ(shifts[1].offset, "G55");
     EXPECT_EQ(shifts[1].axis, 'Y');
     EXPECT_NEAR(shifts[1].shift_mm, -1.6, 1e-12);
-    EXPECT_TRUE(run.report.violations.remedy.empty());
+    EXPECT_TRUE(run.report.violations.suggested_fix.empty());
     EXPECT_TRUE(script::run("G0 X-1\nG0 X20\nM30\n", with_x_range(0, 10)).report.violations.shifts.empty());
-    EXPECT_TRUE(script::run("G0 B-400\nM30\n", goes_on()).report.violations.shifts.empty());
+    EXPECT_TRUE(script::run("G0 B-400\nM30\n", continues()).report.violations.shifts.empty());
 }
 
 TEST(Violations, TheSameWithALookAheadController) {
-    Conditions setup = goes_on();
+    Conditions setup = continues();
     setup.machine.controller.planner = rrs::PlannerKind::look_ahead;
     const Outcome run = script::run("G1 X10 F6000\nG1 X-5\nG1 Y50\nG1 X20\nG1 Y-3\nM30\n", setup);
     expect_list(run, {{2, 'X', -5, 0}, {3, 'X', -5, 0}, {5, 'Y', -3, 0}});

@@ -21,7 +21,7 @@ std::string keys_of(const grammar::Code& code) {
 }
 
 /// Plain motions and macro calls check their keys themselves; user codes take any.
-bool looks_by_itself(const grammar::Code& code) {
+bool checks_words_itself(const grammar::Code& code) {
     const std::string name = grammar::lua_name(code);
     for (const char* own : {"G0", "G1", "G2", "G3", "G65", "G66", "G66_1"}) {
         if (name == own) return true;
@@ -34,16 +34,16 @@ class WordKeys : public testing::TestWithParam<const char*> {};
 TEST_P(WordKeys, AreThoseOfTheDialect) {
     Conditions setup;
     setup.options.dialect = GetParam();
-    std::size_t looked_at = 0;
-    for (const grammar::Code& code : grammar::dialect_named(GetParam())->codes()) {
+    std::size_t checked_bodies = 0;
+    for (const grammar::Code& code : grammar::find_dialect(GetParam())->codes()) {
         const std::string keys = keys_of(code);
-        if (keys.empty() || code.support != grammar::Support::full || looks_by_itself(code)) continue;
+        if (keys.empty() || code.support != grammar::Support::full || checks_words_itself(code)) continue;
         const Outcome r = run_lua(fmt::format("{}{{[\"%\"]=1}}", grammar::lua_name(code)), setup);
         EXPECT_EQ(r.message(),
                   fmt::format("'%' is no word that {} takes; it takes {}", grammar::code_name(code), keys));
-        ++looked_at;
+        ++checked_bodies;
     }
-    EXPECT_GT(looked_at, 30U);
+    EXPECT_GT(checked_bodies, 30U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Dialects, WordKeys, testing::Values("ab9", "rs274ngc"));
@@ -52,21 +52,21 @@ TEST_P(WordKeys, AndSoIsWhatCompensationRefuses) {
     using grammar::Compensation;
     Conditions setup = with_tools();
     setup.options.dialect = GetParam();
-    std::size_t looked_at = 0;
-    for (const grammar::Code& code : grammar::dialect_named(GetParam())->codes()) {
+    std::size_t checked_bodies = 0;
+    for (const grammar::Code& code : grammar::find_dialect(GetParam())->codes()) {
         if (code.group == grammar::Group::user || code.support != grammar::Support::full) continue;
         const std::string call = grammar::lua_name(code) + "()";
         const std::string message =
             run_lua("F(600) D(1) G41{d=1} G1{x=20} G1{x=40}\n" + call, setup).message();
-        const bool is_refused = code.compensation == Compensation::refused ||
-                                code.compensation == Compensation::refused_beside_path;
+        const bool is_rejected = code.compensation == Compensation::rejected ||
+                                 code.compensation == Compensation::refused_next_to_path;
         EXPECT_EQ(message == grammar::code_name(code) +
                                  " is not possible while cutter compensation is on; G40 first",
-                  is_refused)
+                  is_rejected)
             << message;
-        if (is_refused) ++looked_at;
+        if (is_rejected) ++checked_bodies;
     }
-    EXPECT_GT(looked_at, 15U);
+    EXPECT_GT(checked_bodies, 15U);
 }
 
 std::string said(const std::string& script) {

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "machine/file/machine_file.h"
-#include "machine/model/figure.h"
+#include "machine/model/machine_parameter.h"
 
 namespace gsim::machine::calibration_section_test {
 namespace {
@@ -35,35 +35,36 @@ std::string error_of(const std::string& lines) {
     return machine ? "no error" : machine.error();
 }
 
-std::string figure(const std::string& of, const std::string& key, const std::string& row) {
+std::string parameter_id(const std::string& of, const std::string& key, const std::string& row) {
     return "[[calibrated]]\nof = \"" + of + "\"\nkey = \"" + key + "\"\ncovariance_percent2 = " + row + "\n";
 }
 
 TEST(CalibrationSection, IsReadAndPrintedBack) {
     const auto machine = read_machine(with("[calibration]\nruns = 12\nleft_percent = 0.25\n" +
-                                           figure("X", "max_acceleration_mm_s2", "[4, 1]") +
-                                           figure("controller", "speed_step_s", "[1, 9]")),
+                                           parameter_id("X", "max_acceleration_mm_s2", "[4, 1]") +
+                                           parameter_id("controller", "speed_step_s", "[1, 9]")),
                                       "m.toml");
     ASSERT_TRUE(machine) << machine.error();
-    const Calibration wanted{.runs = 12,
-                             .left_percent = 0.25,
-                             .figures = {{"X", "max_acceleration_mm_s2"}, {"controller", "speed_step_s"}},
-                             .covariance_percent2 = {{4, 1}, {1, 9}}};
-    EXPECT_EQ(machine->calibration, wanted);
-    const auto again = read_machine(print_machine(*machine), "m.toml");
-    ASSERT_TRUE(again) << again.error();
-    EXPECT_EQ(*again, *machine);
+    const Calibration expected_value{
+        .runs = 12,
+        .residual_percent = 0.25,
+        .parameters = {{"X", "max_acceleration_mm_s2"}, {"controller", "speed_step_s"}},
+        .covariance_percent2 = {{4, 1}, {1, 9}}};
+    EXPECT_EQ(machine->calibration, expected_value);
+    const auto relist = read_machine(print_machine(*machine), "m.toml");
+    ASSERT_TRUE(relist) << relist.error();
+    EXPECT_EQ(*relist, *machine);
 }
 
 TEST(CalibrationSection, FiguresMayBeTimesOfWords) {
-    const auto machine =
-        read_machine(with("[times]\ntool_change_s = 6\nM100 = 2\n[calibration]\nruns = 5\n" +
-                          figure("times", "tool_change_s", "[4, 0]") + figure("times", "M100", "[0, 1]")),
-                     "m.toml");
+    const auto machine = read_machine(
+        with("[times]\ntool_change_s = 6\nM100 = 2\n[calibration]\nruns = 5\n" +
+             parameter_id("times", "tool_change_s", "[4, 0]") + parameter_id("times", "M100", "[0, 1]")),
+        "m.toml");
     ASSERT_TRUE(machine) << machine.error();
-    EXPECT_EQ(value_of({"times", "tool_change_s"}, *machine), 6);
-    EXPECT_EQ(value_of({"times", "M100"}, *machine), 2);
-    EXPECT_FALSE(value_of({"times", "M101"}, *machine));
+    EXPECT_EQ(parameter_value({"times", "tool_change_s"}, *machine), 6);
+    EXPECT_EQ(parameter_value({"times", "M100"}, *machine), 2);
+    EXPECT_FALSE(parameter_value({"times", "M101"}, *machine));
     Machine other = *machine;
     set_value({"times", "M100"}, 3, other);
     EXPECT_EQ(other.times.codes_s.at(100), 3);
@@ -72,33 +73,34 @@ TEST(CalibrationSection, FiguresMayBeTimesOfWords) {
 
 TEST(CalibrationSection, SaysWhatIsWrong) {
     const std::string head = "[calibration]\nruns = 2\n";
-    EXPECT_NE(error_of(figure("X", "max_acceleration_mm_s2", "[1]")).find("there is no [calibration]"),
+    EXPECT_NE(error_of(parameter_id("X", "max_acceleration_mm_s2", "[1]")).find("there is no [calibration]"),
               std::string::npos);
-    EXPECT_NE(error_of(head + figure("X", "max_acceleration_mm_s2", "[1, 2]")).find("covariance_percent2"),
+    EXPECT_NE(
+        error_of(head + parameter_id("X", "max_acceleration_mm_s2", "[1, 2]")).find("covariance_percent2"),
+        std::string::npos);
+    EXPECT_NE(error_of(head + parameter_id("X", "max_acceleration_mm_s2", "[-1]")).find("no covariance"),
               std::string::npos);
-    EXPECT_NE(error_of(head + figure("X", "max_acceleration_mm_s2", "[-1]")).find("no covariance"),
-              std::string::npos);
-    EXPECT_NE(error_of(head + figure("X", "max_acceleration_mm_s2", "[1, 5]") +
-                       figure("controller", "speed_step_s", "[5, 1]"))
+    EXPECT_NE(error_of(head + parameter_id("X", "max_acceleration_mm_s2", "[1, 5]") +
+                       parameter_id("controller", "speed_step_s", "[5, 1]"))
                   .find("no covariance"),
               std::string::npos);
     for (const auto& [of, key] :
          {std::pair{"Q", "max_acceleration_mm_s2"}, std::pair{"X", "max_acceleration_deg_s2"},
           std::pair{"path", "speed_step_s"}, std::pair{"", "speed_step_s"},
           std::pair{"XB", "max_acceleration_mm_s2"}}) {
-        EXPECT_NE(error_of(head + figure(of, key, "[1]")).find("no figure that can be calibrated"),
+        EXPECT_NE(error_of(head + parameter_id(of, key, "[1]")).find("no figure that can be calibrated"),
                   std::string::npos)
             << of << key;
     }
 }
 
-TEST(Figure, IsAValueOfTheMachineByTheUnitsOfItsFile) {
+TEST(MachineParameter, IsAValueOfTheMachineByTheUnitsOfItsFile) {
     Machine machine = read_machine(kMachine, "m.toml").value();
-    EXPECT_EQ(value_of({"B", "max_acceleration_deg_s2"}, machine), 90);
+    EXPECT_EQ(parameter_value({"B", "max_acceleration_deg_s2"}, machine), 90);
     set_value({"controller", "speed_step_s"}, 0.5, machine);
     EXPECT_EQ(machine.controller.speed_step_s, 0.5);
-    EXPECT_EQ(name_of({"XY", "max_jerk_mm_s3"}), "axes X, Y: max_jerk_mm_s3");
-    EXPECT_EQ(name_of({"path", "max_feed_mm_s"}), "path: max_feed_mm_s");
+    EXPECT_EQ(parameter_name({"XY", "max_jerk_mm_s3"}), "axes X, Y: max_jerk_mm_s3");
+    EXPECT_EQ(parameter_name({"path", "max_feed_mm_s"}), "path: max_feed_mm_s");
 }
 
 }  // namespace

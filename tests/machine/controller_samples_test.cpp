@@ -63,7 +63,7 @@ TEST(BuiltInControllers, LinuxcncCountsInServoCycles) {
     EXPECT_EQ(rules.planner, PlannerKind::linuxcnc);
     EXPECT_EQ(rules.look_ahead_blocks, 50u);
     EXPECT_EQ(rules.servo_period_s, 0.001);
-    EXPECT_EQ(rules.rest_s, 0.0035);
+    EXPECT_EQ(rules.dwell_s, 0.0035);
     EXPECT_TRUE(rules.stop_between_rapid_and_feed);
     EXPECT_EQ(rules.linuxcnc_release, LinuxcncRelease::v2_9);
 }
@@ -78,10 +78,10 @@ TEST(BuiltInControllers, GrblHasChordsAndJunctionDeviation) {
     EXPECT_FALSE(rules.stop_between_rapid_and_feed);
     EXPECT_EQ(rules.centripetal_share, std::numeric_limits<double>::infinity());
     EXPECT_EQ(rules.arc_chord_tolerance_mm, 0.002);
-    EXPECT_TRUE(rules.inverse_time_of_chords);
-    EXPECT_EQ(rules.least_feed_mm_min, 1);
+    EXPECT_TRUE(rules.inverse_time_per_chord);
+    EXPECT_EQ(rules.min_feed_mm_min, 1);
     EXPECT_EQ(rules.dwell_step_s, 0.05);
-    EXPECT_EQ(rules.rest_s, 0);
+    EXPECT_EQ(rules.dwell_s, 0);
 }
 
 TEST(BuiltInControllers, GrblHalLooksFurtherAndCountsAllAxesAlike) {
@@ -215,22 +215,22 @@ struct Klipper {
 class KlipperSample : public testing::TestWithParam<Klipper> {};
 
 TEST_P(KlipperSample, HasTheLimitsOfItsConfiguration) {
-    constexpr double kNone = std::numeric_limits<double>::infinity();
-    const Klipper& wanted = GetParam();
-    const Machine machine = sample(wanted.file);
+    constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+    const Klipper& expected_value = GetParam();
+    const Machine machine = sample(expected_value.file);
     const ControllerRules& rules = machine.controller;
     EXPECT_EQ(rules.planner, PlannerKind::klipper);
-    EXPECT_EQ(rules.square_corner_velocity_mm_s, wanted.corner_mm_s);
-    EXPECT_EQ(rules.minimum_cruise_ratio, wanted.cruise_ratio);
-    EXPECT_EQ(rules.arc_resolution_mm, wanted.resolution_mm);
-    EXPECT_EQ(machine.path.max_feed_mm_s, wanted.speed_mm_s);
-    EXPECT_EQ(machine.path.max_acceleration_mm_s2, wanted.acceleration_mm_s2);
+    EXPECT_EQ(rules.square_corner_velocity_mm_s, expected_value.corner_mm_s);
+    EXPECT_EQ(rules.minimum_cruise_ratio, expected_value.cruise_ratio);
+    EXPECT_EQ(rules.arc_resolution_mm, expected_value.resolution_mm);
+    EXPECT_EQ(machine.path.max_feed_mm_s, expected_value.speed_mm_s);
+    EXPECT_EQ(machine.path.max_acceleration_mm_s2, expected_value.acceleration_mm_s2);
     for (const Axis& axis : machine.axes) {
         EXPECT_EQ(axis.kind, AxisKind::linear);
         if (axis.letter == 'E') continue;
         const bool is_z = axis.letter == 'Z';
-        EXPECT_EQ(axis.max_speed, is_z ? wanted.z_mm_s : kNone);
-        EXPECT_EQ(axis.max_acceleration, is_z ? wanted.z_mm_s2 : kNone);
+        EXPECT_EQ(axis.max_speed, is_z ? expected_value.z_mm_s : kUnlimited);
+        EXPECT_EQ(axis.max_acceleration, is_z ? expected_value.z_mm_s2 : kUnlimited);
     }
 }
 

@@ -10,7 +10,7 @@
 namespace gsim::machine::dynamics_section_test {
 namespace {
 
-constexpr std::string_view kHead = R"([machine]
+constexpr std::string_view kFileHeader = R"([machine]
 name = "m"
 [dynamics]
 )";
@@ -31,7 +31,7 @@ std::string error_of(const std::string& toml) {
 
 /// Returns a machine with dynamics that ends with `lines`; the first of these lines is line 12.
 std::string with(std::string_view lines) {
-    return fmt::format("{}{}{}\n", kHead, kAxes, lines);
+    return fmt::format("{}{}{}\n", kFileHeader, kAxes, lines);
 }
 
 TEST(DynamicsSection, AllIsReadAndPrintedBack) {
@@ -90,22 +90,22 @@ drag_n_per_mm_s = 0.01
     EXPECT_EQ(machine->axes[0].drive, (Drive{1, 0.2, 3, -4, 50, 16, {0, 100, 200}, {50, 50, 20.5}}));
     EXPECT_EQ(machine->axes[1].drive, (Drive{7, 0.8, 9, 10, 11, 12, {30}, {11}}));
     EXPECT_EQ(machine->shapes[0].density_kg_m3, 7850);
-    const DynamicsTable wanted{.gravity_m_s2 = {0, -9.81, 0.5},
-                               .masses = {{.on = "B",
-                                           .mass_kg = 12.5,
-                                           .centre_mm = {1, 2, 3},
-                                           .inertia_kg_m2 = {1, 1.5, 2, 0.1, 0.2, 0.3}},
-                                          {.on = "work", .mass_kg = 2, .inertia_kg_m2 = {1, 1, 1}}},
-                               .hoses = {{.on = "tool",
-                                          .point_mm = {0, 0, 10},
-                                          .anchor_mm = {0, 0, 1000},
-                                          .free_length_mm = 800,
-                                          .stiffness_n_per_mm = 0.05,
-                                          .drag_n_per_mm_s = 0.01}}};
-    EXPECT_EQ(machine->dynamics, wanted);
-    const auto again = read_machine(print_machine(*machine), "printed.toml");
-    ASSERT_TRUE(again) << again.error();
-    EXPECT_EQ(*again, *machine);
+    const DynamicsTable expected_value{.gravity_m_s2 = {0, -9.81, 0.5},
+                                       .masses = {{.on = "B",
+                                                   .mass_kg = 12.5,
+                                                   .centre_mm = {1, 2, 3},
+                                                   .inertia_kg_m2 = {1, 1.5, 2, 0.1, 0.2, 0.3}},
+                                                  {.on = "work", .mass_kg = 2, .inertia_kg_m2 = {1, 1, 1}}},
+                                       .hoses = {{.on = "tool",
+                                                  .point_mm = {0, 0, 10},
+                                                  .anchor_mm = {0, 0, 1000},
+                                                  .free_length_mm = 800,
+                                                  .stiffness_n_per_mm = 0.05,
+                                                  .drag_n_per_mm_s = 0.01}}};
+    EXPECT_EQ(machine->dynamics, expected_value);
+    const auto relist = read_machine(print_machine(*machine), "printed.toml");
+    ASSERT_TRUE(relist) << relist.error();
+    EXPECT_EQ(*relist, *machine);
 }
 
 TEST(DynamicsSection, WithoutMoreItIsStandardGravityAndNothingElse) {
@@ -145,8 +145,8 @@ TEST(DynamicsSection, LinksThatAreNotThere) {
 
 TEST(DynamicsSection, Curves) {
     const auto axis = [](std::string_view lines) {
-        return fmt::format("{}[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndirection = \"x\"\n{}\n", kHead,
-                           lines);
+        return fmt::format("{}[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndirection = \"x\"\n{}\n",
+                           kFileHeader, lines);
     };
     EXPECT_EQ(
         error_of(axis("curve_speed_mm_s = [0]")),

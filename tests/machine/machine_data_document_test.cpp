@@ -9,7 +9,7 @@
 namespace gsim::machine::machine_data_document_test {
 namespace {
 
-using Changed = MachineDataDocument::Changed;
+using EditResult = MachineDataDocument::EditResult;
 
 const std::string kFile =
     "; the fixtures\r\nNCFILE  # of the jet\r\n\r\nOFFSET\r\n  54   200.000  1e2  +3     # left vice\r\n"
@@ -33,18 +33,18 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 template <typename Change>
 void expect_change(const std::string& from, const std::string& to, Change change) {
     MachineDataDocument document = read(kFile);
-    const Changed changed = change(document);
+    const EditResult changed = change(document);
     ASSERT_TRUE(changed) << changed.error();
     EXPECT_EQ(document.text(), replaced(kFile, from, to));
 }
 
 template <typename Change>
-void expect_refused(const std::string& sentence, Change change) {
+void expect_refused(const std::string& message, Change change) {
     MachineDataDocument document = read(kFile);
     const MachineData data = document.data();
-    const Changed changed = change(document);
+    const EditResult changed = change(document);
     ASSERT_FALSE(changed);
-    EXPECT_EQ(changed.error(), sentence);
+    EXPECT_EQ(changed.error(), message);
     EXPECT_EQ(document.text(), kFile);
     EXPECT_EQ(document.data(), data);
 }
@@ -64,9 +64,9 @@ TEST(MachineDataDocument, RowsAreAsTheyAreWritten) {
     EXPECT_EQ(rows[1].unit, LengthUnit::inch);
     EXPECT_EQ(document.find(DataSection::alias, "WATERJETON")->values[0], "M08");
     EXPECT_FALSE(document.find(DataSection::offset, "55"));
-    const auto place = document.place(DataSection::offset, "54", 1);
-    EXPECT_EQ(place.line, 5U);
-    EXPECT_EQ(place.column, 17U);
+    const auto location = document.location(DataSection::offset, "54", 1);
+    EXPECT_EQ(location.line, 5U);
+    EXPECT_EQ(location.column, 17U);
 }
 
 TEST(MachineDataDocument, AnEqualValueKeepsItsDigits) {
@@ -108,8 +108,8 @@ TEST(MachineDataDocument, NamesOfPoints) {
         return d.set(DataSection::fixed, "1", {{"NAME", "Vise"}}, LengthUnit::inch);
     });
     expect_change("1 0 0 300\r\n", "1 0 0 300  45  NAME=VISE\r\n7  1  0  0  NAME=B\r\n", [](auto& d) {
-        const Changed named = d.set(DataSection::fixed, "1", {{"NAME", "Vise"}});
-        const Changed turned = d.set(DataSection::fixed, "1", {{"B", "45"}, {"NAME", "VISE"}});
+        const EditResult named = d.set(DataSection::fixed, "1", {{"NAME", "Vise"}});
+        const EditResult turned = d.set(DataSection::fixed, "1", {{"B", "45"}, {"NAME", "VISE"}});
         EXPECT_TRUE(named && turned);
         return d.set(DataSection::fixed, "7", {{"X", "1"}, {"NAME", "B"}});
     });
@@ -122,7 +122,7 @@ TEST(MachineDataDocument, NamesOfPoints) {
         return d.set(DataSection::fixed, "1", {{"NAME", ""}});
     });
     MachineDataDocument document = read("NCFILE\nFIXED\n1 0 0 0 NAME=Vise\nENDFILE\n");
-    const Changed same = document.set(DataSection::fixed, "2", {{"NAME", "VISE"}});
+    const EditResult same = document.set(DataSection::fixed, "2", {{"NAME", "VISE"}});
     ASSERT_FALSE(same);
     EXPECT_EQ(same.error(), "the name VISE of a fixed point is given twice; first in line 3");
 }
@@ -226,15 +226,15 @@ TEST(MachineDataDocument, DataOfARunChangeTheirLinesAlone) {
     data.tools[1].length_wear_mm = -0.25;
     data.variables.clear();
     ASSERT_TRUE(document.update(data));
-    std::string wanted = replaced(kFile, "200.000", "201.5  ");
-    wanted = replaced(wanted, "2.50", "1   ");
-    wanted = replaced(wanted, "...\r\n", "...\r\n59.3  0.1  0  0  0  30\r\n");
-    wanted = replaced(wanted, "JET", "JET  LENGTH_WEAR=-0.25");
-    wanted = replaced(wanted, "500 1\r\n", "");
-    EXPECT_EQ(document.text(), wanted);
+    std::string expected_value = replaced(kFile, "200.000", "201.5  ");
+    expected_value = replaced(expected_value, "2.50", "1   ");
+    expected_value = replaced(expected_value, "...\r\n", "...\r\n59.3  0.1  0  0  0  30\r\n");
+    expected_value = replaced(expected_value, "JET", "JET  LENGTH_WEAR=-0.25");
+    expected_value = replaced(expected_value, "500 1\r\n", "");
+    EXPECT_EQ(document.text(), expected_value);
     data.offsets["54"]['X'] = std::numeric_limits<double>::infinity();
     EXPECT_EQ(document.update(data).error(), "'inf' is not a number");
-    EXPECT_EQ(document.text(), wanted);
+    EXPECT_EQ(document.text(), expected_value);
 }
 
 }  // namespace

@@ -24,15 +24,13 @@ class RandomData {
   public:
     explicit RandomData(unsigned seed) : random_(seed) {}
 
-    int whole(int least, int greatest) {
-        return std::uniform_int_distribution<int>(least, greatest)(random_);
-    }
+    int random_integer(int min, int max) { return std::uniform_int_distribution<int>(min, max)(random_); }
     bool chance(double p) { return std::bernoulli_distribution(p)(random_); }
 
     // Returns a number of any size, some with many digits and some with few.
     double number() {
         const double value =
-            std::ldexp(std::uniform_real_distribution<double>(-1, 1)(random_), whole(-40, 29));
+            std::ldexp(std::uniform_real_distribution<double>(-1, 1)(random_), random_integer(-40, 29));
         return chance(0.5) ? std::round(value * 1000) / 1000 : value;
     }
 
@@ -49,9 +47,9 @@ class RandomData {
         if (chance(0.3)) tool.diameter_wear_mm = number();
         if (chance(0.3)) tool.offsets = {{'X', number()}, {'C', number()}};
         if (chance(0.3)) tool.front_angle_deg = number();
-        tool.orientation = whole(0, 9);
+        tool.orientation = random_integer(0, 9);
         tool.kind = std::array{ToolKind::unspecified, ToolKind::cutter, ToolKind::jet}.at(
-            static_cast<std::size_t>(whole(0, 2)));
+            static_cast<std::size_t>(random_integer(0, 2)));
         return tool;
     }
 
@@ -70,14 +68,14 @@ class RandomData {
         Zone random = zone(zone_number);
         if (chance(0.5)) random.kind = ZoneKind::leave_forbidden;
         random.active_at_start = chance(0.5);
-        if (chance(0.5)) random.switch_number = whole(1, 99);
+        if (chance(0.5)) random.switch_number = random_integer(1, 99);
         return random;
     }
 
     std::string frame() {
-        const int code = whole(0, 20);
+        const int code = random_integer(0, 20);
         if (code < 6) return std::to_string(54 + code);
-        return code < 9 ? fmt::format("59.{}", code - 5) : std::to_string(whole(505, 599));
+        return code < 9 ? fmt::format("59.{}", code - 5) : std::to_string(random_integer(505, 599));
     }
 
     /// For some of the points: no two are the same in any case.
@@ -91,17 +89,17 @@ class RandomData {
 
     MachineData data() {
         MachineData data;
-        for (int i = whole(0, 6); i > 0; --i) data.offsets[frame()] = point();
-        for (int i = whole(0, 3); i > 0; --i) data.fixed[whole(1, 99999)] = point();
-        for (int i = whole(0, 3); i > 0; --i) data.references[whole(1, 9)] = point();
+        for (int i = random_integer(0, 6); i > 0; --i) data.offsets[frame()] = point();
+        for (int i = random_integer(0, 3); i > 0; --i) data.fixed[random_integer(1, 99999)] = point();
+        for (int i = random_integer(0, 3); i > 0; --i) data.references[random_integer(1, 9)] = point();
         data.fixed_names = names(data.fixed);
         data.reference_names = names(data.references);
-        for (int i = whole(0, 3); i > 0; --i) data.homes[whole(2, 4)] = point();
-        for (int i = whole(0, 5); i > 0; --i) data.tools[whole(1, 999)] = tool();
-        for (int i = whole(0, 5); i > 0; --i) data.variables[whole(1, 5601)] = number();
-        for (int i = whole(0, 3); i > 0; --i)
-            data.aliases[fmt::format("Name{}", i)] = fmt::format("M{}", whole(0, 99));
-        for (int i = whole(0, 4); i > 0; --i) data.security_zones[i] = security_zone(i);
+        for (int i = random_integer(0, 3); i > 0; --i) data.homes[random_integer(2, 4)] = point();
+        for (int i = random_integer(0, 5); i > 0; --i) data.tools[random_integer(1, 999)] = tool();
+        for (int i = random_integer(0, 5); i > 0; --i) data.variables[random_integer(1, 5601)] = number();
+        for (int i = random_integer(0, 3); i > 0; --i)
+            data.aliases[fmt::format("Name{}", i)] = fmt::format("M{}", random_integer(0, 99));
+        for (int i = random_integer(0, 4); i > 0; --i) data.security_zones[i] = security_zone(i);
         if (chance(0.5)) data.working_zone = zone(1);
         if (data.working_zone) data.working_zone->kind = ZoneKind::working;
         return data;
@@ -222,10 +220,11 @@ TEST(MachineDataRandom, AnEditChangesItsOwnLine) {
             const std::vector<DataRow> rows = document.rows(section);
             if (rows.empty() || section == DataSection::alias) continue;
             const std::string id = rows[rows.size() / 2].id;
-            const std::size_t line = document.place(section, id).line;
+            const std::size_t line = document.location(section, id).line;
             const auto before = lines_of(document.text());
             const DataField& field = document.rules().of(section).fields[0];
-            const std::string value = field.may_be_open ? "-1e9" : std::to_string(random.whole(-9999, 9999));
+            const std::string value =
+                field.may_be_unlimited ? "-1e9" : std::to_string(random.random_integer(-9999, 9999));
             if (!document.set(section, id, {{field.name, value}})) continue;  // a zone open there
             ++edits;
             auto after = lines_of(document.text());
@@ -240,16 +239,18 @@ TEST(MachineDataRandom, AnEditChangesItsOwnLine) {
 
 std::string mangled(RandomData& random, std::string text) {
     const auto below = [&](std::size_t end) {
-        return static_cast<std::size_t>(random.whole(0, static_cast<int>(end) - 1));
+        return static_cast<std::size_t>(random.random_integer(0, static_cast<int>(end) - 1));
     };
-    for (int changes = random.whole(1, 4); changes > 0 && !text.empty(); --changes) {
+    for (int changes = random.random_integer(1, 4); changes > 0 && !text.empty(); --changes) {
         const std::size_t at = below(text.size());
         const std::size_t count = 1 + below(20);
-        switch (random.whole(0, 5)) {
+        switch (random.random_integer(0, 5)) {
             case 0: text.erase(at, count); break;
             case 1: text[at] = static_cast<char>(below(256)); break;
             case 2: std::swap(text[at], text[below(text.size())]); break;
-            case 3: text.insert(at, std::string(count, static_cast<char>('0' + random.whole(0, 9)))); break;
+            case 3:
+                text.insert(at, std::string(count, static_cast<char>('0' + random.random_integer(0, 9))));
+                break;
             case 4: text.insert(at, 1, '\0'); break;
             default: text.insert(at, text.substr(below(text.size()), count)); break;
         }

@@ -13,7 +13,7 @@
 namespace gsim::machine::machine_file_test {
 namespace {
 
-constexpr std::string_view kHead = "[machine]\nname = \"m\"\n";  // two lines
+constexpr std::string_view kFileHeader = "[machine]\nname = \"m\"\n";  // two lines
 constexpr std::string_view kAxis =
     "[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndh = {}\n";  // lines 3 to 6 after the head
 
@@ -23,7 +23,7 @@ std::string error_of(const std::string& toml) {
 }
 
 std::string with_axis_line(std::string_view line) {
-    return std::string(kHead) + std::string(kAxis) + std::string(line) + "\n";  // that is line 7
+    return std::string(kFileHeader) + std::string(kAxis) + std::string(line) + "\n";  // that is line 7
 }
 
 std::vector<std::string> sample_machines() {
@@ -40,9 +40,9 @@ class SampleMachine : public testing::TestWithParam<std::string> {};
 TEST_P(SampleMachine, ReadsAndPrintsBackEqual) {
     const auto machine = load_machine(tests::source_path("samples/machines/") + GetParam());
     ASSERT_TRUE(machine) << machine.error();
-    const auto again = read_machine(print_machine(*machine), "printed");
-    ASSERT_TRUE(again) << again.error();
-    EXPECT_EQ(*again, *machine) << print_machine(*machine);
+    const auto relist = read_machine(print_machine(*machine), "printed");
+    ASSERT_TRUE(relist) << relist.error();
+    EXPECT_EQ(*relist, *machine) << print_machine(*machine);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SampleMachine, testing::ValuesIn(sample_machines()), [](const auto& sample) {
@@ -116,7 +116,7 @@ TEST(MachineFile, JerkSpeedStepAndStepOfAnAxis) {
     EXPECT_EQ(read_machine(print_machine(*linear), "").value(), *linear);
 
     const auto rotary =
-        read_machine(std::string(kHead) +
+        read_machine(std::string(kFileHeader) +
                          "[[axis]]\nletter = \"B\"\nkind = \"rotary\"\ndh = {}\n"
                          "max_jerk_deg_s3 = 900\nmax_speed_step_deg_s = 0.5\nstep_deg = 1e-6\n",
                      "m.toml");
@@ -130,9 +130,9 @@ TEST(MachineFile, JerkSpeedStepAndStepOfAnAxis) {
 TEST(MachineFile, NameMayHoldAnyCharacter) {
     Machine machine = read_machine(with_axis_line(""), "m.toml").value();
     machine.name = "a \"b\" \\ c\n\t\x01 \u00fc";
-    const auto again = read_machine(print_machine(machine), "printed");
-    ASSERT_TRUE(again) << again.error();
-    EXPECT_EQ(again->name, machine.name);
+    const auto relist = read_machine(print_machine(machine), "printed");
+    ASSERT_TRUE(relist) << relist.error();
+    EXPECT_EQ(relist->name, machine.name);
 }
 
 TEST(MachineFile, UnknownKeyNamesTheNearestKnownOne) {
@@ -151,26 +151,26 @@ TEST(MachineFile, WrongTypes) {
               "m.toml:7:10: 'min_mm' must be a number, not a string");
     EXPECT_EQ(error_of("[machine]\nname = 4\n"), "m.toml:2:8: 'name' must be a string, not a number");
     EXPECT_EQ(error_of("machine = 4\n"), "m.toml:1:11: 'machine' must be a table, not a number");
-    EXPECT_EQ(error_of(std::string(kHead) + "[axis]\n"),
+    EXPECT_EQ(error_of(std::string(kFileHeader) + "[axis]\n"),
               "m.toml:3:1: 'axis' must be an array of tables, each under [[axis]], not a table");
-    EXPECT_EQ(error_of("axis = [ 4 ]\n" + std::string(kHead)),
+    EXPECT_EQ(error_of("axis = [ 4 ]\n" + std::string(kFileHeader)),
               "m.toml:1:10: 'axis' must hold tables only, each under [[axis]]");
     EXPECT_EQ(error_of("[machine]\nname = \"m\"\ninverse = \"robot\"\n"),
               "m.toml:3:11: 'inverse' must be \"none\", \"gantry\" or \"numeric\"");
-    EXPECT_EQ(error_of(std::string(kHead) + "[[axis]]\nkind = 4\n"),
+    EXPECT_EQ(error_of(std::string(kFileHeader) + "[[axis]]\nkind = 4\n"),
               "m.toml:4:8: 'kind' must be \"linear\" or \"rotary\"");
 }
 
 TEST(MachineFile, MissingKeys) {
     EXPECT_EQ(error_of(""), "m.toml:1:1: a machine file lacks the key 'machine'");
     EXPECT_EQ(error_of("[machine]\n"), "m.toml:1:1: [machine] lacks the key 'name'");
-    EXPECT_EQ(error_of(std::string(kHead)), "m.toml:1:1: a machine file lacks the key 'axis'");
-    EXPECT_EQ(error_of("axis = []\n" + std::string(kHead)),
+    EXPECT_EQ(error_of(std::string(kFileHeader)), "m.toml:1:1: a machine file lacks the key 'axis'");
+    EXPECT_EQ(error_of("axis = []\n" + std::string(kFileHeader)),
               "m.toml:1:8: a machine needs at least one [[axis]]");
-    EXPECT_EQ(error_of(std::string(kHead) + "[[axis]]\n"), "m.toml:3:1: [[axis]] lacks the key 'kind'");
-    EXPECT_EQ(error_of(std::string(kHead) + "[[axis]]\nkind = \"linear\"\n"),
+    EXPECT_EQ(error_of(std::string(kFileHeader) + "[[axis]]\n"), "m.toml:3:1: [[axis]] lacks the key 'kind'");
+    EXPECT_EQ(error_of(std::string(kFileHeader) + "[[axis]]\nkind = \"linear\"\n"),
               "m.toml:3:1: a linear [[axis]] lacks the key 'letter'");
-    EXPECT_EQ(error_of(std::string(kHead) + "[[axis]]\nkind = \"rotary\"\nletter = \"A\"\n"),
+    EXPECT_EQ(error_of(std::string(kFileHeader) + "[[axis]]\nkind = \"rotary\"\nletter = \"A\"\n"),
               "m.toml:3:1: a rotary [[axis]] lacks one of the keys 'direction', 'frame' and 'dh', which tell "
               "how its "
               "joint lies");
@@ -202,22 +202,22 @@ TEST(MachineFile, ValuesOutOfRange) {
 }
 
 TEST(MachineFile, Letters) {
-    EXPECT_EQ(error_of(std::string(kHead) + "[[axis]]\nletter = \"F\"\nkind = \"linear\"\ndh = {}\n"),
+    EXPECT_EQ(error_of(std::string(kFileHeader) + "[[axis]]\nletter = \"F\"\nkind = \"linear\"\ndh = {}\n"),
               "m.toml:4:10: 'letter' must be one of A B C E U V W X Y Z");
-    EXPECT_EQ(error_of(std::string(kHead) + std::string(kAxis) + std::string(kAxis)),
+    EXPECT_EQ(error_of(std::string(kFileHeader) + std::string(kAxis) + std::string(kAxis)),
               "m.toml:8:10: the letter X is given twice; first in line 4");
 }
 
 TEST(MachineFile, AJointByAFrameAndOnTheSideOfTheWork) {
-    const auto machine = read_machine(std::string(kHead) +
+    const auto machine = read_machine(std::string(kFileHeader) +
                                           "[work]\nz_mm = 5\n[[axis]]\nletter = \"C\"\nkind = \"rotary\"\n"
                                           "carries = \"work\"\nturning = \"unwind\"\nhome3_deg = 90\n"
                                           "frame = { x_mm = 1, y_mm = 2, yaw_deg = 180 }\n",
                                       "m.toml");
     ASSERT_TRUE(machine) << machine.error();
     const Axis& axis = machine->axes.at(0);
-    EXPECT_EQ(axis.carries, Carries::work);
-    EXPECT_EQ(axis.turning, Turning::unwind);
+    EXPECT_EQ(axis.carries, CarriedPart::work);
+    EXPECT_EQ(axis.turning, RotaryMode::unwind);
     EXPECT_EQ(axis.frame, (Frame{.x_mm = 1, .y_mm = 2, .yaw_deg = 180}));
     EXPECT_EQ(axis.other_homes, (std::array<std::optional<double>, 3>{std::nullopt, 90.0, std::nullopt}));
     EXPECT_EQ(machine->work.z_mm, 5);
@@ -231,7 +231,8 @@ TEST(MachineFile, FaultsOfJointsAndTurning) {
               "m.toml:7:11: 'carries' must be \"tool\", \"work\" or \"nothing\"");
     EXPECT_EQ(error_of(with_axis_line("max_mm = 10\nhome4_mm = 11")),
               "m.toml:8:12: 'home4_mm' is 11, outside of the axis's range -inf .. 10");
-    const std::string rotary = std::string(kHead) + "[[axis]]\nletter = \"A\"\nkind = \"rotary\"\ndh = {}\n";
+    const std::string rotary =
+        std::string(kFileHeader) + "[[axis]]\nletter = \"A\"\nkind = \"rotary\"\ndh = {}\n";
     EXPECT_EQ(error_of(rotary + "turning = \"round\"\n"),
               "m.toml:7:11: 'turning' must be \"limited\", \"shortest\" or \"unwind\"");
     EXPECT_EQ(error_of(rotary + "turning = \"unwind\"\nmax_deg = 4\n"),
@@ -240,7 +241,7 @@ TEST(MachineFile, FaultsOfJointsAndTurning) {
 
 // If both are given, the frame is before the motion, and the row after it.
 TEST(MachineFile, AFrameBesideARow) {
-    const auto machine = read_machine(std::string(kHead) +
+    const auto machine = read_machine(std::string(kFileHeader) +
                                           "[[axis]]\nletter = \"A\"\nkind = \"rotary\"\n"
                                           "frame = { y_mm = 3.0 }\ndh = { a_mm = 10.0 }\n",
                                       "m.toml");
@@ -248,12 +249,12 @@ TEST(MachineFile, AFrameBesideARow) {
     EXPECT_EQ(read_machine(print_machine(*machine), "printed").value(), *machine);
     rrs::JointPos quarter(1);
     quarter << std::acos(0.0);
-    const Eigen::Vector3d tip = make_kinematics(*machine)->forward(quarter).translation();
-    EXPECT_TRUE(tip.isApprox(Eigen::Vector3d(0, 13, 0), 1e-12)) << tip.transpose();
+    const Eigen::Vector3d tcp = make_kinematics(*machine)->forward(quarter).translation();
+    EXPECT_TRUE(tcp.isApprox(Eigen::Vector3d(0, 13, 0), 1e-12)) << tcp.transpose();
 }
 
 TEST(MachineFile, AnAxisByItsDirection) {
-    const auto machine = read_machine(std::string(kHead) +
+    const auto machine = read_machine(std::string(kFileHeader) +
                                           "[[axis]]\nletter = \"A\"\nkind = \"rotary\"\ncarries = \"work\"\n"
                                           "frame = { z_mm = -25.0 }\ndirection = \"-x\"\n",
                                       "m.toml");
@@ -263,9 +264,9 @@ TEST(MachineFile, AnAxisByItsDirection) {
     EXPECT_EQ(read_machine(print_machine(*machine), "printed").value(), *machine);
     EXPECT_EQ(error_of(with_axis_line("direction = \"x\"")),
               "m.toml:7:13: a linear [[axis]] has both 'dh' and 'direction'; one tells where its joint is");
-    EXPECT_EQ(
-        error_of(std::string(kHead) + "[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndirection = \"right\"\n"),
-        "m.toml:6:13: 'direction' must be \"x\", \"y\", \"z\", \"-x\", \"-y\" or \"-z\"");
+    EXPECT_EQ(error_of(std::string(kFileHeader) +
+                       "[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndirection = \"right\"\n"),
+              "m.toml:6:13: 'direction' must be \"x\", \"y\", \"z\", \"-x\", \"-y\" or \"-z\"");
 }
 
 TEST(MachineFile, InverseThatDoesNotFitTheChain) {

@@ -41,10 +41,10 @@ TEST(Machine, BuiltInMachineIsTransRzRy) {
         rrs::JointPos joints(5);
         joints << mm(random), mm(random), mm(random), 4 * rad(random), rad(random);
         const rrs::CartPos pose = kinematics->forward(joints);
-        const Eigen::Matrix3d wanted =
+        const Eigen::Matrix3d expected_value =
             about(joints[3], Eigen::Vector3d::UnitZ()) * about(joints[4], Eigen::Vector3d::UnitY());
         EXPECT_LT((pose.translation() - joints.head<3>()).norm(), 1e-9) << joints.transpose();
-        EXPECT_LT((pose.linear() - wanted).norm(), 1e-12) << joints.transpose();
+        EXPECT_LT((pose.linear() - expected_value).norm(), 1e-12) << joints.transpose();
         const auto back = kinematics->inverse(pose, joints);
         ASSERT_TRUE(back) << back.error();
         EXPECT_LT((*back - joints).norm(), 1e-9) << joints.transpose();
@@ -100,10 +100,10 @@ TEST(Machine, LinuxcncMachinesCarryTheTipByXyz) {
             rrs::JointPos joints(5);
             joints << mm(random), mm(random), mm(random), rad(random), rad(random);
             const rrs::CartPos pose = kinematics->forward(joints);
-            const Eigen::Matrix3d wanted =
+            const Eigen::Matrix3d expected_value =
                 about(joints[3], Eigen::Vector3d::UnitY()) * about(joints[4], Eigen::Vector3d::UnitZ());
             EXPECT_LT((pose.translation() - joints.head<3>()).norm(), 1e-9) << joints.transpose();
-            EXPECT_LT((pose.linear() - wanted).norm(), 1e-12) << joints.transpose();
+            EXPECT_LT((pose.linear() - expected_value).norm(), 1e-12) << joints.transpose();
         }
     }
 }
@@ -122,18 +122,18 @@ TEST(Machine, HomePositionIsInJointValues) {
     machine.axes[1].home = 50;
     machine.axes[1].zero = 20;
     machine.axes[4].home = 90;
-    rrs::JointPos wanted(5);
-    wanted << 0, 30, 0, 0, std::numbers::pi / 2;
-    EXPECT_LT((home_position(machine) - wanted).norm(), 1e-12);
+    rrs::JointPos expected_value(5);
+    expected_value << 0, 30, 0, 0, std::numbers::pi / 2;
+    EXPECT_LT((home_position(machine) - expected_value).norm(), 1e-12);
 }
 
 TEST(Machine, ChainThatDoesNotFitTheInverseIsRefused) {
     Machine machine = af5();
     machine.axes[3].dh.alpha_deg = 0;  // both rotary axes turn about the vertical
-    EXPECT_NE(find_kinematic_fault(machine), std::nullopt);
+    EXPECT_NE(find_kinematic_error(machine), std::nullopt);
     EXPECT_THROW(make_kinematics(machine), std::invalid_argument);
     machine.inverse = InverseKind::none;
-    EXPECT_EQ(find_kinematic_fault(machine), std::nullopt);
+    EXPECT_EQ(find_kinematic_error(machine), std::nullopt);
     EXPECT_EQ(make_kinematics(machine)->joint_count(), 5);
 }
 

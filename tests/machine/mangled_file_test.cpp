@@ -19,9 +19,9 @@ using test::mangled;
 
 TEST(MangledFile, MachineFile) {
     Random random(1);
-    const std::string whole(built_in_machine_toml());
+    const std::string full(built_in_machine_toml());
     for (int i = 0; i < 3000; ++i) {
-        const std::string text = mangled(random, whole);
+        const std::string text = mangled(random, full);
         const auto machine = read_machine(text, "f");
         if (machine) {
             EXPECT_EQ(read_machine(print_machine(*machine), "f").value(), *machine) << text;
@@ -34,10 +34,10 @@ TEST(MangledFile, MachineFile) {
 // With masses, drives and hoses.
 TEST(MangledFile, FileWithDynamics) {
     Random random(5);
-    const std::string whole =
+    const std::string full =
         os::read_text_file(tests::source_path("samples/machines/gantry-dynamics.toml")).value();
     for (int i = 0; i < 3000; ++i) {
-        const std::string text = mangled(random, whole);
+        const std::string text = mangled(random, full);
         const auto machine = read_machine(text, "f");
         if (machine) {
             EXPECT_EQ(read_machine(print_machine(*machine), "f").value(), *machine) << text;
@@ -50,10 +50,10 @@ TEST(MangledFile, FileWithDynamics) {
 // Joints by frames on both sides.
 TEST(MangledFile, MillFile) {
     Random random(4);
-    const std::string whole =
+    const std::string full =
         os::read_text_file(tests::source_path("samples/machines/mill-table-table.toml")).value();
     for (int i = 0; i < 3000; ++i) {
-        const std::string text = mangled(random, whole);
+        const std::string text = mangled(random, full);
         const auto machine = read_machine(text, "f");
         if (machine) {
             EXPECT_EQ(read_machine(print_machine(*machine), "f").value(), *machine) << text;
@@ -66,7 +66,7 @@ TEST(MangledFile, MillFile) {
 // With every key of [controller]. The model is a built-in one: mangled, it names files that do not exist.
 TEST(MangledFile, ControllerOfAMachineFile) {
     Random random(3);
-    const std::string whole =
+    const std::string full =
         "[machine]\nname = \"m\"\n[controller]\nmodel = \"grbl-1.1\"\nname = \"own.toml\"\n"
         "planner = \"look-ahead\"\nlook_ahead_blocks = 20\ncorner = \"velocity-step\"\n"
         "exact_path_corner = \"stop\"\njunction_deviation_mm = 0.02\nspeed_step_s = 0.01\n"
@@ -78,9 +78,9 @@ TEST(MangledFile, ControllerOfAMachineFile) {
         "corner_override_percent = 50\ncorner_override_before_mm = 1\ncorner_override_after_mm = 2\n"
         "corner_override_angle_deg = 91\n"
         "[[axis]]\nletter = \"X\"\nkind = \"linear\"\nmax_jerk_mm_s3 = 5\nstep_mm = 0.1\ndh = {}\n";
-    ASSERT_TRUE(read_machine(whole, "f"));
+    ASSERT_TRUE(read_machine(full, "f"));
     for (int i = 0; i < 5000; ++i) {
-        const std::string text = mangled(random, whole);
+        const std::string text = mangled(random, full);
         const auto machine = read_machine(text, "f");
         if (machine) {
             EXPECT_EQ(read_machine(print_machine(*machine), "f").value(), *machine) << text;
@@ -103,11 +103,11 @@ TEST(MangledFile, DeepNesting) {
 TEST(MangledFile, MachineData) {
     Random random(2);
     const std::vector<Axis> axes = read_machine(built_in_machine_toml(), "").value().axes;
-    const std::string whole =
+    const std::string full =
         "NCFILE\nOFFSET\n54 200.0001 200.0002 200\n59.1 1 2 3 90 -45 # turned\n505 1 -2 +3 90 inch\n"
         "FIXED\n7 1 2 3 Metric\nALIAS\nWaterJetOn M08\nVARIABLE\n100 2.5\nENDFILE\n";
     for (int i = 0; i < 20000; ++i) {
-        const std::string text = mangled(random, whole);
+        const std::string text = mangled(random, full);
         const auto data = read_machine_data(text, "f", axes);
         EXPECT_TRUE(data || is_located(data.error())) << data.error() << '\n' << text;
     }

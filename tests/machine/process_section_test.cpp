@@ -38,9 +38,9 @@ TEST(ProcessSection, ReadsWordsAndChecks) {
     EXPECT_FALSE(process.checks.end_with_process_on);
     EXPECT_TRUE(process.checks.rapid_with_process_on);
     EXPECT_EQ(process.checks.dwell_s, 5);
-    const auto again = read_machine(print_machine(*machine), "printed");
-    ASSERT_TRUE(again) << again.error();
-    EXPECT_EQ(*again, *machine);
+    const auto relist = read_machine(print_machine(*machine), "printed");
+    ASSERT_TRUE(relist) << relist.error();
+    EXPECT_EQ(*relist, *machine);
 }
 
 TEST(ProcessSection, ASpindleMayDwell) {

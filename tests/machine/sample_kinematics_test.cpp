@@ -19,7 +19,7 @@ namespace {
 
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
-using kinematics::apart;
+using kinematics::pose_distance;
 
 Machine sample(const std::string& name) {
     return load_machine(tests::source_path("samples/machines/") + name).value();
@@ -57,7 +57,7 @@ void expect_round_trips(const std::string& name, int count, double tolerance) {
         const rrs::JointPos near = random_joints(machine, random);
         const auto other = kinematics->inverse(pose, near);
         ASSERT_TRUE(other) << other.error() << " q " << q.transpose() << " near " << near.transpose();
-        ASSERT_LT(apart(kinematics->forward(*other), pose), tolerance)
+        ASSERT_LT(pose_distance(kinematics->forward(*other), pose), tolerance)
             << "q " << q.transpose() << " near " << near.transpose();
     }
 }
@@ -90,7 +90,8 @@ TEST(SampleKinematics, ForwardAgreesWithKdl) {
         const auto kinematics = make_kinematics(machine);
         for (int i = 0; i < 1'000; ++i) {
             const rrs::JointPos q = random_joints(machine, random);
-            ASSERT_LT(apart(kinematics->forward(q), kinematics::kdl_forward(kinematics->chain(), q)), 1e-9)
+            ASSERT_LT(pose_distance(kinematics->forward(q), kinematics::kdl_forward(kinematics->chain(), q)),
+                      1e-9)
                 << name << ": " << q.transpose();
         }
     }
@@ -100,8 +101,8 @@ Eigen::Matrix3d about(double angle_rad, const Vector3d& axis) {
     return AngleAxisd(angle_rad, axis).toRotationMatrix();
 }
 
-void expect_pose(const rrs::CartPos& pose, const Vector3d& tip_mm, const Eigen::Matrix3d& rotation) {
-    EXPECT_LT((pose.translation() - tip_mm).norm(), 1e-9) << pose.translation().transpose();
+void expect_pose(const rrs::CartPos& pose, const Vector3d& tcp_mm, const Eigen::Matrix3d& rotation) {
+    EXPECT_LT((pose.translation() - tcp_mm).norm(), 1e-9) << pose.translation().transpose();
     EXPECT_LT((pose.linear() - rotation).norm(), 1e-12);
 }
 

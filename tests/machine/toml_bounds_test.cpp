@@ -43,7 +43,7 @@ TEST(TomlBounds, AsDeepAsAllowedIsParsed) {
     const std::string deepest =
         repeated("{" + key + "=", base::kMaxTomlBrackets) + "1" + repeated("}", base::kMaxTomlBrackets);
     const std::string text = "[" + key + "]\n" + key + " = " + deepest;
-    EXPECT_FALSE(base::find_toml_excess(text));
+    EXPECT_FALSE(base::find_toml_bounds_error(text));
     EXPECT_EQ(error_of(text).substr(0, 30), "f.toml:1:2: unknown key 'a' in");
 }
 
@@ -59,7 +59,7 @@ TEST(TomlBounds, StringsAndRemarksDoNotCount) {
         repeated("a = 1.5 \n", 100) + "b = [" + repeated("1.5,", 100) + "]\n",
         repeated("[[a.b]]\nc.d = {e.f = [1.5]}\n", 100),
     };
-    for (const std::string& text : harmless) EXPECT_FALSE(base::find_toml_excess(text)) << text;
+    for (const std::string& text : harmless) EXPECT_FALSE(base::find_toml_bounds_error(text)) << text;
 }
 
 // The apparent end of a string must be where the parser has it, or the remainder would not be checked.
@@ -68,9 +68,9 @@ TEST(TomlBounds, BehindAnyStringCountingGoesOn) {
     for (const std::string value :
          {"''", "\"\"", "'\\'", "\"\\\\\"", "'''a'''", "'''a''''", "'''a'''''", "''''''", "\"\"\"a\"\"\"\"",
           "\"\"\"a\"\"\"\"\"", "\"\"\"\\\"\"\"\"", "\"\"\"\\\\\"\"\""}) {
-        const auto excess = base::find_toml_excess("a = {a = " + value + deep);
+        const auto excess = base::find_toml_bounds_error("a = {a = " + value + deep);
         ASSERT_TRUE(excess) << value;
-        EXPECT_EQ(excess->sentence, "more than 32 names joined by dots") << value;
+        EXPECT_EQ(excess->message, "more than 32 names joined by dots") << value;
     }
 }
 

@@ -45,9 +45,9 @@ class ArcLimits : public testing::Test {
         if (lie == Lie::askew) axis = Vector3d(number(), number(), number()).normalized();
         const Vector3d out = axis.unitOrthogonal();
         const double end_radius = radius + (number() > 0 ? 0.04 * number() : 0);
-        const double climb = number() > 0 ? 2 * radius * number() : 0;
+        const double ascent = number() > 0 ? 2 * radius * number() : 0;
         rrs::JointPos end = rrs::JointPos::Zero(5);
-        end.head<3>() = -radius * out + end_radius * (Eigen::AngleAxisd(sweep, axis) * out) + climb * axis;
+        end.head<3>() = -radius * out + end_radius * (Eigen::AngleAxisd(sweep, axis) * out) + ascent * axis;
         if (number() > 0.3) end[3] = 0.3 * number();
         EXPECT_EQ(ready.arc_to(end, -radius * out, axis, sweep), rrs::Status::RRS_SUCCESS) << ready.message();
         ready.planner.flush();
@@ -60,19 +60,20 @@ class ArcLimits : public testing::Test {
 /// Checks jerks by differences of the accelerations, within the parts of the law.
 void expect_jerks(const Segment& segment, const PlannerSetup& setup) {
     double start_s = 0;
-    for (const LawPiece& piece : segment.lead.pieces()) {
+    for (const LawSection& section : segment.master.sections()) {
         for (const double share : {0.002, 0.1, 0.3, 0.5, 0.7, 0.9, 0.998}) {
-            const double h = 1e-4 * piece.duration_s;
-            const double t_s = start_s + share * piece.duration_s;
+            const double h = 1e-4 * section.duration_s;
+            const double t_s = start_s + share * section.duration_s;
             const rrs::JointPos jerk =
                 (segment.at(t_s + h).acceleration - segment.at(t_s - h).acceleration) / (2 * h);
             for (int joint = 0; joint < 3; ++joint) {
-                const JointSetup& own = setup.joints[static_cast<std::size_t>(joint)];
-                const double rounding = 1e-10 * own.max_acceleration / h;
-                ASSERT_LE(std::abs(jerk[joint]), own.max_jerk * (1 + 1e-5) + rounding) << "joint " << joint;
+                const JointSetup& joint_setup = setup.joints[static_cast<std::size_t>(joint)];
+                const double rounding = 1e-10 * joint_setup.max_acceleration / h;
+                ASSERT_LE(std::abs(jerk[joint]), joint_setup.max_jerk * (1 + 1e-5) + rounding)
+                    << "joint " << joint;
             }
         }
-        start_s += piece.duration_s;
+        start_s += section.duration_s;
     }
 }
 
@@ -92,8 +93,8 @@ TEST_F(ArcLimits, JointsKeepTheirAccelerations) {
             for (int i = 0; i <= 60; ++i) {
                 const rrs::JointPos acceleration = segment.at(segment.duration_s * i / 60).acceleration;
                 for (int joint = 0; joint < 3; ++joint) {
-                    const JointSetup& own = setup.joints[static_cast<std::size_t>(joint)];
-                    const double limit = std::max(own.max_acceleration, own.deceleration());
+                    const JointSetup& joint_setup = setup.joints[static_cast<std::size_t>(joint)];
+                    const double limit = std::max(joint_setup.max_acceleration, joint_setup.deceleration());
                     ASSERT_LE(std::abs(acceleration[joint]), limit * (1 + 1e-9))
                         << "joint " << joint << " run " << run;
                 }
@@ -107,12 +108,12 @@ TEST_F(ArcLimits, SharesOfACircle) {
     PlannerSetup setup = machine(rrs::PlannerKind::look_ahead, true);
     for (JointSetup& joint : setup.joints) joint.max_jerk = 1000;
     const Arc circle{.radius_mm = 20, .end_radius_mm = 20, .sweep_rad = 6};
-    LeadPath lead{.length = circle.length_mm()};
-    limit_by_arc_jerk(setup, circle, lead);
+    MasterPath master{.length = circle.length_mm()};
+    limit_by_arc_jerk(setup, circle, master);
     const double part = 1000 / (1 + std::sqrt(2));
-    EXPECT_NEAR(lead.limits.jerk, part, 1e-9);
-    EXPECT_NEAR(lead.limits.max_speed, std::cbrt(part * 20 * 20), 1e-9);
-    EXPECT_NEAR(3 * lead.limits.max_speed * lead.limits.acceleration / 20, part, 1e-9);
+    EXPECT_NEAR(master.limits.jerk, part, 1e-9);
+    EXPECT_NEAR(master.limits.max_speed, std::cbrt(part * 20 * 20), 1e-9);
+    EXPECT_NEAR(3 * master.limits.max_speed * master.limits.acceleration / 20, part, 1e-9);
 }
 
 }  // namespace

@@ -69,9 +69,11 @@ TEST(Arc, EqualStepsOfLengthAreEqualStepsOnThePath) {
             const Vector3d a = arc.at(arc.phi_at(s)), b = arc.at(arc.phi_at(s + step));
             ASSERT_NEAR((b - a).norm(), step, 1e-5 * step) << "arc " << i << " share " << share;
             ASSERT_LT(((b - a) / step - arc.tangent(arc.phi_at(s + step / 2))).norm(), 1e-5) << "arc " << i;
-            const Vector3d bend = (arc.tangent(arc.phi_at(s + step)) - arc.tangent(arc.phi_at(s))) / step;
-            ASSERT_LT((bend - arc.curvature(arc.phi_at(s + step / 2))).norm(), 1e-5) << "arc " << i;
-            ASSERT_LE(bend.norm(), arc.max_curvature() * (1 + 1e-6)) << "arc " << i;
+            const Vector3d measured_curvature =
+                (arc.tangent(arc.phi_at(s + step)) - arc.tangent(arc.phi_at(s))) / step;
+            ASSERT_LT((measured_curvature - arc.curvature(arc.phi_at(s + step / 2))).norm(), 1e-5)
+                << "arc " << i;
+            ASSERT_LE(measured_curvature.norm(), arc.max_curvature() * (1 + 1e-6)) << "arc " << i;
         }
         ASSERT_NEAR(arc.phi_at(length), arc.sweep_rad, 1e-12 * arc.sweep_rad);
     }

@@ -2,7 +2,7 @@
 
 #include "tests/motion/linuxcnc/linuxcnc_run.h"
 #include "tests/motion/motion_checks.h"
-#include "tests/motion/stop_way.h"
+#include "tests/motion/stop_path.h"
 
 namespace gsim::motion::blend_stop_test {
 namespace {
@@ -52,7 +52,7 @@ class BlendStop : public testing::TestWithParam<CornerRule> {
         }
         return program;
     }
-    static rrs::JointPos put(const Program& program, ReadyPlanner& ready) {
+    static rrs::JointPos enqueue(const Program& program, ReadyPlanner& ready) {
         ready.planner.SelectMotionType(rrs::MotionType::linear);
         ready.planner.SetCartesianPositionSpeed(program.speed_mm_s);
         ready.planner.SetPathMode(rrs::PathMode::continuous, program.tolerance_mm, 0);
@@ -78,28 +78,28 @@ TEST_P(BlendStop, KeepsWayAndLimitsAtAnyInstant) {
         const PlannerSetup machine = setup();
         const Program moves = program();
         ReadyPlanner planned(machine, rrs::JointPos::Zero(5));
-        const rrs::JointPos end = put(moves, planned);
+        const rrs::JointPos end = enqueue(moves, planned);
         planned.planner.flush();
         const std::vector<Segment>& plan = planned.collector.segments;
         ReadyPlanner ready(machine, rrs::JointPos::Zero(5));
-        put(moves, ready);
+        enqueue(moves, ready);
         ready.planner.SetInterpolationTime(std::max(plan.back().end_s() / 200, 0.0005));
         for (int stops = 0; stops < 3; ++stops) {
             const int steps = std::uniform_int_distribution<int>(0, 90)(random);
-            for (int i = 0; i < steps; ++i) take_step(ready.planner);
+            for (int i = 0; i < steps; ++i) advance_step(ready.planner);
             ASSERT_EQ(ready.planner.StopMotion(), Status::RRS_SUCCESS);
             const rrs::JointPos stands = run_to_rest(ready.planner);
-            ASSERT_EQ(take_step(ready.planner).joints, stands);
+            ASSERT_EQ(advance_step(ready.planner).joints, stands);
             ASSERT_EQ(ready.planner.ContinueMotion(), Status::RRS_SUCCESS);
         }
         ASSERT_LT((run_to_rest(ready.planner) - end).norm(), 1e-9);
         const std::vector<Segment>& segments = ready.collector.segments;
         ASSERT_NO_FATAL_FAILURE(expect_planned_way(segments, plan, machine)) << "round " << round;
         for (const Segment& segment : segments) {
-            blends += segment.beside != nullptr;
+            blends += segment.superimposed != nullptr;
             ASSERT_NO_FATAL_FAILURE(expect_speeds(segment, machine)) << "round " << round;
-            if (segment.beside) continue;
-            ASSERT_NO_FATAL_FAILURE(expect_law_limits(segment.lead, segment.lead_limits))
+            if (segment.superimposed) continue;
+            ASSERT_NO_FATAL_FAILURE(expect_law_limits(segment.master, segment.master_limits))
                 << "round " << round;
         }
     }

@@ -37,19 +37,20 @@ PlannerSetup random_setup(std::mt19937& random, CornerRule rule) {
     return setup;
 }
 
-bool keeps(double value, double limit) {
+bool is_within_limit(double value, double limit) {
     return value <= limit * (1 + 1e-9) + 1e-9;
 }
 
 /// The jerk of the joints in a straight segment, from its laws.
 rrs::JointPos peak_jerk(const Segment& segment) {
     const auto slopes = [](const Segment& one) {
-        return rrs::JointPos((one.end - one.start) / one.lead.length());
+        return rrs::JointPos((one.end - one.start) / one.master.length());
     };
     rrs::JointPos peak = rrs::JointPos::Zero(segment.start.size());
-    for (const LawPiece& piece : segment.lead.pieces()) {
-        rrs::JointPos jerk = piece.jerk * slopes(segment);
-        if (segment.beside) jerk += segment.beside->lead.pieces()[0].jerk * slopes(*segment.beside);
+    for (const LawSection& section : segment.master.sections()) {
+        rrs::JointPos jerk = section.jerk * slopes(segment);
+        if (segment.superimposed)
+            jerk += segment.superimposed->master.sections()[0].jerk * slopes(*segment.superimposed);
         peak = peak.cwiseMax(jerk.cwiseAbs());
     }
     return peak;
@@ -62,18 +63,18 @@ void expect_limits(const Segment& segment, const PlannerSetup& setup) {
         const JointState state = segment.at(segment.duration_s * sample / 24);
         for (int joint = 0; joint < setup.joint_count(); ++joint) {
             const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
-            const double most = std::max(limits.max_acceleration, limits.deceleration());
-            ASSERT_PRED2(keeps, std::abs(state.velocity[joint]), limits.max_speed) << joint;
-            ASSERT_PRED2(keeps, std::abs(state.acceleration[joint]),
-                         segment.beside ? limits.least_acceleration() : most)
+            const double max = std::max(limits.max_acceleration, limits.deceleration());
+            ASSERT_PRED2(is_within_limit, std::abs(state.velocity[joint]), limits.max_speed) << joint;
+            ASSERT_PRED2(is_within_limit, std::abs(state.acceleration[joint]),
+                         segment.superimposed ? limits.min_acceleration() : max)
                 << joint;
         }
     }
-    const double rounding = 1 + 1e-11 / segment.lead.length();  // of slopes, computed from the ends
+    const double rounding = 1 + 1e-11 / segment.master.length();  // of slopes, computed from the ends
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double limit = setup.joints[static_cast<std::size_t>(joint)].max_jerk;
-        ASSERT_PRED2(keeps, jerks[joint], limit * rounding)
-            << joint << " over " << segment.lead.length() << (segment.beside ? " blended" : "");
+        ASSERT_PRED2(is_within_limit, jerks[joint], limit * rounding)
+            << joint << " over " << segment.master.length() << (segment.superimposed ? " blended" : "");
     }
 }
 
@@ -111,12 +112,12 @@ double nearest_mm(const Collected& out, const Eigen::Vector3d& corner) {
 }
 
 double total_deviations(const Collected& out, int& count) {
-    double most = 0;
+    double max = 0;
     for (const Segment& segment : out.segments) {
         count += segment.deviation_mm > 0 ? 1 : 0;
-        most = std::max(most, segment.deviation_mm);
+        max = std::max(max, segment.deviation_mm);
     }
-    return most;
+    return max;
 }
 
 class Blends : public testing::TestWithParam<CornerRule> {};
@@ -126,7 +127,7 @@ TEST_P(Blends, ASquareStaysWithinTheTolerance) {
     Path path(setup);
     path.tolerance_mm = 0.05;
     for (const auto& [x, y] : {std::pair{20, 0}, {20, 20}, {0, 20}, {0, 0}}) path.line(x, y);
-    path.rest();
+    path.standstill();
     for (const Eigen::Vector3d& corner :
          {Eigen::Vector3d(20, 0, 0), Eigen::Vector3d(20, 20, 0), Eigen::Vector3d(0, 20, 0)}) {
         EXPECT_NEAR(nearest_mm(path.out(), corner), 0.05, 1e-9) << "the speed has use for all of it";
@@ -145,15 +146,15 @@ TEST_P(Blends, AFineToleranceIsTheControllersUnlessTheProgramSetsOne) {
         path.tolerance_mm = programmed_mm;
         path.line(20, 0);
         path.line(20, 20);
-        path.rest();
-        const double wanted = programmed_mm > 0 ? programmed_mm : 0.01;
-        EXPECT_NEAR(nearest_mm(path.out(), {20, 0, 0}), wanted, 1e-9);
+        path.standstill();
+        const double expected_value = programmed_mm > 0 ? programmed_mm : 0.01;
+        EXPECT_NEAR(nearest_mm(path.out(), {20, 0, 0}), expected_value, 1e-9);
     }
     setup.controller.blend_tolerance_mm = 0;
     Path exact(setup);
     exact.line(20, 0);
     exact.line(20, 20);
-    exact.rest();
+    exact.standstill();
     EXPECT_EQ(exact.out().segments.size(), 2U);
     EXPECT_EQ(exact.exit_speed(0), 0);
 }
@@ -164,15 +165,15 @@ TEST_P(Blends, SlowFeedsNeedLessThanTheTolerance) {
     path.tolerance_mm = 1;
     path.line(20, 0, 10);
     path.line(20, 20, 10);
-    path.rest();
+    path.standstill();
     int count = 0;
     const double deviation_mm = total_deviations(path.out(), count);
     EXPECT_EQ(count, 1);
     EXPECT_LT(deviation_mm, 0.1);
     EXPECT_NEAR(nearest_mm(path.out(), {20, 0, 0}), deviation_mm, 1e-9);
     for (const Segment& segment : path.out().segments) {
-        if (!segment.beside) continue;
-        EXPECT_NEAR(segment.lead.at(0).v + segment.beside->lead.at(0).v, 10, 1e-9);
+        if (!segment.superimposed) continue;
+        EXPECT_NEAR(segment.master.at(0).v + segment.superimposed->master.at(0).v, 10, 1e-9);
     }
 }
 
@@ -183,7 +184,7 @@ TEST_P(Blends, HalfOfAShortLineIsCutAtMost) {
     path.line(20, 0);
     path.line(20, 1);
     path.line(40, 1);
-    path.rest();
+    path.standstill();
     // Both blends meet in the middle of the short line.
     EXPECT_LT(nearest_mm(path.out(), {20, 0.5, 0}), 1e-9);
     expect_one_motion(path.out(), setup);
@@ -197,7 +198,7 @@ TEST_P(Blends, RotaryJointsHaveATolerance) {
     Path path(setup);
     path.line(joint_pos({20, 0, 0, 0.3}));
     path.line(joint_pos({40, 0, 0, 0}));  // straight on for the tool
-    path.rest();
+    path.standstill();
     double most_rad = 0;
     for (const Segment& segment : path.out().segments)
         most_rad = std::max(most_rad, segment.end_position()[3]);
@@ -212,13 +213,13 @@ TEST_P(Blends, CornersWithAnArcAreExact) {
     Path path(setup);
     path.line(20, 0);
     path.arc(10, 0, 1.5, 50);  // up, off a corner
-    path.rest();
+    path.standstill();
     ASSERT_EQ(path.out().segments.size(), 2U);
     EXPECT_EQ(path.exit_speed(0), 0);
     Path tangent(setup);
     tangent.line(20, 0);
     tangent.arc(10, -kPi / 2, 1.5, 50);
-    tangent.rest();
+    tangent.standstill();
     EXPECT_GT(tangent.exit_speed(0), 40) << "nothing to round";
 }
 
@@ -242,7 +243,7 @@ TEST_P(Blends, LimitsHoldOnRandomWays) {
                 end[joint] += scale * (joint < 3 ? 1 : run % 2 * 0.02) * unit(random);
             path.line(end, 10 + 200 * std::abs(unit(random)));
         }
-        path.rest();
+        path.standstill();
         EXPECT_LE(total_deviations(path.out(), blends), path.tolerance_mm * (1 + 1e-9));
         EXPECT_LT((path.out().segments.back().end_position() - path.position()).norm(), 1e-9);
         expect_one_motion(path.out(), setup);
@@ -255,7 +256,7 @@ TEST_P(Blends, LimitsHoldOnRandomWays) {
 /// little if sharp corners must be passed without jumps of the acceleration.
 TEST_P(Blends, FewBlocksKnownAreNoTrap) {
     std::mt19937 random(32);
-    const double allowed = GetParam() == CornerRule::smooth_blend ? 1.05 : 1.001;
+    const double feasible = GetParam() == CornerRule::smooth_blend ? 1.05 : 1.001;
     std::uniform_real_distribution<double> unit(-1, 1);
     for (int run = 0; run < 20; ++run) {
         PlannerSetup setup = blend_setup(GetParam());
@@ -270,8 +271,8 @@ TEST_P(Blends, FewBlocksKnownAreNoTrap) {
                 blended.position().head<2>() + scale * Eigen::Vector2d(unit(random), unit(random));
             for (Path* path : {&blended, &stopping}) path->line(to.x(), to.y());
         }
-        for (Path* path : {&blended, &stopping}) path->rest();
-        EXPECT_LE(blended.out().time_s(), stopping.out().time_s() * allowed) << run;
+        for (Path* path : {&blended, &stopping}) path->standstill();
+        EXPECT_LE(blended.out().time_s(), stopping.out().time_s() * feasible) << run;
     }
 }
 
@@ -286,7 +287,7 @@ TEST(Blend, SpeedOfARightAngle) {
     path.tolerance_mm = 0.05;
     path.line(20, 0);
     path.line(20, 20);
-    path.rest();
+    path.standstill();
     const double cut_mm = 4 / std::sqrt(2) * 0.05;
     EXPECT_NEAR(path.exit_speed(0), std::sqrt(2 * cut_mm * 1000), 1e-9);
     EXPECT_EQ(path.out().segments[1].limited_by.kind, LimitKind::corner);
@@ -300,7 +301,7 @@ TEST(Blend, JerkLimitsASmoothOne) {
     path.tolerance_mm = 0.05;
     path.line(20, 0);
     path.line(20, 20);
-    path.rest();
+    path.standstill();
     const double cut_mm = 6 / std::sqrt(2) * 0.05;
     EXPECT_NEAR(path.exit_speed(0), std::cbrt(2e4 * cut_mm * cut_mm), 1e-9);
 }

@@ -41,10 +41,10 @@ class CartesianTarget : public AnyPlanner {
     template <typename Queue>
     void move(const Queue& queue) {
         ASSERT_EQ(queue(), Status::RRS_SUCCESS) << message(planner);
-        whole = step_to_end(planner, 1e-4);
+        full = step_to_end(planner, 1e-4);
         ASSERT_EQ(planner.SetInitialPosition(start, rrs::JointPos(), ""), Status::RRS_SUCCESS);
         ASSERT_EQ(queue(), Status::RRS_SUCCESS);
-        planner.SetInterpolationTime(whole.time_s / 2);
+        planner.SetInterpolationTime(full.time_s / 2);
         rrs::JointPos joints;
         double elapsed_s = 0;
         planner.GetNextStep(joints, middle, elapsed_s);
@@ -55,7 +55,7 @@ class CartesianTarget : public AnyPlanner {
     const CartPos start = base * pose_from_rpy({.x_mm = 500, .y_mm = 500, .z_mm = 300});
     std::unique_ptr<rrs::Shell> owner;
     rrs::Shell& planner;
-    Stepped whole;
+    Stepped full;
     CartPos middle;
 };
 
@@ -65,9 +65,9 @@ TEST_P(CartesianTarget, LineInTheWorld) {
     CartPos end = start;
     end.translation() += Vector3d(100, 200, -50);
     move([&] { return to(end); });
-    EXPECT_TRUE(whole.pose.isApprox(end, 1e-12));
+    EXPECT_TRUE(full.pose.isApprox(end, 1e-12));
     EXPECT_LT((middle.translation() - (start.translation() + Vector3d(50, 100, -25))).norm(), 1e-6);
-    EXPECT_NEAR(whole.way_mm, Vector3d(100, 200, -50).norm(), 1e-5);
+    EXPECT_NEAR(full.distance_mm, Vector3d(100, 200, -50).norm(), 1e-5);
 }
 
 TEST_P(CartesianTarget, ArcByCentreKeepsItsSenseInTheWorld) {
@@ -78,7 +78,7 @@ TEST_P(CartesianTarget, ArcByCentreKeepsItsSenseInTheWorld) {
         return planner.SetNextArcTarget(1, center, Vector3d::UnitZ(), kPi / 2, end, rrs::JointPos());
     });
     EXPECT_LT((middle.translation() - (center + std::sqrt(5000) * Vector3d(1, 1, 0))).norm(), 1e-6);
-    EXPECT_NEAR(whole.way_mm, 50 * kPi, 1e-5);
+    EXPECT_NEAR(full.distance_mm, 50 * kPi, 1e-5);
 }
 
 TEST_P(CartesianTarget, ArcThroughAViaPointInTheWorld) {
@@ -98,9 +98,9 @@ TEST_P(CartesianTarget, JointMotionGoesToThePose) {
     planner.SelectMotionType(rrs::MotionType::joint);
     const CartPos end = start * pose_from_rpy({.x_mm = 100, .roll_rad = 0.4, .pitch_rad = 0.3});
     move([&] { return to(end); });
-    EXPECT_TRUE(whole.pose.isApprox(end, 1e-12));
-    EXPECT_NEAR(whole.joints[3], 0.4, 1e-9);
-    EXPECT_NEAR(whole.joints[4], 0.3, 1e-9);
+    EXPECT_TRUE(full.pose.isApprox(end, 1e-12));
+    EXPECT_NEAR(full.joints[3], 0.4, 1e-9);
+    EXPECT_NEAR(full.joints[4], 0.3, 1e-9);
 }
 
 TEST_P(CartesianTarget, MatrixThatIsNoPoseIsRefused) {

@@ -59,21 +59,21 @@ TEST(ArcThrough, NearlyStraightArcsAreExact) {
 }
 
 TEST(ArcThrough, PointsOnOneLineGiveNoCircle) {
-    const auto refusal = [](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+    const auto rejection = [](const Vector3d& a, const Vector3d& b, const Vector3d& c) {
         Arc arc;
-        const Planned planned = arc_through(a, b, c, arc);
+        const PlanResult planned = arc_through(a, b, c, arc);
         EXPECT_EQ(planned.error().status, Status::RRS_CIRCLE_IMPOSSIBLE);
         return planned.error().message;
     };
     const std::string on_line =
         "The via point of the arc lies on the straight line from its start to its target.";
-    EXPECT_EQ(refusal({0, 0, 0}, {1, 1, 1}, {3, 3, 3}), on_line);
-    EXPECT_EQ(refusal({0.1, 0.2, 0.3}, {0.1 + 1e-3, 0.2 + 1e-3, 0.3 + 1e-3}, {1.1, 1.2, 1.3}), on_line);
-    EXPECT_EQ(refusal({0, 0, 0}, {7, 7, 7}, {3, 3, 3}), on_line);
+    EXPECT_EQ(rejection({0, 0, 0}, {1, 1, 1}, {3, 3, 3}), on_line);
+    EXPECT_EQ(rejection({0.1, 0.2, 0.3}, {0.1 + 1e-3, 0.2 + 1e-3, 0.3 + 1e-3}, {1.1, 1.2, 1.3}), on_line);
+    EXPECT_EQ(rejection({0, 0, 0}, {7, 7, 7}, {3, 3, 3}), on_line);
     const std::string coincide = "Start, via point and target of the arc must be three different points.";
-    EXPECT_EQ(refusal({1, 2, 3}, {1, 2, 3}, {4, 5, 7}), coincide);
-    EXPECT_EQ(refusal({1, 2, 3}, {4, 5, 7}, {4, 5, 7}), coincide);
-    EXPECT_EQ(refusal({1, 2, 3}, {4, 5, 7}, {1, 2, 3}), coincide);
+    EXPECT_EQ(rejection({1, 2, 3}, {1, 2, 3}, {4, 5, 7}), coincide);
+    EXPECT_EQ(rejection({1, 2, 3}, {4, 5, 7}, {4, 5, 7}), coincide);
+    EXPECT_EQ(rejection({1, 2, 3}, {4, 5, 7}, {1, 2, 3}), coincide);
 }
 
 TEST(ArcAbout, RandomArcsAndHelicesStartAndEndWhereTold) {
@@ -125,17 +125,17 @@ TEST(ArcAbout, SweepGivesWayToATargetSlightlyOff) {
 
 TEST(ArcAbout, TargetsOffTheCircleAreRefused) {
     Arc arc;
-    const auto refusal = [&](const Vector3d& end, const Vector3d& center, double sweep) {
-        const Planned planned =
+    const auto rejection = [&](const Vector3d& end, const Vector3d& center, double sweep) {
+        const PlanResult planned =
             arc_about({10, 0, 0}, end, center, Vector3d::UnitZ(), sweep, kTolerance_mm, arc);
         EXPECT_EQ(planned.error().status, Status::RRS_CIRCLE_IMPOSSIBLE);
         return planned.error().message;
     };
-    EXPECT_THAT(refusal({0, 11, 0}, {0, 0, 0}, kPi / 2),
+    EXPECT_THAT(rejection({0, 11, 0}, {0, 0, 0}, kPi / 2),
                 HasSubstr("radius is 10 mm at its start but 11 mm at its end"));
-    EXPECT_THAT(refusal({0, 10, 0}, {0, 0, 0}, 1), HasSubstr("from the end of its sweep of 1 rad"));
-    EXPECT_EQ(refusal({0, 10, 0}, {10, 0, 5}, 1), "The centre of the arc coincides with its start.");
-    EXPECT_THAT(refusal({0, 10, 0}, {1e12, 0, 0}, 1), HasSubstr("too large"));
+    EXPECT_THAT(rejection({0, 10, 0}, {0, 0, 0}, 1), HasSubstr("from the end of its sweep of 1 rad"));
+    EXPECT_EQ(rejection({0, 10, 0}, {10, 0, 5}, 1), "The centre of the arc coincides with its start.");
+    EXPECT_THAT(rejection({0, 10, 0}, {1e12, 0, 0}, 1), HasSubstr("too large"));
 }
 
 TEST(ArcAbout, SmallCirclesGetNoMoreSlackThanHalfTheirRadius) {

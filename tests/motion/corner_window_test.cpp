@@ -57,10 +57,10 @@ std::vector<rrs::JointPos> velocities(const Path& path) {
 /// The greatest change of a joint's speed in a window of time, beyond its step, as a share of what its
 /// acceleration makes in that time.
 double excess(const std::vector<rrs::JointPos>& velocities, std::size_t window) {
-    double most = 0;
+    double max = 0;
     for (std::size_t i = window; i < velocities.size(); ++i)
-        most = std::max(most, (velocities[i] - velocities[i - window]).cwiseAbs().maxCoeff());
-    return (most - kStep) / (kAcceleration * static_cast<double>(window) * 1e-4);
+        max = std::max(max, (velocities[i] - velocities[i - window]).cwiseAbs().maxCoeff());
+    return (max - kStep) / (kAcceleration * static_cast<double>(window) * 1e-4);
 }
 
 /// Expects that jumps by the corners, beyond a step, stay within their share of the acceleration; ramps may
@@ -76,11 +76,11 @@ TEST(CornerWindow, APolygonTakesAboutWhatItsArcTakes) {
     for (const double radius_mm : {2.0, 5.0, 10.0, 20.0}) {
         Path arc(stepping_setup());
         arc.arc(radius_mm, 0, 2 * kPi, 100);
-        arc.rest();
+        arc.standstill();
         for (const int sides : {144, 180, 360, 720}) {
             Path path(stepping_setup());
             polygon(path, sides, radius_mm);
-            path.rest();
+            path.standstill();
             const double ratio = duration_s(path) / duration_s(arc);
             // On slanting lines each joint has less to do than on an arc, which has the same limit all round.
             EXPECT_GT(ratio, 0.88) << radius_mm << " mm, " << sides;
@@ -92,7 +92,7 @@ TEST(CornerWindow, APolygonTakesAboutWhatItsArcTakes) {
 TEST(CornerWindow, SeventyTwoChordsKeepTheAcceleration) {
     Path path(stepping_setup());
     polygon(path, 72, 5);
-    path.rest();
+    path.standstill();
     const auto all = velocities(path);
     // Over 10 ms the joints took 2.65 times their acceleration, one step and this is what they may.
     EXPECT_LE(excess(all, 100), 1.0);
@@ -101,25 +101,25 @@ TEST(CornerWindow, SeventyTwoChordsKeepTheAcceleration) {
 
 TEST(CornerWindow, RandomWaysKeepStepAndAcceleration) {
     std::mt19937 random(17);
-    std::uniform_real_distribution<double> even(-1, 1);
+    std::uniform_real_distribution<double> uniform(-1, 1);
     for (int i = 0; i < 60; ++i) {
         SCOPED_TRACE(i);
         Path path(stepping_setup());
-        const double length_mm = std::pow(10.0, 1.2 * even(random));
-        const double bend_rad = 0.3 * (1 + even(random));
-        double heading = kPi * even(random);
+        const double length_mm = std::pow(10.0, 1.2 * uniform(random));
+        const double bend_rad = 0.3 * (1 + uniform(random));
+        double heading = kPi * uniform(random);
         for (int line = 0; line < 150; ++line) {
-            const bool corner = even(random) > 0.95;
-            const double turn = even(random);
+            const bool corner = uniform(random) > 0.95;
+            const double turn = uniform(random);
             heading += corner ? kPi * turn : bend_rad * (turn + 0.5);
-            const double length = length_mm * (1.1 + even(random));
+            const double length = length_mm * (1.1 + uniform(random));
             rrs::JointPos end = path.position();
             end[0] += length * std::cos(heading);
             end[1] += length * std::sin(heading);
-            end[2] += 0.2 * length * even(random);
+            end[2] += 0.2 * length * uniform(random);
             path.line(end);
         }
-        path.rest();
+        path.standstill();
         expect_bounded(path);
         const auto& segments = path.out().segments;
         expect_joined({segments.begin(), segments.end()});
@@ -131,7 +131,7 @@ TEST(CornerWindow, CornersFarApartAreEachForThemselves) {
     path.line(50, 0);
     path.line(50, 50);
     path.line(100, 50);
-    path.rest();
+    path.standstill();
     EXPECT_NEAR(path.exit_speed(0), kStep, 1e-9);
     EXPECT_NEAR(path.exit_speed(1), kStep, 1e-9);
 }
@@ -147,7 +147,7 @@ TEST(CornerWindow, TwoCornersCloseTogetherShareOneStep) {
     next[0] += 50 * std::cos(2 * turn);
     next[1] += 50 * std::sin(2 * turn);
     path.line(next);
-    path.rest();
+    path.standstill();
     const double both = std::sin(2 * turn);  // of Y; X turns by less
     EXPECT_NEAR(path.exit_speed(1), kStep / both, 0.1);
 }

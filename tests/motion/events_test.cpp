@@ -142,7 +142,7 @@ class HeldEvents : public testing::TestWithParam<rrs::PlannerKind> {
     }
     DefaultPlanner& planner() { return ready_.planner; }
     /// A zigzag: targets 1, 2, 3, ...
-    void put(int count) {
+    void enqueue(int count) {
         for (int i = 0; i < count; ++i) {
             const double x_mm = 3.0 * static_cast<double>(ready_.id + 1);
             ASSERT_EQ(ready_.to(joint_pos({x_mm, ready_.id % 2 == 0 ? 2.0 : 0, 0, 0, 0})),
@@ -175,20 +175,20 @@ class HeldEvents : public testing::TestWithParam<rrs::PlannerKind> {
         ADD_FAILURE() << "target " << id << " is not reached";
         return 0;
     }
-    /// Returns when the tool was `way_mm` short of a target.
-    double before_s(rrs::TargetId id, double way_mm) const {
+    /// Returns when the tool was `distance_mm` short of a target.
+    double before_s(rrs::TargetId id, double distance_mm) const {
         const std::vector<Segment>& segments = ready_.collector.segments;
         const auto reaches = [&](const Segment& s) { return s.target_id == id && s.reaches_target; };
         for (auto i = std::find_if(segments.begin(), segments.end(), reaches);; --i) {
-            if (i->length_mm < way_mm) {
-                way_mm -= i->length_mm;
+            if (i->length_mm < distance_mm) {
+                distance_mm -= i->length_mm;
                 continue;
             }
             double low = 0, high = i->duration_s;
             for (int k = 0; k < 60; ++k) {
                 const double middle = (low + high) / 2;
-                const double left = i->length_mm * (1 - i->lead.at(middle).s / i->lead.length());
-                (left > way_mm ? low : high) = middle;
+                const double remaining = i->length_mm * (1 - i->master.at(middle).s / i->master.length());
+                (remaining > distance_mm ? low : high) = middle;
             }
             return i->start_s + high;
         }
@@ -210,7 +210,7 @@ INSTANTIATE_TEST_SUITE_P(Models, HeldEvents,
                          });
 
 TEST_P(HeldEvents, BeforeATargetThatIsHeldBackComeInTheirStep) {
-    put(40);
+    enqueue(40);
     planner().DefineEvent(1, 20, -0.4);
     planner().DefineEvent(2, 40, -0.3);
     planner().DefineEvent(3, 39, 0.01);
@@ -226,17 +226,17 @@ TEST_P(HeldEvents, BeforeATargetThatIsHeldBackComeInTheirStep) {
 
 /// Targets come as the queue has space for them; an event precedes its target by more than is planned.
 TEST_P(HeldEvents, AStreamOfTargetsIsPlannedAsFarAsAnEventNeeds) {
-    put(4);
+    enqueue(4);
     planner().DefineEvent(1, 4, -0.1);
     for (int i = 0; i < 2; ++i) step();
-    put(10);
+    enqueue(10);
     run();
     EXPECT_NEAR(times_s_.at(1), reached_s(4) - 0.1, 1e-9);
     EXPECT_GE(latest_s_, 0);
 }
 
 TEST_P(HeldEvents, KeepTheirTimeWhereTheyAreKnownTooLate) {
-    put(30);
+    enqueue(30);
     planner().DefineEvent(1, 10, 0.02);
     planner().DefineEvent(2, 12, -0.02);
     planner().DefinePathEvent(3, 14, -7);
@@ -248,7 +248,7 @@ TEST_P(HeldEvents, KeepTheirTimeWhereTheyAreKnownTooLate) {
     EXPECT_NEAR(times_s_.at(1), reached_s(10) + 0.02, 1e-9);
     EXPECT_NEAR(times_s_.at(2), reached_s(12) - 0.02, 1e-9);
     EXPECT_NEAR(times_s_.at(3), before_s(14, 7), 1e-6);
-    put(1);
+    enqueue(1);
     run();
     EXPECT_NEAR(times_s_.at(4), reached_s(31) - 0.5, 1e-9);
     EXPECT_LT(times_s_.at(4), flushed_s);

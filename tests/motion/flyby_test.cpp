@@ -9,7 +9,7 @@ namespace {
 using rrs::PlannerKind;
 using rrs::Status;
 
-PlannerSetup setup_of(PlannerKind kind) {
+PlannerSetup make_setup(PlannerKind kind) {
     PlannerSetup setup = gantry_setup();
     setup.controller.planner = kind;
     setup.controller.servo_period_s = kind == PlannerKind::linuxcnc ? 0.001 : 0;
@@ -23,11 +23,11 @@ double corner_speed(ReadyPlanner& ready) {
     ready.to(at + joint_pos({100, 0, 0, 0, 0}));
     ready.to(at + joint_pos({100, 100, 0, 0, 0}));
     ready.planner.flush();
-    return ready.collector.segments.at(first).lead.end_speed();
+    return ready.collector.segments.at(first).master.end_speed();
 }
 
 TEST(Flyby, CriteriaOfALookAhead) {
-    ReadyPlanner ready(setup_of(PlannerKind::look_ahead), joint_pos({0, 0, 0, 0, 0}));
+    ReadyPlanner ready(make_setup(PlannerKind::look_ahead), joint_pos({0, 0, 0, 0, 0}));
     DefaultPlanner& planner = ready.planner;
     planner.SelectMotionType(rrs::MotionType::linear);
     planner.SetCartesianPositionSpeed(200);
@@ -54,27 +54,28 @@ INSTANTIATE_TEST_SUITE_P(Ways, FlybyServices, all_ways(), way_name);
 
 TEST_P(FlybyServices, WhatAControllerDoesNotHaveItRefuses) {
     for (const auto kind : {PlannerKind::rest_to_rest, PlannerKind::look_ahead, PlannerKind::linuxcnc}) {
-        ReadyShell ready(make(setup_of(kind)), joint_pos({0, 0, 0, 0, 0}));
-        const auto answer = [&](bool has) {
+        ReadyShell ready(make(make_setup(kind)), joint_pos({0, 0, 0, 0, 0}));
+        const auto expected_status = [&](bool has) {
             return has ? Status::RRS_SUCCESS : Status::RRS_MODE_NOT_SUPPORTED;
         };
         for (const int criterion : {1, 2, 3}) {
             const bool has = kind == (criterion == 3 ? PlannerKind::linuxcnc : PlannerKind::look_ahead);
-            EXPECT_EQ(ready.planner.SetFlybyCriteriaParameter(criterion, -1, 0.5), answer(has));
-            EXPECT_EQ(ready.planner.SelectFlybyCriteria(criterion), answer(has));
+            EXPECT_EQ(ready.planner.SetFlybyCriteriaParameter(criterion, -1, 0.5), expected_status(has));
+            EXPECT_EQ(ready.planner.SelectFlybyCriteria(criterion), expected_status(has));
         }
         EXPECT_EQ(ready.planner.SelectFlybyCriteria(4), Status::RRS_INVALID_PARAMETER);
         EXPECT_EQ(ready.planner.SelectPointAccuracy(0), Status::RRS_SUCCESS);
-        EXPECT_EQ(ready.planner.SelectPointAccuracy(1), answer(kind == PlannerKind::look_ahead));
+        EXPECT_EQ(ready.planner.SelectPointAccuracy(1), expected_status(kind == PlannerKind::look_ahead));
         EXPECT_EQ(ready.planner.SelectPointAccuracy(2), Status::RRS_INVALID_PARAMETER);
         EXPECT_EQ(ready.planner.SelectOrientationInterpolationMode(0), Status::RRS_SUCCESS);
-        EXPECT_EQ(ready.planner.SelectOrientationInterpolationMode(1), answer(kind != PlannerKind::linuxcnc));
+        EXPECT_EQ(ready.planner.SelectOrientationInterpolationMode(1),
+                  expected_status(kind != PlannerKind::linuxcnc));
         EXPECT_EQ(ready.planner.SelectOrientationInterpolationMode(7), Status::RRS_INVALID_PARAMETER);
     }
 }
 
 TEST_P(FlybyServices, ExactStopsWaitAsSelected) {
-    PlannerSetup setup = setup_of(PlannerKind::look_ahead);
+    PlannerSetup setup = make_setup(PlannerKind::look_ahead);
     setup.controller.settle_s = 0.25;
     ReadyShell ready(make(setup), joint_pos({0, 0, 0, 0, 0}));
     rrs::Shell& planner = ready.planner;

@@ -10,11 +10,11 @@ namespace {
 /// e' = v(t) - gain e by the classical Runge-Kutta method.
 double integrated_lag(const TimeLaw& law, double lag, double gain_1_s) {
     double from_s = 0;
-    for (const LawPiece& piece : law.pieces()) {
+    for (const LawSection& section : law.sections()) {
         constexpr int kSteps = 4000;
-        const double h = piece.duration_s / kSteps;
+        const double h = section.duration_s / kSteps;
         const auto slope = [&](double t, double e) {
-            return piece.v0 + t * (piece.a0 + t * piece.jerk / 2) - gain_1_s * e;
+            return section.v0 + t * (section.a0 + t * section.jerk / 2) - gain_1_s * e;
         };
         for (int i = 0; i < kSteps; ++i) {
             const double t = i * h;
@@ -24,7 +24,7 @@ double integrated_lag(const TimeLaw& law, double lag, double gain_1_s) {
             const double k4 = slope(t + h, lag + h * k3);
             lag += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
         }
-        from_s += piece.duration_s;
+        from_s += section.duration_s;
     }
     EXPECT_NEAR(from_s, law.duration_s(), 1e-12);
     return lag;
@@ -40,8 +40,8 @@ TEST(FollowingError, AgreesWithAnIntegration) {
         const TimeLaw law = TimeLaw::between(20 * std::exp(log_scale(random)), 0, 0, limits);
         const double gain_1_s = 20 * std::exp(2 * log_scale(random));
         const double lag = std::exp(log_scale(random));
-        const double wanted = integrated_lag(law, lag, gain_1_s);
-        EXPECT_NEAR(lag_after(law, lag, gain_1_s), wanted, 1e-7 * (1 + wanted)) << run;
+        const double expected_value = integrated_lag(law, lag, gain_1_s);
+        EXPECT_NEAR(lag_after(law, lag, gain_1_s), expected_value, 1e-7 * (1 + expected_value)) << run;
     }
 }
 
@@ -68,7 +68,7 @@ TEST(FollowingError, AnExactStopWaitsUntilTheErrorIsInItsBand) {
     path.mode = rrs::PathMode::exact_stop;
     path.line(300, 0);
     path.line(300, 0.001);
-    path.rest();
+    path.standstill();
     ASSERT_EQ(path.out().segments.size(), 4U);
     const double lag_mm = 1000.0 / 400 * (1 - std::exp(-20 * 0.1));
     EXPECT_FALSE(path.out().segments[0].reaches_target);
@@ -86,7 +86,7 @@ TEST(FollowingError, AJointHasItsShareAndItsBand) {
     Path path(setup);
     path.mode = rrs::PathMode::exact_stop;
     path.line(joint_pos({300, 0, 0, 1.5}));
-    path.rest();
+    path.standstill();
     const double lag_mm = 1000.0 / 400 * (1 - std::exp(-20 * 0.1));
     const double lag_deg = lag_mm * 1.5 / 300 * 180 / kPi;
     EXPECT_NEAR(path.out().segments.back().duration_s, std::log(lag_deg / 0.001) / 20, 1e-9)
@@ -96,7 +96,7 @@ TEST(FollowingError, AJointHasItsShareAndItsBand) {
 TEST(FollowingError, OnlyExactStopsWait) {
     Path path(loop_setup());
     path.line(300, 0);
-    path.rest();
+    path.standstill();
     EXPECT_EQ(path.out().segments.size(), 1U);
 }
 

@@ -39,29 +39,29 @@ class LawCases {
     bool chance(double probability) { return share() < probability; }
 
     LawLimits limits() {
-        return {or_infinite(log_uniform(1, 3000)), or_infinite(log_uniform(10, 1e5)),
-                or_infinite(log_uniform(10, 1e5)), or_infinite(log_uniform(100, 1e8))};
+        return {allows_infinite(log_uniform(1, 3000)), allows_infinite(log_uniform(10, 1e5)),
+                allows_infinite(log_uniform(10, 1e5)), allows_infinite(log_uniform(100, 1e8))};
     }
 
     LawCase rest_to_rest() { return {log_uniform(1e-4, 1e4), 0, 0, limits()}; }
 
-    /// Returns speeds within max_speed, and a length that suffices, of at most kLongest_mm.
+    /// Returns speeds within max_speed, and a length that suffices, of at most kMaxLength_mm.
     LawCase moving() {
         LawCase c = any_moving();
-        while (c.length > kLongest_mm) c = any_moving();
+        while (c.length > kMaxLength_mm) c = any_moving();
         return c;
     }
 
-    /// Returns a start speed that is too high, and a length of at most kLongest_mm that suffices to brake to
-    /// the end in one step.
+    /// Returns a start speed that is too high, and a length of at most kMaxLength_mm that suffices to brake
+    /// to the end in one step.
     LawCase too_fast() {
         LawCase c = any_too_fast();
-        while (c.length > kLongest_mm) c = any_too_fast();
+        while (c.length > kMaxLength_mm) c = any_too_fast();
         return c;
     }
 
   private:
-    static constexpr double kLongest_mm = 1e5;  // doubles are exact to 1e-11 mm there
+    static constexpr double kMaxLength_mm = 1e5;  // doubles are exact to 1e-11 mm there
 
     LawCase any_moving() {
         LawCase c = rest_to_rest();
@@ -85,7 +85,7 @@ class LawCases {
         return c;
     }
 
-    double or_infinite(double limit) { return chance(0.1) ? kInfinity : limit; }
+    double allows_infinite(double limit) { return chance(0.1) ? kInfinity : limit; }
     double speed(double fastest) {
         if (chance(0.2)) return 0;
         return chance(0.2) ? fastest : fastest * log_uniform(1e-4, 1);

@@ -32,7 +32,7 @@ TEST_F(LineMove, TakesTheTimeOfTheTrapezoidAtTheProgrammedSpeed) {
     EXPECT_EQ(segment.kind, SegmentKind::linear);
     EXPECT_DOUBLE_EQ(segment.length_mm, 500);
     EXPECT_DOUBLE_EQ(segment.duration_s, 500 / 100.0 + 100 / acceleration);
-    EXPECT_DOUBLE_EQ(segment.lead.peak_speed(), 100);
+    EXPECT_DOUBLE_EQ(segment.master.peak_speed(), 100);
     EXPECT_DOUBLE_EQ(segment.path_speed_mm_s(2), 100);
     EXPECT_TRUE(segment.followers().empty());
     EXPECT_TRUE(segment.position_at(segment.duration_s / 2).isApprox(joint_pos({650, 700, 300, 0, 0})));
@@ -84,7 +84,7 @@ TEST_F(LineMove, RotaryJointsAloneLeadInTheSpaceOfTheirAngles) {
     const Segment& limits = go({500, 500, 300, 0.6, 0.8});
     EXPECT_EQ(limits.length_mm, 0);
     EXPECT_EQ(limits.path_speed_mm_s(0.5), 0);
-    EXPECT_DOUBLE_EQ(limits.lead.length(), 1);
+    EXPECT_DOUBLE_EQ(limits.master.length(), 1);
     EXPECT_DOUBLE_EQ(limits.duration_s, trapezoid_s(1, quarter / 0.8, quarter / 0.8));
     at.planner.SetCartesianOrientationSpeed(0.25);
     EXPECT_DOUBLE_EQ(go({500, 500, 300, 0, 0}).duration_s, trapezoid_s(1, 0.25, quarter / 0.8));
@@ -139,8 +139,8 @@ TEST_F(LineMove, MotionTimeStandsForTheSpeedOfOneMove) {
 TEST_F(LineMove, MotionTimeTooShortIsRaisedAndTold) {
     at.planner.SetMotionTime(0.1);
     EXPECT_EQ(at.to(joint_pos({1000, 500, 300, 0, 0})), Status::RRS_MOTION_TIME_RAISED);
-    const double least = 500 / 254.0 + 254 / acceleration;
-    EXPECT_DOUBLE_EQ(at.last().duration_s, least);
+    const double min = 500 / 254.0 + 254 / acceleration;
+    EXPECT_DOUBLE_EQ(at.last().duration_s, min);
     EXPECT_EQ(at.message().substr(0, 14), "The move takes");
     EXPECT_EQ(at.planner.last_error().status, Status::RRS_MOTION_TIME_RAISED);
     EXPECT_EQ(at.to(joint_pos({500, 500, 300, 0, 0})), Status::RRS_SUCCESS);
@@ -166,7 +166,7 @@ TEST_F(LineMove, GoingNowhereIsASegmentOfNoDuration) {
 TEST_F(LineMove, RoundingIsNotMotion) {
     const Segment& segment = go({500 + 1e-12, 500, 300, 1, 0});
     EXPECT_EQ(segment.length_mm, 0);
-    EXPECT_DOUBLE_EQ(segment.lead.length(), 1);
+    EXPECT_DOUBLE_EQ(segment.master.length(), 1);
     EXPECT_EQ(segment.end[0], 500 + 1e-12);
 }
 
@@ -195,10 +195,10 @@ TEST_F(LineMove, SecondarySlideLeadsAloneAndFollowsBesideThePath) {
 // Controller with joints outside the path that arrive with it by ramps of their own.
 class OwnRamps : public LineMove {
   protected:
-    OwnRamps() : LineMove(own_ramps()) {}
-    static PlannerSetup own_ramps() {
+    OwnRamps() : LineMove(independent_ramps()) {}
+    static PlannerSetup independent_ramps() {
         PlannerSetup setup = gantry_setup();
-        setup.controller.own_ramps = true;
+        setup.controller.independent_ramps = true;
         return setup;
     }
 };
@@ -209,8 +209,8 @@ TEST_F(OwnRamps, SlowerRotaryJointSetsTheTimeAndThePathRunsAlong) {
     ASSERT_EQ(segment.followers().size(), 1U);
     EXPECT_EQ(segment.followers()[0].joint, 3);
     EXPECT_DOUBLE_EQ(segment.followers()[0].law.peak_speed(), quarter);
-    EXPECT_LT(segment.lead.peak_speed(), 100);
-    EXPECT_DOUBLE_EQ(segment.lead.duration_s(), segment.duration_s);
+    EXPECT_LT(segment.master.peak_speed(), 100);
+    EXPECT_DOUBLE_EQ(segment.master.duration_s(), segment.duration_s);
 }
 
 TEST_F(OwnRamps, FasterRotaryJointIsStretchedToThePath) {

@@ -13,7 +13,7 @@ namespace gsim::motion {
 
 /// Three linear joints; grbl's settings of a router.
 inline PlannerSetup router_setup() {
-    PlannerSetup setup = three_slides();
+    PlannerSetup setup = three_slide_machine();
     setup.controller.planner = rrs::PlannerKind::look_ahead;
     setup.controller.look_ahead_blocks = 15;
     setup.controller.corner = setup.controller.exact_path_corner = rrs::CornerRule::junction_deviation;
@@ -52,7 +52,7 @@ class Path {
         move.end.head<3>() = move.arc.at(sweep_rad);
         add(move);
     }
-    void rest() { model_.come_to_rest(); }
+    void standstill() { model_.plan_to_standstill(); }
 
     rrs::PathMode mode = rrs::PathMode::continuous;
     bool rapid = false;
@@ -60,7 +60,7 @@ class Path {
     const Collected& out() const { return out_; }
     const rrs::JointPos& position() const { return at_; }
     const PlannerSetup& setup() const { return setup_; }
-    double exit_speed(std::size_t segment) const { return out_.segments.at(segment).lead.end_speed(); }
+    double exit_speed(std::size_t segment) const { return out_.segments.at(segment).master.end_speed(); }
 
   private:
     PathMove begin(double speed_mm_s) {
@@ -74,7 +74,7 @@ class Path {
         return move;
     }
     void add(const PathMove& move) {
-        const Planned planned = model_.add(move);
+        const PlanResult planned = model_.add(move);
         ASSERT_TRUE(planned) << planned.error().message;
         at_ = move.end;
     }

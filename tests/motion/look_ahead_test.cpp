@@ -19,8 +19,8 @@ void expect_one_motion(const Collected& out, const PlannerSetup& setup) {
         const JointState first = segment.at(0);
         ASSERT_LT((first.position - segment.start).norm(), 1e-9);
         ASSERT_LT((segment.at(segment.duration_s).position - segment.end).norm(), 1e-9);
-        const double before = i == 0 ? 0 : out.segments[i - 1].lead.end_speed();
-        ASSERT_NEAR(segment.lead.start_speed(), before, 1e-9 * (1 + before)) << i;
+        const double before = i == 0 ? 0 : out.segments[i - 1].master.end_speed();
+        ASSERT_NEAR(segment.master.start_speed(), before, 1e-9 * (1 + before)) << i;
         const rrs::JointPos& left = i == 0 ? segment.start : out.segments[i - 1].end;
         ASSERT_LT((segment.start - left).norm(), 1e-9);
         for (int sample = 0; sample <= 20; ++sample) {
@@ -32,7 +32,7 @@ void expect_one_motion(const Collected& out, const PlannerSetup& setup) {
             }
         }
     }
-    EXPECT_EQ(out.segments.back().lead.end_speed(), 0);
+    EXPECT_EQ(out.segments.back().master.end_speed(), 0);
 }
 
 /// Checks jerk limits: the acceleration along the path is 0 at the ends of blocks and changes within the jerk
@@ -45,20 +45,20 @@ void expect_jerk_along_the_way(const Collected& out, const PlannerSetup& setup) 
         for (int joint = 0; joint < 3; ++joint) {
             const double share =
                 curved ? segment.arc.max_share(joint)
-                       : std::abs(segment.end[joint] - segment.start[joint]) / segment.lead.length();
+                       : std::abs(segment.end[joint] - segment.start[joint]) / segment.master.length();
             if (share > 1e-9)
                 jerk = std::min(jerk, setup.joints[static_cast<std::size_t>(joint)].max_jerk / share);
         }
         double acceleration = 0;
-        for (const LawPiece& piece : segment.lead.pieces()) {
-            ASSERT_LE(std::abs(piece.jerk), jerk * (1 + 1e-7));
-            ASSERT_NEAR(piece.a0, acceleration, 1e-6 * (1 + std::abs(acceleration)));
-            acceleration = piece.a0 + piece.jerk * piece.duration_s;
+        for (const LawSection& section : segment.master.sections()) {
+            ASSERT_LE(std::abs(section.jerk), jerk * (1 + 1e-7));
+            ASSERT_NEAR(section.a0, acceleration, 1e-6 * (1 + std::abs(acceleration)));
+            acceleration = section.a0 + section.jerk * section.duration_s;
         }
         ASSERT_NEAR(acceleration, 0, 1e-5);
         if (!curved) continue;
         const double curvature = segment.arc.max_curvature();
-        ASSERT_LE(std::pow(segment.lead.peak_speed(), 3) * curvature * curvature, jerk * (1 + 1e-9));
+        ASSERT_LE(std::pow(segment.master.peak_speed(), 3) * curvature * curvature, jerk * (1 + 1e-9));
     }
 }
 
@@ -66,7 +66,7 @@ TEST(LookAhead, OneLineIsATrapezoid) {
     Path path(router_setup());
     path.line(100, 0);
     EXPECT_TRUE(path.out().segments.empty()) << "more may come";
-    path.rest();
+    path.standstill();
     EXPECT_NEAR(path.out().time_s(), 1.1, 1e-12);
     EXPECT_EQ(path.out().segments[0].limited_by, (LimitedBy{LimitKind::feed, -1}));
 }
@@ -80,7 +80,7 @@ TEST(LookAhead, JunctionDeviationIsGrbls) {
         path.line(50, 0);
         const double turn = turn_deg * kPi / 180;
         path.line(50 + 50 * std::cos(turn), 50 * std::sin(turn));
-        path.rest();
+        path.standstill();
         EXPECT_NEAR(path.exit_speed(0), speed, 0.01) << turn_deg;
         EXPECT_TRUE(path.out().segments[0].limited_by.kind == LimitKind::feed);
     }
@@ -90,14 +90,14 @@ TEST(LookAhead, AWindowOfShortBlocksHoldsTheSpeedDown) {
     PlannerSetup setup = router_setup();
     Path path(setup);
     for (int i = 1; i <= 400; ++i) path.line(0.05 * i, 0);
-    path.rest();
+    path.standstill();
     const double expected = std::sqrt(2 * 1000 * 14 * 0.05);
     EXPECT_NEAR(path.exit_speed(200), expected, 1e-9);
     EXPECT_EQ(path.out().segments[200].limited_by.kind, LimitKind::look_ahead);
     setup.controller.look_ahead_blocks = 1000;
     Path far(setup);
     for (int i = 1; i <= 400; ++i) far.line(0.05 * i, 0);
-    far.rest();
+    far.standstill();
     EXPECT_NEAR(far.out().time_s(), trapezoid_s(20, 100, 1000), 1e-9) << "as one line";
     expect_one_motion(far.out(), setup);
 }
@@ -112,7 +112,7 @@ TEST(LookAhead, ExactStopsStopAndStraightOnPassesInExactPathMode) {
     path.line(20, 0);
     path.line(30, 0);
     path.line(30, 10);
-    path.rest();
+    path.standstill();
     EXPECT_EQ(path.exit_speed(0), 0);
     EXPECT_GT(path.exit_speed(1), 50);
     EXPECT_EQ(path.exit_speed(2), 0);
@@ -127,15 +127,15 @@ TEST(LookAhead, VelocityStepOfEachJoint) {
     Path path(setup);
     path.line(50, 0);
     path.line(50, 50);  // X loses all of the speed, Y gains it
-    path.rest();
+    path.standstill();
     EXPECT_NEAR(path.exit_speed(0), 12, 1e-9);
     setup.joints[0].max_speed_step = setup.joints[1].max_speed_step = kUnlimited;
     setup.controller.speed_step_s = 0.003;
-    Path by_time(setup);
-    by_time.line(50, 0);
-    by_time.line(50, 50);
-    by_time.rest();
-    EXPECT_NEAR(by_time.exit_speed(0), 3, 1e-9);
+    Path over_time(setup);
+    over_time.line(50, 0);
+    over_time.line(50, 50);
+    over_time.standstill();
+    EXPECT_NEAR(over_time.exit_speed(0), 3, 1e-9);
 }
 
 TEST(LookAhead, RapidAndFeedAreJoinedOrNot) {
@@ -147,7 +147,7 @@ TEST(LookAhead, RapidAndFeedAreJoinedOrNot) {
         path.line(50, 0);
         path.rapid = false;
         path.line(100, 0, 20);
-        path.rest();
+        path.standstill();
         EXPECT_NEAR(path.exit_speed(0), stops ? 0 : 20, 1e-9);
     }
 }
@@ -157,13 +157,13 @@ TEST(LookAhead, ACurveSharesTheAcceleration) {
     setup.controller.centripetal_share = 0.6;
     Path path(setup);
     path.arc(20, 0, 2 * kPi, 1000);
-    path.rest();
+    path.standstill();
     const Segment& segment = path.out().segments[0];
     EXPECT_EQ(segment.limited_by.kind, LimitKind::joint_speed) << "100 mm/s is less";
     setup.joints.assign(3, {rrs::JointKind::prismatic, -kUnlimited, kUnlimited, 500, 1000});
     Path fast(setup);
     fast.arc(20, 0, 2 * kPi, 1000);
-    fast.rest();
+    fast.standstill();
     EXPECT_EQ(fast.out().segments[0].limited_by.kind, LimitKind::centripetal);
     EXPECT_NEAR(fast.out().time_s(), trapezoid_s(40 * kPi, std::sqrt(0.6 * 1000 * 20), 800), 1e-9);
     expect_one_motion(fast.out(), setup);
@@ -175,7 +175,7 @@ TEST(LookAhead, ACurveMayHaveALimitOfItsOwn) {
     setup.controller.centripetal_share = 2;
     Path path(setup);
     path.arc(20, 0, 2 * kPi, 1000);
-    path.rest();
+    path.standstill();
     EXPECT_EQ(path.out().segments[0].limited_by.kind, LimitKind::centripetal);
     EXPECT_NEAR(path.out().time_s(), trapezoid_s(40 * kPi, std::sqrt(2 * 1000 * 20.0), 1000), 1e-9);
 }
@@ -188,7 +188,7 @@ TEST(LookAhead, ContinuousModeMayHaveAPartOfTheAcceleration) {
         Path path(setup);
         path.mode = mode;
         path.line(100, 0, 50);
-        path.rest();
+        path.standstill();
         EXPECT_NEAR(path.out().time_s(), trapezoid_s(100, 50, acceleration), 1e-9);
     }
 }
@@ -200,7 +200,7 @@ TEST(LookAhead, ABlockTakesTimeToBeMadeReady) {
     setup.controller.block_time_s = 0.01;
     Path lines(setup);
     for (int i = 1; i <= 200; ++i) lines.line(0.1 * i, 0, 50);
-    lines.rest();
+    lines.standstill();
     EXPECT_NEAR(lines.out().time_s(), trapezoid_s(20, 10, 1000), 1e-9);
     EXPECT_EQ(lines.out().segments[100].limited_by.kind, LimitKind::block_time);
 
@@ -209,7 +209,7 @@ TEST(LookAhead, ABlockTakesTimeToBeMadeReady) {
         setup.controller.arc_chord_tolerance_mm = chord_tolerance_mm;
         Path arc(setup);
         arc.arc(5, 0, 2 * kPi, 50);
-        arc.rest();
+        arc.standstill();
         EXPECT_NEAR(arc.out().time_s(), 2, 0.05) << chord_tolerance_mm;
         EXPECT_GE(arc.out().time_s(), 2);
     }
@@ -220,7 +220,7 @@ TEST(LookAhead, ArcsBecomeChords) {
     setup.controller.arc_chord_tolerance_mm = 0.002;
     Path path(setup);
     path.arc(20, 0, 2 * kPi, 50);
-    path.rest();
+    path.standstill();
     ASSERT_EQ(path.out().segments.size(), 222U) << "grbl 1.1 makes that many";
     for (const Segment& segment : path.out().segments) {
         const Eigen::Vector3d middle = (segment.start + segment.end).head<3>() / 2;
@@ -237,7 +237,7 @@ TEST(LookAhead, StepsOfTheJointsAreTheEndsOfBlocks) {
     path.line(1.1, 0.3);
     path.line(1.12, 0.3);  // less than a step: no distance at all
     path.line(2.2, 0.3);
-    path.rest();
+    path.standstill();
     ASSERT_EQ(path.out().segments.size(), 2U);
     EXPECT_NEAR(path.out().segments[0].end[0], 1.0, 1e-12);
     EXPECT_NEAR(path.out().segments[1].start[0], 1.0, 1e-12);
@@ -252,9 +252,9 @@ TEST(LookAhead, InverseTimeIsALineAtThatSpeed) {
     move.start = rrs::JointPos::Zero(3);
     move.end = move.start;
     move.end[0] = 60;
-    move.rules.least_duration_s = 3;
+    move.rules.min_duration_s = 3;
     ASSERT_TRUE(model.add(move));
-    model.come_to_rest();
+    model.plan_to_standstill();
     EXPECT_NEAR(out.time_s(), 3 + 20.0 / 1000, 1e-12) << "60 mm at 20 mm/s, the ramps on top";
 }
 
@@ -302,7 +302,7 @@ TEST(LookAhead, LimitsHoldOnRandomPaths) {
             at += length * Eigen::Vector2d(std::cos(heading), std::sin(heading));
             path.line(at.x(), at.y(), 10 + 500 * unit(random));
         }
-        path.rest();
+        path.standstill();
         expect_one_motion(path.out(), setup);
         if (setup.controller.limit_jerk) expect_jerk_along_the_way(path.out(), setup);
         ASSERT_FALSE(testing::Test::HasFailure()) << "run " << run;
@@ -325,7 +325,7 @@ TEST(LookAhead, EachExitIsTheBestOfItsWindow) {
             feed.push_back(unit(random) < 0.1 ? 5 : 100);
             path.line(path.position()[0] + length.back(), 0, feed.back());
         }
-        path.rest();
+        path.standstill();
         double speed = 0;
         for (std::size_t i = 0; i < length.size(); ++i) {
             const std::size_t end = std::min(i + setup.controller.look_ahead_blocks, length.size());
@@ -347,7 +347,7 @@ TEST(LookAhead, ManyBlocksBeforeAnyComesOut) {
     setup.controller.look_ahead_blocks = 200'000;
     Path path(setup);
     for (int i = 1; i <= 60'000; ++i) path.line(1e-5 * i, 0);
-    path.rest();
+    path.standstill();
     EXPECT_NEAR(path.out().time_s(), trapezoid_s(0.6, 100, 1000), 1e-6) << "as one line";
 }
 
@@ -361,7 +361,7 @@ TEST(LookAhead, AnArcReachesItsTargetWhereItsLastChordIsRoundedAway) {
     for (int run = 0; run < 200; ++run) {
         Path path(setup);
         path.arc(0.02 + 0.1 * unit(random), 6 * unit(random), 0.6 + 5 * unit(random), 20);
-        path.rest();
+        path.standstill();
         if (path.out().segments.empty()) continue;
         ASSERT_TRUE(path.out().segments.back().reaches_target) << "run " << run;
     }

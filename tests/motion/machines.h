@@ -30,7 +30,7 @@ inline PlannerSetup gantry_setup() {
 }
 
 /// Three linear joints without ends: 100 mm/s, 1000 mm/s2, and no limits of the path.
-inline PlannerSetup three_slides() {
+inline PlannerSetup three_slide_machine() {
     PlannerSetup setup;
     setup.joints.assign(3, {rrs::JointKind::prismatic, -kUnlimited, kUnlimited, 100, 1000});
     setup.position_joints = {0, 1, 2};
@@ -67,7 +67,7 @@ inline PlannerSetup odd_setup(std::mt19937& random) {
 /// Keeps what leaves the planner.
 class Collector : public SegmentSink {
   public:
-    void take(const Segment& segment) override { segments.push_back(segment); }
+    void on_segment(const Segment& segment) override { segments.push_back(segment); }
     std::vector<Segment> segments;
 };
 

@@ -22,21 +22,21 @@ inline void set_ramps(PlannerSetup& setup, std::mt19937& random, bool jerk) {
 inline void expect_law_limits(const TimeLaw& law, const LawLimits& limits) {
     const double peak = law.peak_speed();
     ASSERT_LE(peak, limits.max_speed * (1 + kRelative));
-    double v = law.pieces().empty() ? 0 : law.pieces().front().v0;
+    double v = law.sections().empty() ? 0 : law.sections().front().v0;
     double a = 0;
-    for (const LawPiece& piece : law.pieces()) {
-        const double t = piece.duration_s;
-        ASSERT_LE(std::abs(piece.jerk), limits.jerk * (1 + kRelative));
-        ASSERT_NEAR(piece.v0, v, kRelative * (peak + 1));
-        for (const double at : {piece.a0, piece.a0 + piece.jerk * t}) {
+    for (const LawSection& section : law.sections()) {
+        const double t = section.duration_s;
+        ASSERT_LE(std::abs(section.jerk), limits.jerk * (1 + kRelative));
+        ASSERT_NEAR(section.v0, v, kRelative * (peak + 1));
+        for (const double at : {section.a0, section.a0 + section.jerk * t}) {
             ASSERT_LE(at, limits.acceleration * (1 + kRelative));
             ASSERT_GE(at, -limits.deceleration * (1 + kRelative));
         }
-        if (std::isfinite(limits.jerk) && &piece != law.pieces().data()) {
-            ASSERT_NEAR(piece.a0, a, 1e-6 * (1 + std::abs(a)));
+        if (std::isfinite(limits.jerk) && &section != law.sections().data()) {
+            ASSERT_NEAR(section.a0, a, 1e-6 * (1 + std::abs(a)));
         }
-        v = piece.v0 + t * (piece.a0 + t * piece.jerk / 2);
-        a = piece.a0 + t * piece.jerk;
+        v = section.v0 + t * (section.a0 + t * section.jerk / 2);
+        a = section.a0 + t * section.jerk;
         ASSERT_GE(v, -kRelative * (peak + 1));
     }
 }
@@ -49,27 +49,28 @@ inline LawLimits machine_limits(const Segment& segment, const PlannerSetup& setu
         for (const Follower& follower : segment.followers()) follows = follows || follower.joint == joint;
         const double change = std::abs(segment.end[joint] - segment.start[joint]);
         if (follows || change <= 1e-9) continue;
-        const double share = change / segment.lead.length();
-        const JointSetup& own = setup.joints[static_cast<std::size_t>(joint)];
-        limits.max_speed = std::min(limits.max_speed, own.max_speed / share);
-        limits.acceleration = std::min(limits.acceleration, own.max_acceleration / share);
-        limits.deceleration = std::min(limits.deceleration, own.deceleration() / share);
-        if (setup.controller.limit_jerk) limits.jerk = std::min(limits.jerk, own.max_jerk / share);
+        const double share = change / segment.master.length();
+        const JointSetup& joint_setup = setup.joints[static_cast<std::size_t>(joint)];
+        limits.max_speed = std::min(limits.max_speed, joint_setup.max_speed / share);
+        limits.acceleration = std::min(limits.acceleration, joint_setup.max_acceleration / share);
+        limits.deceleration = std::min(limits.deceleration, joint_setup.deceleration() / share);
+        if (setup.controller.limit_jerk) limits.jerk = std::min(limits.jerk, joint_setup.max_jerk / share);
     }
     return limits;
 }
 
 /// All laws of a segment keep the limits of the joints; ends within rounding of a cut are not looked at.
 inline void expect_segment_limits(const Segment& segment, const PlannerSetup& setup) {
-    if (segment.kind == SegmentKind::rest || !(segment.lead.length() > 1e-6)) return;
+    if (segment.kind == SegmentKind::rest || !(segment.master.length() > 1e-6)) return;
     LawLimits limits = machine_limits(segment, setup);
     for (double* limit : {&limits.max_speed, &limits.acceleration, &limits.deceleration, &limits.jerk})
-        *limit *= 1 + 1e-7 / segment.lead.length();  // rounding of the ends that give the shares
-    if (segment.kind != SegmentKind::circular) expect_law_limits(segment.lead, limits);
+        *limit *= 1 + 1e-7 / segment.master.length();  // rounding of the ends that give the shares
+    if (segment.kind != SegmentKind::circular) expect_law_limits(segment.master, limits);
     for (const Follower& follower : segment.followers()) {
-        const JointSetup& own = setup.joints[static_cast<std::size_t>(follower.joint)];
-        expect_law_limits(follower.law, {own.max_speed, own.max_acceleration, own.deceleration(),
-                                         setup.controller.limit_jerk ? own.max_jerk : kUnlimited});
+        const JointSetup& joint_setup = setup.joints[static_cast<std::size_t>(follower.joint)];
+        expect_law_limits(follower.law,
+                          {joint_setup.max_speed, joint_setup.max_acceleration, joint_setup.deceleration(),
+                           setup.controller.limit_jerk ? joint_setup.max_jerk : kUnlimited});
     }
 }
 
@@ -81,8 +82,8 @@ inline void expect_joined(const std::vector<Segment>& segments) {
         ASSERT_NEAR(segment.start_s, before.end_s(), 1e-9);
         ASSERT_LT((segment.start - before.end).norm(), 1e-7);
         ASSERT_LT((segment.position_at(1e-12) - segment.start).norm(), 1e-6);
-        const double speed = before.lead.end_speed();
-        ASSERT_NEAR(segment.lead.start_speed(), speed, 1e-6 * (1 + speed)) << i;
+        const double speed = before.master.end_speed();
+        ASSERT_NEAR(segment.master.start_speed(), speed, 1e-6 * (1 + speed)) << i;
     }
 }
 

@@ -95,7 +95,7 @@ class OddValues : public AnyPlanner {
 INSTANTIATE_TEST_SUITE_P(Ways, OddValues, all_ways(), way_name);
 
 // No limits at all in every other session.
-PlannerSetup setup_of(int session) {
+PlannerSetup make_setup(int session) {
     PlannerSetup setup = gantry_setup();
     if (session % 2 == 0) {
         for (JointSetup& joint : setup.joints) joint = {.kind = joint.kind};
@@ -106,9 +106,9 @@ PlannerSetup setup_of(int session) {
 
 class FiniteSink : public SegmentSink {
   public:
-    void take(const Segment& segment) override {
+    void on_segment(const Segment& segment) override {
         ++taken;
-        overlapping += segment.beside ? 1 : 0;
+        overlapping += segment.superimposed ? 1 : 0;
         ASSERT_TRUE(std::isfinite(segment.start_s) && segment.duration_s >= 0 && segment.duration_s <= 1e12);
         for (int i = 0; i <= 10; ++i) {
             const JointState state = segment.at(segment.duration_s * i / 10);
@@ -129,7 +129,7 @@ TEST_P(OddValues, StepsOfAPlannerStayNumbers) {
     int reached = 0;
     for (int session = 0; session < sessions; ++session) {
         SCOPED_TRACE(testing::Message() << "session " << session);
-        const auto planner = make(setup_of(session));
+        const auto planner = make(make_setup(session));
         planner->Initialize();
         planner->SetInitialPosition(rrs::CartPos::Identity(), joint_pos({100, 100, 100, 0, 0}), "");
         for (int i = 0; i < 60; ++i) {
@@ -159,7 +159,7 @@ TEST_P(OddSegments, PlannerSurvivesAnything) {
     for (int session = 0; session < 6000; ++session) {
         SCOPED_TRACE(testing::Message() << "session " << session);
         FiniteSink sink;
-        DefaultPlanner planner(setup_of(session), &sink);
+        DefaultPlanner planner(make_setup(session), &sink);
         planner.Initialize();
         planner.SetInitialPosition(rrs::CartPos::Identity(), joint_pos({100, 100, 100, 0, 0}), "");
         for (int i = 0; i < 60; ++i) call_something(planner);
@@ -177,7 +177,7 @@ TEST_P(OddSegments, RoundedCornersSurviveAnything) {
     int overlapping = 0;
     for (int session = 0; session < 1000; ++session) {
         SCOPED_TRACE(testing::Message() << "session " << session);
-        PlannerSetup setup = setup_of(session);
+        PlannerSetup setup = make_setup(session);
         setup.controller.planner = rrs::PlannerKind::look_ahead;
         setup.controller.corner =
             session % 4 < 2 ? rrs::CornerRule::parabolic_blend : rrs::CornerRule::smooth_blend;

@@ -19,7 +19,7 @@ class OrientationArcs : public testing::Test {
     Vector3d direction(double turn, double tilt) const {
         return setup.kinematics->forward(joint_pos({0, 0, 0, turn, tilt})).linear().col(2);
     }
-    tl::expected<OrientationArc, OrientationFault> arc(HeadAngles start, HeadAngles end) const {
+    tl::expected<OrientationArc, OrientationError> arc(HeadAngles start, HeadAngles end) const {
         return OrientationArc::between(head, joint_pos({0, 0, 0, start.turn, start.tilt}),
                                        joint_pos({0, 0, 0, end.turn, end.tilt}));
     }
@@ -30,15 +30,15 @@ class OrientationArcs : public testing::Test {
     double tilt() { return kPi / 2 * std::exp(-uniform(0, 1) * uniform(0, 9)); }
     HeadAngles pose() { return {uniform(-3, 3), tilt()}; }
 
-    void expect_on_circle(const OrientationArc& way, HeadAngles start, HeadAngles end) const {
+    void expect_on_circle(const OrientationArc& arc_path, HeadAngles start, HeadAngles end) const {
         const Vector3d from = direction(start.turn, start.tilt);
         const Vector3d to = direction(end.turn, end.tilt);
         const Vector3d ahead = (to - from * from.dot(to)).normalized();
         for (int i = 0; i <= 50; ++i) {
-            const double angle = way.length_rad() * i / 50;
-            const HeadAngles at = way.at(angle).angles;
-            const Vector3d wanted = std::cos(angle) * from + std::sin(angle) * ahead;
-            ASSERT_LT((direction(at.turn, at.tilt) - wanted).norm(), kDirection)
+            const double angle = arc_path.length_rad() * i / 50;
+            const HeadAngles at = arc_path.at(angle).angles;
+            const Vector3d expected_value = std::cos(angle) * from + std::sin(angle) * ahead;
+            ASSERT_LT((direction(at.turn, at.tilt) - expected_value).norm(), kDirection)
                 << start.turn << " " << start.tilt << " to " << end.turn << " " << end.tilt;
         }
     }
@@ -56,17 +56,17 @@ TEST_F(OrientationArcs, DirectionGoesEvenlyAlongTheGreatCircleAndEndsAreExact) {
         HeadAngles end = pose();
         start.tilt *= side;
         end.tilt *= side;
-        const auto way = arc(start, end);
-        ASSERT_EQ(way.has_value(), std::abs(end.turn - start.turn) < kPi);
-        if (!way) continue;
+        const auto arc_path = arc(start, end);
+        ASSERT_EQ(arc_path.has_value(), std::abs(end.turn - start.turn) < kPi);
+        if (!arc_path) continue;
         ++found;
-        expect_on_circle(*way, start, end);
-        EXPECT_NEAR(way->length_rad(),
+        expect_on_circle(*arc_path, start, end);
+        EXPECT_NEAR(arc_path->length_rad(),
                     std::acos(direction(start.turn, start.tilt).dot(direction(end.turn, end.tilt))), 1e-7);
-        EXPECT_EQ(way->at(0).angles.turn, start.turn);
-        EXPECT_EQ(way->at(0).angles.tilt, start.tilt);
-        EXPECT_NEAR(way->at(way->length_rad()).angles.turn, end.turn, 1e-13);
-        EXPECT_NEAR(way->at(way->length_rad()).angles.tilt, end.tilt, 1e-13);
+        EXPECT_EQ(arc_path->at(0).angles.turn, start.turn);
+        EXPECT_EQ(arc_path->at(0).angles.tilt, start.tilt);
+        EXPECT_NEAR(arc_path->at(arc_path->length_rad()).angles.turn, end.turn, 1e-13);
+        EXPECT_NEAR(arc_path->at(arc_path->length_rad()).angles.tilt, end.tilt, 1e-13);
     }
     EXPECT_GT(found, 500);
 }
@@ -76,29 +76,29 @@ TEST_F(OrientationArcs, ShortWaysToo) {
         const HeadAngles start = pose();
         const double small = std::exp(-uniform(1, 14));
         const HeadAngles end{start.turn + small * uniform(-1, 1), start.tilt * (1 + small * uniform(-1, 1))};
-        const auto way = arc(start, end);
+        const auto arc_path = arc(start, end);
         if (std::acos(std::min(1.0, direction(start.turn, start.tilt).dot(direction(end.turn, end.tilt)))) <
             1e-7)
             continue;
-        ASSERT_TRUE(way) << static_cast<int>(way.error());
-        expect_on_circle(*way, start, end);
+        ASSERT_TRUE(arc_path) << static_cast<int>(arc_path.error());
+        expect_on_circle(*arc_path, start, end);
     }
 }
 
 TEST_F(OrientationArcs, DerivativesAreTheSlopesOfTheValuesAndKeepTheirBounds) {
     for (int i = 0; i < 300; ++i) {
-        const auto way = arc(pose(), {uniform(-1, 1), uniform(0.05, kPi / 2)});
-        if (!way) continue;
-        const HeadBounds bounds = way->bounds();
-        const double h = way->length_rad() / 400;
-        double first =
-            std::max(std::abs(way->at(0).first.turn), std::abs(way->at(way->length_rad()).first.turn));
+        const auto arc_path = arc(pose(), {uniform(-1, 1), uniform(0.05, kPi / 2)});
+        if (!arc_path) continue;
+        const HeadBounds bounds = arc_path->bounds();
+        const double h = arc_path->length_rad() / 400;
+        double first = std::max(std::abs(arc_path->at(0).first.turn),
+                                std::abs(arc_path->at(arc_path->length_rad()).first.turn));
         const auto derivative = [&](double at, double HeadAngles::*joint, HeadAngles HeadState::*of) {
-            return ((way->at(at + h).*of).*joint - (way->at(at - h).*of).*joint) / (2 * h);
+            return ((arc_path->at(at + h).*of).*joint - (arc_path->at(at - h).*of).*joint) / (2 * h);
         };
         for (int k = 1; k < 400; ++k) {
             const double at = k * h;
-            const HeadState state = way->at(at);
+            const HeadState state = arc_path->at(at);
             for (const auto joint : {&HeadAngles::turn, &HeadAngles::tilt}) {
                 ASSERT_LE(std::abs(state.first.*joint), bounds.first.*joint * (1 + 1e-9));
                 ASSERT_LE(std::abs(state.second.*joint), bounds.second.*joint * (1 + 1e-9));
@@ -120,16 +120,16 @@ TEST_F(OrientationArcs, DerivativesAreTheSlopesOfTheValuesAndKeepTheirBounds) {
 
 // Clairaut: the turn is fastest if the circle is nearest to the pole, by 1 / sin(tilt).
 TEST_F(OrientationArcs, TurnsFastestNearThePole) {
-    const auto way = arc({-1, 0.4}, {1, 0.4});
-    ASSERT_TRUE(way);
+    const auto arc_path = arc({-1, 0.4}, {1, 0.4});
+    ASSERT_TRUE(arc_path);
     const double nearest = std::atan(std::tan(0.4) * std::cos(1));  // of a right-angled triangle
-    const HeadState middle = way->at(way->length_rad() / 2);
+    const HeadState middle = arc_path->at(arc_path->length_rad() / 2);
     EXPECT_NEAR(middle.angles.tilt, nearest, 1e-12);
     EXPECT_NEAR(middle.angles.turn, 0, 1e-12);
     EXPECT_NEAR(middle.first.turn, 1 / std::sin(nearest), 1e-12);
-    EXPECT_NEAR(way->bounds().first.turn, 1 / std::sin(nearest), 1e-12);
-    EXPECT_NEAR(way->tilt_range().min, nearest, 1e-12);
-    EXPECT_NEAR(way->tilt_range().max, 0.4, 1e-12);
+    EXPECT_NEAR(arc_path->bounds().first.turn, 1 / std::sin(nearest), 1e-12);
+    EXPECT_NEAR(arc_path->tilt_range().min, nearest, 1e-12);
+    EXPECT_NEAR(arc_path->tilt_range().max, 0.4, 1e-12);
 }
 
 TEST_F(OrientationArcs, TiltRangeIsThatOfDenseInstants) {
@@ -137,63 +137,64 @@ TEST_F(OrientationArcs, TiltRangeIsThatOfDenseInstants) {
         const double side = i % 2 == 0 ? 1 : -1;
         HeadAngles start{uniform(-1.5, 1.5), side * uniform(0.05, 3)};
         HeadAngles end{uniform(-1.5, 1.5), side * uniform(0.05, 3)};
-        const auto way = arc(start, end);
-        ASSERT_TRUE(way);
-        const Range range = way->tilt_range();
-        double least = start.tilt;
-        double most = start.tilt;
+        const auto arc_path = arc(start, end);
+        ASSERT_TRUE(arc_path);
+        const Range range = arc_path->tilt_range();
+        double min = start.tilt;
+        double max = start.tilt;
         for (int k = 0; k <= 2000; ++k) {
-            const double tilt = way->at(way->length_rad() * k / 2000).angles.tilt;
-            least = std::min(least, tilt);
-            most = std::max(most, tilt);
+            const double tilt = arc_path->at(arc_path->length_rad() * k / 2000).angles.tilt;
+            min = std::min(min, tilt);
+            max = std::max(max, tilt);
         }
-        EXPECT_LE(range.min, least + 1e-12);
-        EXPECT_GE(range.max, most - 1e-12);
-        EXPECT_NEAR(range.min, least, 1e-4);
-        EXPECT_NEAR(range.max, most, 1e-4);
+        EXPECT_LE(range.min, min + 1e-12);
+        EXPECT_GE(range.max, max - 1e-12);
+        EXPECT_NEAR(range.min, min, 1e-4);
+        EXPECT_NEAR(range.max, max, 1e-4);
     }
 }
 
 TEST_F(OrientationArcs, ThroughThePoleTheTiltChangesItsSign) {
     const HeadAngles start{0.3, -0.5};
     const HeadAngles end{0.3, 0.8};
-    const auto way = arc(start, end);
-    ASSERT_TRUE(way);
-    expect_on_circle(*way, start, end);
-    EXPECT_NEAR(way->at(0.5).angles.tilt, 0, 1e-15);
-    EXPECT_EQ(way->at(0.7).angles.turn, 0.3);
-    EXPECT_EQ(way->bounds().first.turn, 0);
-    EXPECT_EQ(way->bounds().first.tilt, 1);
+    const auto arc_path = arc(start, end);
+    ASSERT_TRUE(arc_path);
+    expect_on_circle(*arc_path, start, end);
+    EXPECT_NEAR(arc_path->at(0.5).angles.tilt, 0, 1e-15);
+    EXPECT_EQ(arc_path->at(0.7).angles.turn, 0.3);
+    EXPECT_EQ(arc_path->bounds().first.turn, 0);
+    EXPECT_EQ(arc_path->bounds().first.tilt, 1);
 }
 
 TEST_F(OrientationArcs, PartsLieOnTheWhole) {
-    const auto way = arc({-1.2, 0.9}, {1, 0.2});
-    ASSERT_TRUE(way);
-    const double from = way->length_rad() * 0.3;
-    const OrientationArc part = way->part(from, way->length_rad() * 0.8).part(0.01, 0.2);
+    const auto arc_path = arc({-1.2, 0.9}, {1, 0.2});
+    ASSERT_TRUE(arc_path);
+    const double from = arc_path->length_rad() * 0.3;
+    const OrientationArc part = arc_path->part(from, arc_path->length_rad() * 0.8).part(0.01, 0.2);
     EXPECT_NEAR(part.length_rad(), 0.19, 1e-15);
     for (const double at : {0.0, 0.1, 0.19}) {
-        EXPECT_NEAR(part.at(at).angles.turn, way->at(from + 0.01 + at).angles.turn, 1e-15);
-        EXPECT_NEAR(part.at(at).angles.tilt, way->at(from + 0.01 + at).angles.tilt, 1e-15);
+        EXPECT_NEAR(part.at(at).angles.turn, arc_path->at(from + 0.01 + at).angles.turn, 1e-15);
+        EXPECT_NEAR(part.at(at).angles.tilt, arc_path->at(from + 0.01 + at).angles.tilt, 1e-15);
     }
-    EXPECT_LE(part.bounds().first.turn, way->bounds().first.turn);
+    EXPECT_LE(part.bounds().first.turn, arc_path->bounds().first.turn);
 }
 
 TEST_F(OrientationArcs, WhatHasNoWaySaysWhy) {
-    const auto why = [&](HeadAngles start, HeadAngles end) {
-        const auto way = arc(start, end);
-        EXPECT_FALSE(way);
-        return way ? OrientationFault{} : way.error();
+    const auto reason = [&](HeadAngles start, HeadAngles end) {
+        const auto arc_path = arc(start, end);
+        EXPECT_FALSE(arc_path);
+        return arc_path ? OrientationError{} : arc_path.error();
     };
-    EXPECT_EQ(why({0, kPi / 2}, {kPi, kPi / 2}), OrientationFault::opposite);
-    EXPECT_EQ(why({0, kPi / 2}, {0, -kPi / 2}), OrientationFault::opposite);
-    EXPECT_EQ(why({0, 0.5}, {2 * kPi, 0.5}), OrientationFault::same) << "a whole turn";
-    EXPECT_EQ(why({0, 0.5}, {kPi, -0.5}), OrientationFault::same) << "the other branch";
-    EXPECT_EQ(why({0, 0}, {1, 0.5}), OrientationFault::at_pole);
-    EXPECT_EQ(why({0, 0.5}, {1, 0}), OrientationFault::at_pole);
-    EXPECT_EQ(why({0, 0.5}, {kPi, 0.4}), OrientationFault::other_end) << "through the pole";
-    EXPECT_EQ(why({0, 0.5}, {0.2, -0.4}), OrientationFault::other_end) << "the other branch";
-    EXPECT_EQ(why({0, 0.5}, {1 + 2 * kPi, 0.4}), OrientationFault::other_end) << "a whole turn more";
+    EXPECT_EQ(reason({0, kPi / 2}, {kPi, kPi / 2}), OrientationError::opposite);
+    EXPECT_EQ(reason({0, kPi / 2}, {0, -kPi / 2}), OrientationError::opposite);
+    EXPECT_EQ(reason({0, 0.5}, {2 * kPi, 0.5}), OrientationError::same) << "a whole turn";
+    EXPECT_EQ(reason({0, 0.5}, {kPi, -0.5}), OrientationError::same) << "the other branch";
+    EXPECT_EQ(reason({0, 0}, {1, 0.5}), OrientationError::at_pole);
+    EXPECT_EQ(reason({0, 0.5}, {1, 0}), OrientationError::at_pole);
+    EXPECT_EQ(reason({0, 0.5}, {kPi, 0.4}), OrientationError::different_solution) << "through the pole";
+    EXPECT_EQ(reason({0, 0.5}, {0.2, -0.4}), OrientationError::different_solution) << "the other branch";
+    EXPECT_EQ(reason({0, 0.5}, {1 + 2 * kPi, 0.4}), OrientationError::different_solution)
+        << "a whole turn more";
     EXPECT_TRUE(arc({0, 0}, {0, 0.5})) << "from the pole along a meridian";
 }
 

@@ -34,10 +34,10 @@ void expect_great_circle(const PlannerSetup& setup, const Segment& segment) {
     const Vector3d ahead = normal.cross(from).normalized();
     for (int i = 0; i <= 100; ++i) {
         const double t_s = segment.duration_s * i / 100;
-        const double turned = angle * (segment.lead.at(t_s).s / segment.lead.length());
-        const Vector3d wanted = std::cos(turned) * from + std::sin(turned) * ahead;
-        ASSERT_LT((direction(setup, segment.position_at(t_s)) - wanted).norm(), 1e-9);
-        ASSERT_LT((direction(setup, segment.at(t_s).position) - wanted).norm(), 1e-9);
+        const double turned = angle * (segment.master.at(t_s).s / segment.master.length());
+        const Vector3d expected_value = std::cos(turned) * from + std::sin(turned) * ahead;
+        ASSERT_LT((direction(setup, segment.position_at(t_s)) - expected_value).norm(), 1e-9);
+        ASSERT_LT((direction(setup, segment.at(t_s).position) - expected_value).norm(), 1e-9);
     }
 }
 
@@ -46,8 +46,8 @@ void expect_ramp_limits(const PlannerSetup& setup, const Segment& segment) {
     expect_joint_limits(segment, setup, 300);
     if (!setup.controller.limit_jerk) return;
     double start_s = 0;
-    for (const LawPiece& piece : segment.lead.pieces()) {
-        const double dt = piece.duration_s / 50;
+    for (const LawSection& section : segment.master.sections()) {
+        const double dt = section.duration_s / 50;
         for (int i = 0; i < 49; ++i) {
             const double t_s = start_s + dt * (i + 0.5);
             const rrs::JointPos change = segment.at(t_s + dt).acceleration - segment.at(t_s).acceleration;
@@ -56,7 +56,7 @@ void expect_ramp_limits(const PlannerSetup& setup, const Segment& segment) {
                           setup.joints[static_cast<std::size_t>(joint)].max_jerk * dt * (1 + 1e-6) + 1e-9);
             }
         }
-        start_s += piece.duration_s;
+        start_s += section.duration_s;
     }
 }
 
@@ -275,15 +275,15 @@ TEST(Orientation, AStoppedMotionStaysOnTheGreatCircleAndGoesOn) {
     const PlannerSetup setup = great_circle_setup(PlannerKind::look_ahead);
     const rrs::JointPos start = joint_pos({500, 500, 300, -1, 0.6});
     const rrs::JointPos end = joint_pos({900, 500, 200, 1, 0.9});
-    ReadyPlanner whole(setup, start);
+    ReadyPlanner full(setup, start);
     ReadyPlanner stopped(setup, start);
-    for (ReadyPlanner* ready : {&whole, &stopped}) {
+    for (ReadyPlanner* ready : {&full, &stopped}) {
         ready->planner.SelectMotionType(MotionType::linear);
         ready->planner.SetCartesianPositionSpeed(200);
         ASSERT_EQ(ready->to(end), Status::RRS_SUCCESS);
     }
-    const Segment way = whole.last();
-    stopped.planner.SetInterpolationTime(way.duration_s / 3);
+    const Segment path = full.last();
+    stopped.planner.SetInterpolationTime(path.duration_s / 3);
     rrs::JointPos joints;
     rrs::CartPos pose;
     double elapsed_s = 0;
@@ -293,35 +293,35 @@ TEST(Orientation, AStoppedMotionStaysOnTheGreatCircleAndGoesOn) {
     stopped.planner.flush();
     ASSERT_GE(stopped.collector.segments.size(), 3u);
     expect_joined(stopped.collector.segments);
-    const OrientationArc& circle = *way.orientation;
+    const OrientationArc& circle = *path.orientation;
     for (const Segment& segment : stopped.collector.segments) {
         expect_great_circle(setup, segment);
         expect_joint_limits(segment, setup);
         for (int i = 0; i <= 20; ++i) {
             const rrs::JointPos at = segment.position_at(segment.duration_s * i / 20);
             const double share = (at[0] - start[0]) / (end[0] - start[0]);
-            const HeadAngles wanted = circle.at(share * circle.length_rad()).angles;
-            ASSERT_NEAR(at[3], wanted.turn, 1e-9);
-            ASSERT_NEAR(at[4], wanted.tilt, 1e-9);
+            const HeadAngles expected_value = circle.at(share * circle.length_rad()).angles;
+            ASSERT_NEAR(at[3], expected_value.turn, 1e-9);
+            ASSERT_NEAR(at[4], expected_value.tilt, 1e-9);
         }
     }
     EXPECT_EQ(stopped.collector.segments.back().end, end);
 }
 
 TEST(Orientation, ModesAreSelectedWhereTheMachineAndItsControllerHaveThem) {
-    const auto answer = [](const PlannerSetup& setup) {
+    const auto expected_status = [](const PlannerSetup& setup) {
         DefaultPlanner planner(setup);
         planner.Initialize();
         return planner.SelectOrientationInterpolationMode(1);
     };
     PlannerSetup setup = gantry_setup();
-    EXPECT_EQ(answer(setup), Status::RRS_SUCCESS);
+    EXPECT_EQ(expected_status(setup), Status::RRS_SUCCESS);
     setup.controller.planner = PlannerKind::look_ahead;
-    EXPECT_EQ(answer(setup), Status::RRS_SUCCESS);
+    EXPECT_EQ(expected_status(setup), Status::RRS_SUCCESS);
     setup.controller.arc_chord_tolerance_mm = 0.002;
-    EXPECT_EQ(answer(setup), Status::RRS_MODE_NOT_SUPPORTED) << "lines alone";
+    EXPECT_EQ(expected_status(setup), Status::RRS_MODE_NOT_SUPPORTED) << "lines alone";
     std::mt19937 random(1);
-    EXPECT_EQ(answer(odd_setup(random)), Status::RRS_MODE_NOT_SUPPORTED) << "no head";
+    EXPECT_EQ(expected_status(odd_setup(random)), Status::RRS_MODE_NOT_SUPPORTED) << "no head";
     setup.controller.orientation = rrs::OrientationRule::great_circle;
     EXPECT_TRUE(setup.validate());
 }

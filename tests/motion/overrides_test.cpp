@@ -17,14 +17,14 @@
 namespace gsim::motion {
 namespace {
 
-constexpr double kAcceleration = 1000;  // mm/s2, of three_slides()
+constexpr double kAcceleration = 1000;  // mm/s2, of three_slide_machine()
 
-enum class Planner { rest, look_ahead, linuxcnc };
+enum class Planner { standstill, look_ahead, linuxcnc };
 
-PlannerSetup setup_of(Planner planner) {
-    PlannerSetup setup = three_slides();
+PlannerSetup make_setup(Planner planner) {
+    PlannerSetup setup = three_slide_machine();
     rrs::ControllerRules& rules = setup.controller;
-    if (planner == Planner::rest) return setup;
+    if (planner == Planner::standstill) return setup;
     rules.planner = planner == Planner::linuxcnc ? rrs::PlannerKind::linuxcnc : rrs::PlannerKind::look_ahead;
     rules.look_ahead_blocks = 15;
     rules.corner = rules.exact_path_corner = rrs::CornerRule::junction_deviation;
@@ -34,7 +34,7 @@ PlannerSetup setup_of(Planner planner) {
 
 class Segments final : public SegmentSink {
   public:
-    void take(const Segment& segment) override { all.push_back(segment); }
+    void on_segment(const Segment& segment) override { all.push_back(segment); }
     std::vector<Segment> all;
 };
 
@@ -67,7 +67,9 @@ class Operated {
                                             sweep_rad, rrs::CartPos::Identity(), joint_pos({x, y, 0})),
                   rrs::Status::RRS_SUCCESS);
     }
-    void set_obeyed(const ObeyedOverrides& obeyed) { planner_.set_obeyed(obeyed); }
+    void set_obeyed_overrides(const EnabledOverrides& enabled_overrides) {
+        planner_.set_obeyed_overrides(enabled_overrides);
+    }
     DefaultPlanner& planner() { return planner_; }
     /// Ends the program and returns its time.
     double end() {
@@ -103,7 +105,7 @@ double trapezoid_s(double length, double speed) {
 
 class OverridesOf : public testing::TestWithParam<Planner> {
   protected:
-    PlannerSetup setup() const { return setup_of(GetParam()); }
+    PlannerSetup setup() const { return make_setup(GetParam()); }
 };
 
 TEST_P(OverridesOf, AFeedTakesTheTimeOfTheTurnedSpeed) {
@@ -129,9 +131,9 @@ TEST_P(OverridesOf, ARapidTakesItsShareOfTheSpeedAndTheWholeAcceleration) {
 
 TEST_P(OverridesOf, AMoveThatIsLockedIsDeaf) {
     Operated run(setup(), constant({.feed = 0.5, .rapid = 0.5, .spindle = 0.5}));
-    run.set_obeyed({.feed = false, .rapid = false});
+    run.set_obeyed_overrides({.feed = false, .rapid = false});
     run.feed(100, 0, 10);
-    run.planner().come_to_rest();
+    run.planner().plan_to_standstill();
     const double feed_s = run.planner().time_s();
     EXPECT_NEAR(feed_s, trapezoid_s(100, 10), 1e-9);
     run.rapid(0, 0);
@@ -140,14 +142,14 @@ TEST_P(OverridesOf, AMoveThatIsLockedIsDeaf) {
 
 TEST_P(OverridesOf, TheLockOfAMoveIsThatOfItsTarget) {
     Operated run(setup(), constant({.feed = 0.5}));
-    run.set_obeyed({.feed = false});
+    run.set_obeyed_overrides({.feed = false});
     run.feed(100, 0, 10);
-    run.set_obeyed({});
+    run.set_obeyed_overrides({});
     run.feed(100, 50, 10);
     double locked_s = 0;
     run.end();
     for (const Segment& segment : run.segments()) {
-        const double peak = segment.lead.peak_speed();
+        const double peak = segment.master.peak_speed();
         EXPECT_NEAR(peak, segment.target_id == 1 ? 10 : 5, 1e-9);
         if (segment.target_id == 1) locked_s += segment.duration_s;
     }
@@ -156,7 +158,7 @@ TEST_P(OverridesOf, TheLockOfAMoveIsThatOfItsTarget) {
 
 TEST_P(OverridesOf, WhatFollowsTheSpindleHasTheProductOfBoth) {
     Operated run(setup(), constant({.feed = 0.5, .spindle = 1.5}));
-    run.set_obeyed({.spindle = true});
+    run.set_obeyed_overrides({.spindle = true});
     run.feed(100, 0, 10);
     EXPECT_NEAR(run.end(), trapezoid_s(100, 7.5), 1e-9);
 }
@@ -171,8 +173,8 @@ TEST_P(OverridesOf, AChangeActsOnTheMoveUnderWay) {
 
     Operated faster(setup(), {{1, {.feed = 2}}});
     faster.feed(100, 0, 50);
-    const double way_mm = 100 - (50 - 1.25) - 3.75 - 5;
-    EXPECT_NEAR(faster.end(), 1 + 0.05 + way_mm / 100 + 0.1, 1.001e-3);
+    const double distance_mm = 100 - (50 - 1.25) - 3.75 - 5;
+    EXPECT_NEAR(faster.end(), 1 + 0.05 + distance_mm / 100 + 0.1, 1.001e-3);
 }
 
 TEST_P(OverridesOf, AHoldBrakesAndWaits) {
@@ -180,10 +182,10 @@ TEST_P(OverridesOf, AHoldBrakesAndWaits) {
     run.feed(100, 0, 50);
     const double rest_mm = 100 - (50 - 1.25) - 1.25;
     EXPECT_NEAR(run.end(), 3 + trapezoid_s(rest_mm, 50), 1.001e-3);
-    const auto standing = [](const Segment& segment) {
+    const auto is_at_standstill = [](const Segment& segment) {
         return (segment.position_at(0.5 * segment.duration_s) - segment.start).norm() < 1e-12;
     };
-    EXPECT_FALSE(std::all_of(run.segments().begin(), run.segments().end(), standing));
+    EXPECT_FALSE(std::all_of(run.segments().begin(), run.segments().end(), is_at_standstill));
     EXPECT_NEAR(run.length_mm(), 100, 1e-9);
 }
 
@@ -218,12 +220,12 @@ TEST_P(OverridesOf, AnArcIsCutOnItsCircle) {
 /// Lines and rapids at random: the same for each seed.
 void random_program(unsigned seed, Operated& run) {
     std::mt19937 random(seed);
-    std::uniform_real_distribution<double> way(-30, 30), speed(5, 90), kind(0, 1);
+    std::uniform_real_distribution<double> coordinate(-30, 30), speed(5, 90), kind(0, 1);
     double x = 0, y = 0;
     for (int i = 0; i < 40; ++i) {
         const double size = kind(random) < 0.5 ? 0.05 : 1;
-        const double dx = way(random);
-        const double dy = way(random);
+        const double dx = coordinate(random);
+        const double dy = coordinate(random);
         x += size * dx;
         y += size * dy;
         const double f = speed(random);
@@ -235,7 +237,7 @@ void random_program(unsigned seed, Operated& run) {
     }
 }
 
-std::vector<OverrideChange> random_changes(unsigned seed, bool holds) {
+std::vector<OverrideChange> random_changes(unsigned seed, bool with_hold) {
     std::mt19937 random(seed + 1000);
     std::uniform_real_distribution<double> share(0.1, 2), after(0.001, 0.8), kind(0, 1);
     std::vector<OverrideChange> changes;
@@ -244,7 +246,7 @@ std::vector<OverrideChange> random_changes(unsigned seed, bool holds) {
         at_s += after(random);
         const double feed = share(random);
         const double rapid = share(random);
-        const bool hold = holds && kind(random) < 0.2;
+        const bool hold = with_hold && kind(random) < 0.2;
         changes.push_back({at_s, {hold ? 0 : feed, hold ? 0 : std::min(rapid, 1.0)}});
     }
     changes.push_back({at_s + 1, {}});
@@ -268,12 +270,13 @@ TEST_P(OverridesOf, NoChangeLeadsOffTheWayOrBeyondTheLimits) {
             ASSERT_NEAR((segment.start - at).norm(), 0, 1e-6) << seed;
             end_s = segment.end_s();
             at = segment.end_position();
-            if (segment.kind == SegmentKind::rest || segment.beside) continue;
-            ASSERT_LE(segment.lead.peak_acceleration(), segment.lead_limits.acceleration * (1 + 1e-6) + 1e-6)
+            if (segment.kind == SegmentKind::rest || segment.superimposed) continue;
+            ASSERT_LE(segment.master.peak_acceleration(),
+                      segment.master_limits.acceleration * (1 + 1e-6) + 1e-6)
                 << seed;
             // Along the path the speed does not jump, whatever the corners do to the directions.
-            ASSERT_NEAR(segment.lead.start_speed(), speed, 1e-3) << seed;
-            speed = segment.lead.end_speed();
+            ASSERT_NEAR(segment.master.start_speed(), speed, 1e-3) << seed;
+            speed = segment.master.end_speed();
         }
         EXPECT_NEAR((at - plain.segments().back().end_position()).norm(), 0, 1e-6) << seed;
     }
@@ -303,7 +306,7 @@ TEST_P(OverridesOf, AllAtOneHundredPercentChangeNothing) {
 
 std::string planner_name(const testing::TestParamInfo<Planner>& tested) {
     switch (tested.param) {
-        case Planner::rest: return "rest";
+        case Planner::standstill: return "rest";
         case Planner::look_ahead: return "look_ahead";
         case Planner::linuxcnc: break;
     }
@@ -311,13 +314,13 @@ std::string planner_name(const testing::TestParamInfo<Planner>& tested) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, OverridesOf,
-                         testing::Values(Planner::rest, Planner::look_ahead, Planner::linuxcnc),
+                         testing::Values(Planner::standstill, Planner::look_ahead, Planner::linuxcnc),
                          planner_name);
 
 // Corners that are rounded keep all limits of the joints, whatever the operator does before them.
 TEST(Overrides, RoundedCornersKeepTheLimits) {
     for (unsigned seed = 0; seed < 40; ++seed) {
-        PlannerSetup setup = setup_of(Planner::look_ahead);
+        PlannerSetup setup = make_setup(Planner::look_ahead);
         setup.controller.corner = setup.controller.exact_path_corner = rrs::CornerRule::parabolic_blend;
         setup.controller.stop_between_rapid_and_feed = true;
         Operated run(setup, random_changes(seed, seed % 2 == 1));
@@ -327,7 +330,7 @@ TEST(Overrides, RoundedCornersKeepTheLimits) {
         for (const Segment& segment : run.segments()) {
             ASSERT_NEAR((segment.position_at(0) - at).norm(), 0, 1e-6) << seed;
             at = segment.end_position();
-            const double rounding = 1e-6 + 1e-9 / segment.lead.length();  // of the ends of a short path
+            const double rounding = 1e-6 + 1e-9 / segment.master.length();  // of the ends of a short path
             for (int i = 0; i <= 20; ++i) {
                 const JointState state = segment.at(segment.duration_s * i / 20);
                 for (int joint = 0; joint < 3; ++joint) {
@@ -341,8 +344,8 @@ TEST(Overrides, RoundedCornersKeepTheLimits) {
 
 // The operator changes the overrides of an S-curve at points without acceleration.
 TEST(Overrides, AnSCurveIsTurnedWithoutAJumpOfTheAcceleration) {
-    for (const Planner planner : {Planner::rest, Planner::look_ahead}) {
-        PlannerSetup setup = setup_of(planner);
+    for (const Planner planner : {Planner::standstill, Planner::look_ahead}) {
+        PlannerSetup setup = make_setup(planner);
         setup.controller.limit_jerk = true;
         for (JointSetup& joint : setup.joints) joint.max_jerk = 20'000;
         Operated run(setup,
@@ -352,9 +355,9 @@ TEST(Overrides, AnSCurveIsTurnedWithoutAJumpOfTheAcceleration) {
         double acceleration = 0;
         for (const Segment& segment : run.segments()) {
             if (segment.kind == SegmentKind::rest) continue;
-            EXPECT_NEAR(segment.lead.at(0).a, acceleration, 1e-6);
-            acceleration = segment.lead.at(segment.duration_s).a;
-            expect_law_limits(segment.lead, segment.lead_limits);
+            EXPECT_NEAR(segment.master.at(0).a, acceleration, 1e-6);
+            acceleration = segment.master.at(segment.duration_s).a;
+            expect_law_limits(segment.master, segment.master_limits);
         }
         EXPECT_NEAR(run.length_mm(), 100, 1e-9);
         EXPECT_GE(run.segments().size(), 4U);
@@ -362,7 +365,7 @@ TEST(Overrides, AnSCurveIsTurnedWithoutAJumpOfTheAcceleration) {
 }
 
 TEST(Overrides, JointMotionAndAProgrammedTimeObeyFromTheirBeginning) {
-    Operated run(setup_of(Planner::rest), constant({.feed = 0.5}));
+    Operated run(make_setup(Planner::standstill), constant({.feed = 0.5}));
     run.planner().SelectMotionType(rrs::MotionType::joint);
     run.planner().SetNextTarget(1, rrs::TargetParam::end, rrs::CartPos::Identity(), joint_pos({100, 0, 0}),
                                 {}, 0);
@@ -379,7 +382,7 @@ TEST(Overrides, JointMotionAndAProgrammedTimeObeyFromTheirBeginning) {
 }
 
 TEST(Overrides, ThoseOfTheServicesAndTheOperatorMultiply) {
-    Operated run(setup_of(Planner::rest), constant({.feed = 0.5}));
+    Operated run(make_setup(Planner::standstill), constant({.feed = 0.5}));
     run.planner().SetOverrideSpeed(50);
     run.feed(100, 0, 40);
     EXPECT_NEAR(run.end(), trapezoid_s(100, 10), 1e-9);

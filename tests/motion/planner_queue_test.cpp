@@ -23,15 +23,15 @@ std::vector<rrs::TargetId> ids(const std::vector<Segment>& segments) {
 void put_program(rrs::Shell& planner) {
     planner.SelectMotionType(rrs::MotionType::linear);
     planner.SetCartesianPositionSpeed(80);
-    put(planner, joint_pos({600, 500, 300, 0.4, 0}), 1);
-    put(planner, joint_pos({600, 500, 300, 0.4, 0}), 2);
+    enqueue(planner, joint_pos({600, 500, 300, 0.4, 0}), 1);
+    enqueue(planner, joint_pos({600, 500, 300, 0.4, 0}), 2);
     planner.SetNextArcTarget(3, {600, 550, 0}, Eigen::Vector3d::UnitZ(), 3 * kPi, CartPos::Identity(),
                              joint_pos({600, 600, 300, 0.4, 0.2}));
     planner.SetNextRest(4, 0.1234);
     planner.SelectMotionType(rrs::MotionType::joint);
-    put(planner, joint_pos({500, 400, 100, 0, 0}), 5);
+    enqueue(planner, joint_pos({500, 400, 100, 0, 0}), 5);
     planner.SetRestParameter(0.05);
-    put(planner, joint_pos({500, 400, 200, 0, 0}), 6);
+    enqueue(planner, joint_pos({500, 400, 200, 0, 0}), 6);
     planner.SetNextRest(7, 0);
 }
 
@@ -86,30 +86,31 @@ TEST_P(QueueServices, StepsAreSamplesOfTheSegments) {
     rrs::JointPos joints;
     CartPos pose;
     double elapsed = 0, clock = 0;
-    std::size_t left = 0;
+    std::size_t remaining = 0;
     for (;;) {
         const Status status = stepped->GetNextStep(joints, pose, elapsed);
         if (status == Status::RRS_NEED_MORE_DATA) break;
         clock += elapsed;
         ASSERT_LE(elapsed, 0.0137 + 1e-12);
-        std::size_t passed = left;
+        std::size_t passed = remaining;
         while (passed < segments.size() && segments[passed].end_s() <= clock + 1e-9) ++passed;
-        ASSERT_EQ(status == Status::RRS_TARGET_REACHED, passed > left) << "at " << clock;
-        left = passed;
-        const bool at_end = left == segments.size();
+        ASSERT_EQ(status == Status::RRS_TARGET_REACHED, passed > remaining) << "at " << clock;
+        remaining = passed;
+        const bool at_end = remaining == segments.size();
         const rrs::JointPos expected =
-            at_end ? segments.back().end : segments[left].position_at(clock - segments[left].start_s);
+            at_end ? segments.back().end
+                   : segments[remaining].position_at(clock - segments[remaining].start_s);
         ASSERT_LT((joints - expected).norm(), 1e-9) << "at " << clock;
         ASSERT_LT((pose.translation() - joints.head<3>()).norm(), 1e-9);
         rrs::TargetId id = 0;
         ASSERT_EQ(stepped->GetTargetOfLastStep(id), Status::RRS_SUCCESS);
-        const bool in_next = !at_end && clock > segments[left].start_s + 1e-9;
-        ASSERT_EQ(id, segments[in_next ? left : left - 1].target_id) << "at " << clock;
+        const bool in_next = !at_end && clock > segments[remaining].start_s + 1e-9;
+        ASSERT_EQ(id, segments[in_next ? remaining : remaining - 1].target_id) << "at " << clock;
     }
     EXPECT_EQ(elapsed, 0);
     EXPECT_EQ(joints, segments.back().end);
     EXPECT_NEAR(clock, flushed.planner.time_s(), 1e-9);
-    EXPECT_EQ(left, segments.size());
+    EXPECT_EQ(remaining, segments.size());
 }
 
 rrs::TargetId current_target(rrs::Shell& planner) {
@@ -131,15 +132,15 @@ TEST_P(QueueServices, CurrentTargetIsTheOneAhead) {
     rrs::JointPos joints;
     CartPos pose;
     double elapsed = 0, clock = 0;
-    std::size_t left = 0, told = 0;
+    std::size_t remaining = 0, reported = 0;
     while (stepped->GetNextStep(joints, pose, elapsed) != Status::RRS_NEED_MORE_DATA) {
         clock += elapsed;
-        while (left < segments.size() && segments[left].end_s() <= clock + 1e-9) ++left;
-        const rrs::TargetId ahead = left == segments.size() ? -1 : segments[left].target_id;
+        while (remaining < segments.size() && segments[remaining].end_s() <= clock + 1e-9) ++remaining;
+        const rrs::TargetId ahead = remaining == segments.size() ? -1 : segments[remaining].target_id;
         ASSERT_EQ(current_target(*stepped), ahead) << "at " << clock;
-        ++told;
+        ++reported;
     }
-    EXPECT_GT(told, 100U);
+    EXPECT_GT(reported, 100U);
     EXPECT_EQ(current_target(*stepped), -1) << "all targets are reached";
     rrs::TargetId last = 0;
     stepped->GetTargetOfLastStep(last);
@@ -165,8 +166,8 @@ TEST_P(QueueServices, CurrentTargetOfAStoppedMotionIsItsOwnUntilItIsCancelled) {
     const auto planner = ready(gantry_setup());
     planner->SelectMotionType(rrs::MotionType::linear);
     planner->SetCartesianPositionSpeed(80);
-    put(*planner, joint_pos({600, 500, 300, 0, 0}), 4);
-    put(*planner, joint_pos({700, 500, 300, 0, 0}), 5);
+    enqueue(*planner, joint_pos({600, 500, 300, 0, 0}), 4);
+    enqueue(*planner, joint_pos({700, 500, 300, 0, 0}), 5);
     planner->SetInterpolationTime(0.5);
     rrs::JointPos joints;
     CartPos pose;
@@ -186,8 +187,8 @@ TEST_P(QueueServices, CurrentTargetIsKnownBeforeItsMotionIsPlanned) {
     const auto planner = ready(setup);
     planner->SelectMotionType(rrs::MotionType::linear);
     planner->SetCartesianPositionSpeed(80);
-    put(*planner, joint_pos({600, 500, 300, 0, 0}), 8);
-    put(*planner, joint_pos({700, 500, 300, 0, 0}), 9);
+    enqueue(*planner, joint_pos({600, 500, 300, 0, 0}), 8);
+    enqueue(*planner, joint_pos({700, 500, 300, 0, 0}), 9);
     EXPECT_EQ(current_target(*planner), 8);
     step_to_end(*planner, 0.01);
     EXPECT_EQ(current_target(*planner), -1);
@@ -200,15 +201,15 @@ TEST(PlannerQueue, SegmentsLeaveAsStepsPassThem) {
     rrs::JointPos joints;
     CartPos pose;
     double elapsed = 0, clock = 0;
-    std::size_t left = 0;
+    std::size_t remaining = 0;
     for (;;) {
         const Status status = at.planner.GetNextStep(joints, pose, elapsed);
         if (status == Status::RRS_NEED_MORE_DATA) break;
         clock += elapsed;
         ASSERT_NEAR(clock, at.planner.step_time_s(), 1e-9);
         const std::size_t passed = at.collector.segments.size();
-        ASSERT_EQ(status == Status::RRS_TARGET_REACHED, passed > left);
-        left = passed;
+        ASSERT_EQ(status == Status::RRS_TARGET_REACHED, passed > remaining);
+        remaining = passed;
     }
     EXPECT_EQ(at.planner.step_time_s(), at.planner.time_s());
     EXPECT_EQ(ids(at.collector.segments), (std::vector<rrs::TargetId>{1, 2, 3, 4, 5, 6, 6, 7}));
@@ -248,7 +249,7 @@ TEST_P(QueueServices, WithoutASinkAFullQueueAsksForSteps) {
     const auto planner = ready(setup);
     EXPECT_EQ(planner->SetNextRest(1, 1), Status::RRS_SUCCESS);
     planner->SetRestParameter(1);
-    EXPECT_EQ(put(*planner, kStart, 2), Status::RRS_QUEUE_FULL);
+    EXPECT_EQ(enqueue(*planner, kStart, 2), Status::RRS_QUEUE_FULL);
     planner->SetRestParameter(0);
     EXPECT_EQ(planner->SetNextRest(2, 1), Status::RRS_SUCCESS);
     EXPECT_EQ(planner->SetNextRest(3, 1), Status::RRS_QUEUE_FULL);
@@ -264,7 +265,7 @@ TEST_P(QueueServices, WithoutASinkAFullQueueAsksForSteps) {
 
 TEST_P(QueueServices, NewInitialPositionLeavesNothingQueued) {
     const auto planner = ready(gantry_setup());
-    put(*planner, joint_pos({600, 500, 300, 0, 0}));
+    enqueue(*planner, joint_pos({600, 500, 300, 0, 0}));
     const rrs::JointPos corner = joint_pos({0, 0, 0, 0, 0});
     EXPECT_EQ(planner->SetInitialPosition(CartPos::Identity(), corner, ""), Status::RRS_SUCCESS);
     const Stepped stepped = step_to_end(*planner, 0.01);
@@ -287,7 +288,7 @@ TEST(PlannerQueue, NewInitialPositionFinishesWhatIsQueued) {
 TEST(PlannerQueue, SegmentLeavesOnceEvenIfTheSinkThrows) {
     class Thrower : public SegmentSink {
       public:
-        void take(const Segment&) override {
+        void on_segment(const Segment&) override {
             ++taken;
             throw std::runtime_error("enough");
         }

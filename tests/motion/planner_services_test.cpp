@@ -21,7 +21,7 @@ class PlannerServices : public AnyPlanner {
         planner.Initialize();
         planner.SetInitialPosition(CartPos::Identity(), kStart, "");
     }
-    Status to(const rrs::JointPos& joints) { return put(planner, joints); }
+    Status to(const rrs::JointPos& joints) { return enqueue(planner, joints); }
 
     std::unique_ptr<rrs::Shell> owner;
     rrs::Shell& planner;
@@ -31,13 +31,13 @@ INSTANTIATE_TEST_SUITE_P(Ways, PlannerServices, all_ways(), way_name);
 
 TEST_P(PlannerServices, WhatIsNotOfferedSaysSoByName) {
     CartPos pose = CartPos::Identity();
-    const std::vector<std::pair<const char*, Status>> answers{
+    const std::vector<std::pair<const char*, Status>> statuses{
         {"GetCellFrame", planner.GetCellFrame("BASE", pose)},
         {"ModifyCellFrame", planner.ModifyCellFrame("TOOL", pose)},
         {"SelectWorkFrames", planner.SelectWorkFrames("TOOL", "BASE")},
         {"SelectTrajectoryMode", planner.SelectTrajectoryMode(1)},
     };
-    for (const auto& [name, status] : answers) EXPECT_EQ(status, Status::RRS_SERVICE_NOT_SUPPORTED) << name;
+    for (const auto& [name, status] : statuses) EXPECT_EQ(status, Status::RRS_SERVICE_NOT_SUPPORTED) << name;
     EXPECT_THAT(message(planner), HasSubstr("does not offer the service SelectTrajectoryMode."));
 }
 
@@ -180,7 +180,7 @@ TEST_P(PlannerServices, MachineWithoutPositionJointsHasJointMotionAlone) {
     EXPECT_EQ(robot->SetNextArcTarget(1, {1, 1, 1}, Eigen::Vector3d::UnitZ(), 1, CartPos::Identity(), kStart),
               Status::RRS_MOTION_TYPE_NOT_SUPPORTED);
     const rrs::JointPos target = joint_pos({600, 500, 300, 0.1, 0});
-    EXPECT_EQ(put(*robot, target), Status::RRS_SUCCESS);
+    EXPECT_EQ(enqueue(*robot, target), Status::RRS_SUCCESS);
     EXPECT_EQ(step_to_end(*robot, 0.01).joints, target);
 }
 

@@ -36,7 +36,7 @@ inline std::unique_ptr<rrs::Shell> make_through_module(const PlannerSetup& setup
 }
 
 inline std::unique_ptr<rrs::Shell> make_through_process(const PlannerSetup& setup) {
-    auto module = rrs::begin_rcs_process(tests::program_path("gsim-rcs-host"), tests::default_module_path(),
+    auto module = rrs::start_rcs_process(tests::program_path("gsim-rcs-host"), tests::default_module_path(),
                                          rcs::RcsMachine(setup).get());
     if (!module) throw std::runtime_error(module.error());
     return std::make_unique<rrs::RcsShell>(*std::move(module), setup.joint_count());
@@ -62,7 +62,7 @@ inline std::string way_name(const testing::TestParamInfo<PlannerMaker>& info) {
 /// Result of stepping to the end of the queue.
 struct Stepped {
     double time_s = 0;
-    double way_mm = 0;  ///< Tool distance, from step to step.
+    double distance_mm = 0;  ///< Tool distance, from step to step.
     rrs::JointPos joints;
     rrs::CartPos pose = rrs::CartPos::Identity();
 };
@@ -78,7 +78,7 @@ inline Stepped step_to_end(rrs::Shell& planner, double step_s) {
         if (static_cast<int>(status) < 0) throw std::runtime_error(std::string(rrs::name(status)));
         if (status == rrs::Status::RRS_NEED_MORE_DATA) return stepped;
         stepped.time_s += elapsed_s;
-        if (!first) stepped.way_mm += (stepped.pose.translation() - before).norm();
+        if (!first) stepped.distance_mm += (stepped.pose.translation() - before).norm();
     }
 }
 
@@ -94,7 +94,7 @@ inline std::string message(rrs::Shell& planner) {
 }
 
 /// Queues the end of a motion in joint values.
-inline rrs::Status put(rrs::Shell& planner, const rrs::JointPos& joints, rrs::TargetId id = 1) {
+inline rrs::Status enqueue(rrs::Shell& planner, const rrs::JointPos& joints, rrs::TargetId id = 1) {
     return planner.SetNextTarget(id, rrs::TargetParam::end, rrs::CartPos::Identity(), joints, "", 0);
 }
 
@@ -114,7 +114,7 @@ class ReadyShell {
         planner.SetInitialPosition(rrs::CartPos::Identity(), start, "");
     }
 
-    rrs::Status to(const rrs::JointPos& joints) { return put(planner, joints, ++id); }
+    rrs::Status to(const rrs::JointPos& joints) { return enqueue(planner, joints, ++id); }
     rrs::Status arc_to(const rrs::JointPos& joints, const Eigen::Vector3d& center,
                        const Eigen::Vector3d& axis, double sweep_rad) {
         return planner.SetNextArcTarget(++id, center, axis, sweep_rad, rrs::CartPos::Identity(), joints);

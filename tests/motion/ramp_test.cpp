@@ -181,15 +181,15 @@ TEST(Ramp, ReachableSpeedIsTheLeastEndOfAllHigherStarts) {
     for (int i = 0; i < 1000; ++i) {
         const Case c = cases.next();
         const double exact = ramp_end_speed(c.length, c.from, c.acceleration, c.jerk);
-        double least = exact;
+        double min = exact;
         constexpr int kStarts = 300;
         for (int k = 1; k <= kStarts; ++k) {
             const double start = c.from + (exact - c.from) * k / kStarts;
-            least = std::min(least, ramp_end_speed(c.length, start, c.acceleration, c.jerk));
+            min = std::min(min, ramp_end_speed(c.length, start, c.acceleration, c.jerk));
         }
         const double reached = reachable_speed(c.length, c.from, c.acceleration, c.jerk);
-        ASSERT_LE(reached, least * (1 + 1e-13)) << what(c);
-        ASSERT_NEAR(reached, least, 1e-4 * least) << what(c);
+        ASSERT_LE(reached, min * (1 + 1e-13)) << what(c);
+        ASSERT_NEAR(reached, min, 1e-4 * min) << what(c);
         ASSERT_GE(reached, exact * (1 - 0.056)) << what(c);
         if (c.from >= c.acceleration * c.acceleration / (2 * c.jerk)) {
             ASSERT_EQ(reached, exact) << what(c);

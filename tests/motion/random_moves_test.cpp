@@ -57,82 +57,86 @@ class RandomMoves : public testing::Test {
 
 // Returns the time of linear motion by its rules, written down a second time. All joints are in proportion: a
 // trapezoid that keeps the limits of each in its share of the path.
-double proportional_time_s(const PlannerSetup& setup, const Programme& p, const rrs::JointPos& way) {
+double proportional_time_s(const PlannerSetup& setup, const Programme& p, const rrs::JointPos& displacement) {
     double norm[3] = {0, 0, 0};
-    for (int j = 0; j < way.size(); ++j) norm[static_cast<int>(setup.role(j))] += way[j] * way[j];
+    for (int j = 0; j < displacement.size(); ++j)
+        norm[static_cast<int>(setup.role(j))] += displacement[j] * displacement[j];
     for (double& n : norm) n = std::sqrt(n);
-    const int lead = norm[0] > 0 ? 0 : norm[1] > 0 ? 1 : 2;
-    if (norm[lead] == 0) return 0;
+    const int master = norm[0] > 0 ? 0 : norm[1] > 0 ? 1 : 2;
+    if (norm[master] == 0) return 0;
     double speed = kUnlimited, acceleration = kUnlimited;
-    if (lead != 2) {
+    if (master != 2) {
         speed = p.rapid ? setup.path.max_rapid_mm_s : std::min(p.speed, setup.path.max_feed_mm_s);
         if (!p.rapid) acceleration = std::min(p.acceleration, setup.path.max_acceleration_mm_s2);
     }
     if (norm[2] > 0 && !p.rapid) {
-        speed = std::min(speed, p.orientation_speed * norm[lead] / norm[2]);
-        acceleration = std::min(acceleration, p.orientation_acceleration * norm[lead] / norm[2]);
+        speed = std::min(speed, p.orientation_speed * norm[master] / norm[2]);
+        acceleration = std::min(acceleration, p.orientation_acceleration * norm[master] / norm[2]);
     }
-    for (int j = 0; j < way.size(); ++j) {
-        if (way[j] == 0) continue;
-        const double share = std::abs(way[j]) / norm[lead];
+    for (int j = 0; j < displacement.size(); ++j) {
+        if (displacement[j] == 0) continue;
+        const double share = std::abs(displacement[j]) / norm[master];
         const JointSetup& limits = setup.joints[static_cast<std::size_t>(j)];
         speed = std::min(speed, limits.max_speed / share);
         acceleration = std::min(acceleration, limits.max_acceleration / share);
     }
-    return trapezoid_s(norm[lead], speed, acceleration);
+    return trapezoid_s(norm[master], speed, acceleration);
 }
 
 void expect_in_proportion(const Segment& segment) {
-    const rrs::JointPos way = segment.end - segment.start;
-    const double longest = way.array().abs().maxCoeff();
+    const rrs::JointPos displacement = segment.end - segment.start;
+    const double max_length = displacement.array().abs().maxCoeff();
     Eigen::Index leading = 0;
-    way.array().abs().maxCoeff(&leading);
+    displacement.array().abs().maxCoeff(&leading);
     for (int i = 0; i <= 60; ++i) {
         const rrs::JointPos gone = segment.position_at(segment.duration_s * i / 60) - segment.start;
-        ASSERT_LT((gone - way * (gone[leading] / way[leading])).norm(), 1e-9 * (1 + longest));
+        ASSERT_LT((gone - displacement * (gone[leading] / displacement[leading])).norm(),
+                  1e-9 * (1 + max_length));
     }
 }
 
 // Returns the time with ramps of their own: lead trapezoid and one trapezoid for each follower.
-double line_time_s(const PlannerSetup& setup, const Programme& p, const rrs::JointPos& way) {
+double line_time_s(const PlannerSetup& setup, const Programme& p, const rrs::JointPos& displacement) {
     double norm[3] = {0, 0, 0};
-    for (int j = 0; j < way.size(); ++j) norm[static_cast<int>(setup.role(j))] += way[j] * way[j];
+    for (int j = 0; j < displacement.size(); ++j)
+        norm[static_cast<int>(setup.role(j))] += displacement[j] * displacement[j];
     for (double& n : norm) n = std::sqrt(n);
-    const int lead = norm[0] > 0 ? 0 : norm[1] > 0 ? 1 : 2;
+    const int master = norm[0] > 0 ? 0 : norm[1] > 0 ? 1 : 2;
     const double turn_speed = p.rapid ? kUnlimited : p.orientation_speed;
     const double turn_acceleration = p.rapid ? kUnlimited : p.orientation_acceleration;
-    double speed = lead == 2
+    double speed = master == 2
                        ? turn_speed
                        : (p.rapid ? setup.path.max_rapid_mm_s : std::min(p.speed, setup.path.max_feed_mm_s));
     double acceleration =
-        lead == 2 ? turn_acceleration
-                  : (p.rapid ? kUnlimited : std::min(p.acceleration, setup.path.max_acceleration_mm_s2));
+        master == 2 ? turn_acceleration
+                    : (p.rapid ? kUnlimited : std::min(p.acceleration, setup.path.max_acceleration_mm_s2));
     double turn_limit = turn_acceleration;
     double slowest_follower = 0;
-    for (int j = 0; j < way.size(); ++j) {
-        if (way[j] == 0) continue;
+    for (int j = 0; j < displacement.size(); ++j) {
+        if (displacement[j] == 0) continue;
         const JointSetup& limits = setup.joints[static_cast<std::size_t>(j)];
         const int role = static_cast<int>(setup.role(j));
-        const double share = std::abs(way[j]) / norm[role];
-        if (role == lead) {
+        const double share = std::abs(displacement[j]) / norm[role];
+        if (role == master) {
             speed = std::min(speed, limits.max_speed / share);
             acceleration = std::min(acceleration, limits.max_acceleration / share);
         } else {
-            const double own = role == 2 ? std::min(limits.max_acceleration, turn_acceleration * share)
-                                         : limits.max_acceleration;
-            slowest_follower =
-                std::max(slowest_follower, trapezoid_s(std::abs(way[j]), limits.max_speed, own));
+            const double joint_setup = role == 2
+                                           ? std::min(limits.max_acceleration, turn_acceleration * share)
+                                           : limits.max_acceleration;
+            slowest_follower = std::max(
+                slowest_follower, trapezoid_s(std::abs(displacement[j]), limits.max_speed, joint_setup));
         }
         if (role == 2) turn_limit = std::min(turn_limit, limits.max_acceleration / share);
     }
     // The programmed orientation speed is a rule of its own: the norm of the turn, with the acceleration that
     // joints leave.
     const double turn_s =
-        lead == 2 || norm[2] == 0 || (std::isinf(turn_speed) && std::isinf(turn_acceleration))
+        master == 2 || norm[2] == 0 || (std::isinf(turn_speed) && std::isinf(turn_acceleration))
             ? 0
             : trapezoid_s(norm[2], turn_speed, turn_limit);
     return std::max(
-        {norm[lead] > 0 ? trapezoid_s(norm[lead], speed, acceleration) : 0, slowest_follower, turn_s});
+        {norm[master] > 0 ? trapezoid_s(norm[master], speed, acceleration) : 0, slowest_follower, turn_s});
 }
 
 // The speed of orientation never passes the programmed one.
@@ -148,11 +152,12 @@ void expect_orientation_speed(const Segment& segment, const PlannerSetup& setup,
 }
 
 void expect_straight(const Segment& segment, const PlannerSetup& setup) {
-    const Vector3d start = position_of(setup, segment.start), end = position_of(setup, segment.end);
+    const Vector3d start = read_position(setup, segment.start), end = read_position(setup, segment.end);
     if ((end - start).norm() == 0) return;
     const Vector3d direction = (end - start).normalized();
     for (int i = 0; i <= 60; ++i) {
-        const Vector3d offset = position_of(setup, segment.position_at(segment.duration_s * i / 60)) - start;
+        const Vector3d offset =
+            read_position(setup, segment.position_at(segment.duration_s * i / 60)) - start;
         ASSERT_LT((offset - offset.dot(direction) * direction).norm(), kPath_mm);
     }
 }
@@ -161,18 +166,18 @@ TEST_F(RandomMoves, LinesKeepAllLimitsAndTakeTheTimeOfTheSlowestRule) {
     for (int i = 0; i < kMoves; ++i) {
         SCOPED_TRACE(testing::Message() << "move " << i);
         PlannerSetup setup = odd_setup(random);
-        setup.controller.own_ramps = coin();
-        const rrs::JointPos start = random_target(setup, 1), way = random_target(setup, 0.6);
+        setup.controller.independent_ramps = coin();
+        const rrs::JointPos start = random_target(setup, 1), displacement = random_target(setup, 0.6);
         ReadyPlanner at(setup, start);
         at.planner.SelectMotionType(rrs::MotionType::linear);
         const Programme p = programme(at.planner, true);
-        ASSERT_EQ(at.to(start + way), Status::RRS_SUCCESS) << at.message();
+        ASSERT_EQ(at.to(start + displacement), Status::RRS_SUCCESS) << at.message();
         const Segment& segment = at.last();
-        const auto rule = setup.controller.own_ramps ? line_time_s : proportional_time_s;
+        const auto rule = setup.controller.independent_ramps ? line_time_s : proportional_time_s;
         const double expected_s = rule(setup, p, segment.end - segment.start);
         ASSERT_NEAR(segment.duration_s, expected_s, 1e-9 * expected_s);
         if (expected_s == 0) continue;
-        if (!setup.controller.own_ramps) expect_in_proportion(segment);
+        if (!setup.controller.independent_ramps) expect_in_proportion(segment);
         expect_joint_limits(segment, setup);
         expect_straight(segment, setup);
         expect_smooth(segment);
@@ -189,9 +194,9 @@ TEST_F(RandomMoves, JointMovesKeepAllLimitsWithOneJointAtALimit) {
     for (int i = 0; i < kMoves; ++i) {
         SCOPED_TRACE(testing::Message() << "move " << i);
         const PlannerSetup setup = odd_setup(random);
-        const rrs::JointPos start = random_target(setup, 1), way = random_target(setup, 0.6);
+        const rrs::JointPos start = random_target(setup, 1), displacement = random_target(setup, 0.6);
         ReadyPlanner at(setup, start);
-        ASSERT_EQ(at.to(start + way), Status::RRS_SUCCESS) << at.message();
+        ASSERT_EQ(at.to(start + displacement), Status::RRS_SUCCESS) << at.message();
         const Segment& segment = at.last();
         double speed = kUnlimited, acceleration = kUnlimited;
         const rrs::JointPos moved = segment.end - segment.start;
@@ -214,7 +219,7 @@ TEST_F(RandomMoves, ArcsAndHelicesKeepTheirLimitsAndTheirCircle) {
         SCOPED_TRACE(testing::Message() << "move " << i);
         const PlannerSetup setup = odd_setup(random);
         const rrs::JointPos start = random_target(setup, 1);
-        const Vector3d from = position_of(setup, start);
+        const Vector3d from = read_position(setup, start);
         const Vector3d center = from + Vector3d(number(50), number(50), number(50));
         const Vector3d axis =
             coin() ? Vector3d::Unit(i % 3) : Vector3d(number(1), number(1), number(1)).normalized();
@@ -235,11 +240,11 @@ TEST_F(RandomMoves, ArcsAndHelicesKeepTheirLimitsAndTheirCircle) {
         expect_smooth(segment);
         for (int k = 0; k <= 60; ++k) {
             const double t = segment.duration_s * k / 60;
-            const double part = segment.lead.at(t).s / segment.lead.length();
+            const double part = segment.master.at(t).s / segment.master.length();
             const Vector3d expected =
                 center + Eigen::AngleAxisd(part * sweep, axis) * (from - center) + part * rise * axis;
-            ASSERT_LT((position_of(setup, segment.position_at(t)) - expected).norm(), kPath_mm);
-            const Vector3d velocity = position_of(setup, segment.at(t).velocity);
+            ASSERT_LT((read_position(setup, segment.position_at(t)) - expected).norm(), kPath_mm);
+            const Vector3d velocity = read_position(setup, segment.at(t).velocity);
             ASSERT_NEAR(velocity.norm(), segment.path_speed_mm_s(t), 1e-9 * (1 + velocity.norm()));
         }
         if (HasFatalFailure()) return;

@@ -55,14 +55,14 @@ TEST(RestRamps, TakeTheLeastTime) {
     std::mt19937 random(12);
     std::uniform_real_distribution<double> log_scale(-2, 2);
     for (int round = 0; round < 300; ++round) {
-        PlannerSetup setup = three_slides();
+        PlannerSetup setup = three_slide_machine();
         set_ramps(setup, random, true);
         const JointSetup& x = setup.joints[0];
         ReadyPlanner ready(setup, joint_pos({0, 0, 0}));
         const double length = 20 * std::exp(log_scale(random));
-        const LawCase whole{length, 0, 0, {x.max_speed, x.max_acceleration, x.deceleration(), x.max_jerk}};
-        const auto least_s = static_cast<double>(least_rest_to_rest_s(whole));
-        ASSERT_NEAR(time_to(ready, length), least_s, 1e-9 * least_s);
+        const LawCase full{length, 0, 0, {x.max_speed, x.max_acceleration, x.deceleration(), x.max_jerk}};
+        const auto min_s = static_cast<double>(least_rest_to_rest_s(full));
+        ASSERT_NEAR(time_to(ready, length), min_s, 1e-9 * min_s);
     }
 }
 
@@ -74,11 +74,11 @@ TEST(RestRamps, StretchedToATime) {
                                500 * std::exp(log_scale(random)),
                                round % 4 == 0 ? kUnlimited : 9000 * std::exp(log_scale(random))};
         const double length = 30 * std::exp(log_scale(random));
-        const double least_s = TimeLaw::between(length, 0, 0, limits).duration_s();
-        const double stretch = round % 5 == 0 ? 1 : 1 + std::exp(3 * log_scale(random) - 3);
-        const TimeLaw law = TimeLaw::in_time(length, least_s * stretch, limits);
-        EXPECT_EQ(law.duration_s(), least_s * stretch);
-        const LawPiece& last = law.pieces().back();
+        const double min_s = TimeLaw::between(length, 0, 0, limits).duration_s();
+        const double section = round % 5 == 0 ? 1 : 1 + std::exp(3 * log_scale(random) - 3);
+        const TimeLaw law = TimeLaw::in_time(length, min_s * section, limits);
+        EXPECT_EQ(law.duration_s(), min_s * section);
+        const LawSection& last = law.sections().back();
         const double t = last.duration_s;
         ASSERT_NEAR(last.s0 + t * (last.v0 + t * (last.a0 / 2 + t * last.jerk / 6)), length, 1e-9 * length);
         expect_law_limits(law, limits);
@@ -86,17 +86,17 @@ TEST(RestRamps, StretchedToATime) {
 }
 
 TEST(RestRamps, InfiniteOnesJump) {
-    ReadyPlanner ready(three_slides(), joint_pos({0, 0, 0}));
+    ReadyPlanner ready(three_slide_machine(), joint_pos({0, 0, 0}));
     ready.planner.SetRampMode(RampMode::infinite);
     EXPECT_NEAR(time_to(ready, 50), 0.5, 1e-12);
-    EXPECT_TRUE(ready.last().lead.jumps());
+    EXPECT_TRUE(ready.last().master.jumps());
 }
 
 class RampServices : public AnyPlanner {};
 INSTANTIATE_TEST_SUITE_P(Ways, RampServices, all_ways(), way_name);
 
 TEST_P(RampServices, ProgrammedJerksAreOfJointMotionAlone) {
-    ReadyShell ready(make(three_slides()), joint_pos({0, 0, 0}));
+    ReadyShell ready(make(three_slide_machine()), joint_pos({0, 0, 0}));
     const double straight_s = ready.time_to(joint_pos({50, 0, 0}));
     const double jerk = 5000;
     ASSERT_EQ(ready.planner.SetJointJerks({}, std::vector<double>(3, jerk)), Status::RRS_SUCCESS);
@@ -114,7 +114,7 @@ TEST_P(RampServices, ProgrammedJerksAreOfJointMotionAlone) {
 }
 
 TEST_P(RampServices, ModesOfTheProgram) {
-    PlannerSetup setup = three_slides();
+    PlannerSetup setup = three_slide_machine();
     for (JointSetup& joint : setup.joints) joint.max_jerk = 20000;
     ReadyShell ready(make(setup), joint_pos({0, 0, 0}));
     const double machine_s = ready.time_to(joint_pos({50, 0, 0}));
@@ -133,7 +133,7 @@ TEST_P(RampServices, ModesOfTheProgram) {
 }
 
 TEST_P(RampServices, LimitsOfTheProgramLowerThoseOfTheMachine) {
-    ReadyShell ready(make(three_slides()), joint_pos({0, 0, 0}));
+    ReadyShell ready(make(three_slide_machine()), joint_pos({0, 0, 0}));
     const int x = 0;
     const double slow = 200;
     const double fast = 1e6;

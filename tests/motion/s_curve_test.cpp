@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kRelative = 1e-9;
 
-TimeLaw law_of(const LawCase& c) {
+TimeLaw make_law(const LawCase& c) {
     return TimeLaw::between(c.length, c.start, c.end, c.limits);
 }
 
@@ -24,16 +24,16 @@ void expect_continuous(const TimeLaw& law, const LawCase& c) {
     LawState at{0, c.start, 0};
     const double fastest = law.peak_speed();
     const bool finite_jerk = std::isfinite(c.limits.jerk);
-    for (const LawPiece& piece : law.pieces()) {
-        const double t = piece.duration_s;
+    for (const LawSection& section : law.sections()) {
+        const double t = section.duration_s;
         ASSERT_GT(t, 0) << what(c);
-        ASSERT_NEAR(piece.s0, at.s, kRelative) << what(c);
-        ASSERT_NEAR(piece.v0, at.v, kRelative * fastest) << what(c);
+        ASSERT_NEAR(section.s0, at.s, kRelative) << what(c);
+        ASSERT_NEAR(section.v0, at.v, kRelative * fastest) << what(c);
         if (finite_jerk) {
-            ASSERT_NEAR(piece.a0, at.a, kRelative * law.peak_acceleration()) << what(c);
+            ASSERT_NEAR(section.a0, at.a, kRelative * law.peak_acceleration()) << what(c);
         }
-        at = {piece.s0 + piece.v0 * t + piece.a0 * t * t / 2 + piece.jerk * t * t * t / 6,
-              piece.v0 + piece.a0 * t + piece.jerk * t * t / 2, piece.a0 + piece.jerk * t};
+        at = {section.s0 + section.v0 * t + section.a0 * t * t / 2 + section.jerk * t * t * t / 6,
+              section.v0 + section.a0 * t + section.jerk * t * t / 2, section.a0 + section.jerk * t};
     }
     ASSERT_NEAR(at.s, c.length, kRelative) << what(c);
     ASSERT_NEAR(at.v, c.end, kRelative * fastest) << what(c);
@@ -46,8 +46,8 @@ void expect_continuous(const TimeLaw& law, const LawCase& c) {
 void expect_limits(const TimeLaw& law, const LawCase& c, double relative = kRelative) {
     constexpr int kSamples = 24;
     const double speed = std::max({c.limits.max_speed, c.start, c.end}) * (1 + relative);
-    for (const LawPiece& piece : law.pieces())
-        ASSERT_LE(std::abs(piece.jerk), c.limits.jerk * (1 + 2 * relative)) << what(c);
+    for (const LawSection& section : law.sections())
+        ASSERT_LE(std::abs(section.jerk), c.limits.jerk * (1 + 2 * relative)) << what(c);
     ASSERT_LE(law.peak_speed(), speed) << what(c);
     double before = 0;
     for (int i = 0; i <= kSamples; ++i) {
@@ -69,7 +69,7 @@ bool jumps(const LawLimits& limits) {
 TEST(SCurve, SevenPiecesByHand) {
     // 1 s each: up to 8 mm/s2 and down again, with 2 s between, twice; cruise at 24 mm/s for 3 s.
     const TimeLaw law = TimeLaw::between(168, 0, 0, {24, 8, 8, 8});
-    EXPECT_EQ(law.pieces().size(), 7U);
+    EXPECT_EQ(law.sections().size(), 7U);
     EXPECT_DOUBLE_EQ(law.duration_s(), 11);
     EXPECT_DOUBLE_EQ(law.peak_speed(), 24);
     EXPECT_DOUBLE_EQ(law.peak_acceleration(), 8);
@@ -93,7 +93,7 @@ TEST(SCurve, RestToRestTakesTheLeastTimeInClosedForm) {
     LawCases cases(41);
     for (int i = 0; i < 100'000; ++i) {
         const LawCase c = cases.rest_to_rest();
-        const TimeLaw law = law_of(c);
+        const TimeLaw law = make_law(c);
         ASSERT_NEAR(law.duration_s(), static_cast<double>(least_rest_to_rest_s(c)), 1e-9) << what(c);
         expect_limits(law, c);
         if (!jumps(c.limits)) expect_continuous(law, c);
@@ -108,7 +108,7 @@ TEST(SCurve, EqualLimitsWithoutJerkAreTheTrapezoid) {
         c.limits.jerk = kInfinity;
         c.limits.deceleration = c.limits.acceleration;
         const double expected_s = TimeLaw::fastest_s(c.length, c.limits.max_speed, c.limits.acceleration);
-        ASSERT_NEAR(law_of(c).duration_s(), expected_s, 1e-12 * expected_s) << what(c);
+        ASSERT_NEAR(make_law(c).duration_s(), expected_s, 1e-12 * expected_s) << what(c);
     }
 }
 
@@ -116,7 +116,7 @@ TEST(SCurve, MovingEndsKeepLimitsAndJoin) {
     LawCases cases(43);
     for (int i = 0; i < 50'000; ++i) {
         const LawCase c = cases.moving();
-        const TimeLaw law = law_of(c);
+        const TimeLaw law = make_law(c);
         ASSERT_EQ(law.start_speed(), c.start);
         ASSERT_EQ(law.end_speed(), c.end);
         expect_limits(law, c);
@@ -130,7 +130,7 @@ TEST(SCurve, MovingEndsTakeTheLeastTimeAndThePeakConverges) {
     for (int i = 0; i < 10'000; ++i) {
         const LawCase c = cases.moving();
         if (jumps(c.limits)) continue;
-        const TimeLaw law = law_of(c);
+        const TimeLaw law = make_law(c);
         const auto expected_s = static_cast<double>(least_time_s(c));
         ASSERT_NEAR(law.duration_s(), expected_s, 2e-12 * expected_s) << what(c);
         const auto peak = static_cast<double>(bisected_peak(c));
@@ -142,7 +142,7 @@ TEST(SCurve, AHigherPeakWouldOvershoot) {
     LawCases cases(45);
     for (int i = 0; i < 20'000; ++i) {
         const LawCase c = i % 2 == 0 ? cases.moving() : cases.rest_to_rest();
-        const double peak = law_of(c).peak_speed();
+        const double peak = make_law(c).peak_speed();
         if (jumps(c.limits) || peak >= c.limits.max_speed * (1 - 1e-9)) continue;
         ASSERT_GT(through(peak * (1 + 1e-9), c).length, c.length) << what(c);
     }
@@ -155,7 +155,7 @@ TEST(SCurve, NoMotionOfThreeRampsIsFaster) {
     for (int i = 0; i < 50'000; ++i) {
         LawCase c = cases.moving();
         if (jumps(c.limits)) continue;
-        const double peak = law_of(c).peak_speed();
+        const double peak = make_law(c).peak_speed();
         const double fastest = std::min(c.limits.max_speed, 2 * peak);
         const double speeds[] = {c.start, fastest * cases.share(), fastest * cases.share(), c.end};
         Real length = 0;
@@ -169,7 +169,7 @@ TEST(SCurve, NoMotionOfThreeRampsIsFaster) {
         const double cruise = cases.chance(0.5) ? 0 : cases.share() * static_cast<double>(length);
         c.length = static_cast<double>(length) + cruise;
         time_s += cruise / std::max(speeds[1], speeds[2]);
-        ASSERT_LE(law_of(c).duration_s(), time_s * (1 + 3e-12L)) << what(c);
+        ASSERT_LE(make_law(c).duration_s(), time_s * (1 + 3e-12L)) << what(c);
     }
 }
 
@@ -177,12 +177,12 @@ TEST(SCurve, HigherLimitsNeverCostTime) {
     LawCases cases(47);
     for (int i = 0; i < 20'000; ++i) {
         const LawCase c = cases.moving();
-        const double before_s = law_of(c).duration_s();
+        const double before_s = make_law(c).duration_s();
         for (double LawLimits::*limit :
              {&LawLimits::max_speed, &LawLimits::acceleration, &LawLimits::deceleration, &LawLimits::jerk}) {
             LawCase higher = c;
             higher.limits.*limit *= cases.chance(0.1) ? kInfinity : 1 + cases.log_uniform(1e-6, 10);
-            ASSERT_LE(law_of(higher).duration_s(), before_s * (1 + 2e-12)) << what(higher);
+            ASSERT_LE(make_law(higher).duration_s(), before_s * (1 + 2e-12)) << what(higher);
         }
     }
 }
@@ -192,24 +192,24 @@ TEST(SCurve, PositionsAndSpeedsAreTheIntegralsOfTheJerk) {
     for (int i = 0; i < 3000; ++i) {
         LawCase c = cases.moving();
         if (std::isinf(c.limits.jerk)) c.limits.jerk = 1e4;
-        const TimeLaw law = law_of(c);
+        const TimeLaw law = make_law(c);
         // The last bit of the jerks leaves a small acceleration, which accumulates over a long cruise.
-        const double rest = 4e-16 * law.peak_acceleration();
-        const double tolerance_v = 1e-12 * law.peak_speed() + rest * law.duration_s();
-        const double tolerance_s = 1e-9 + rest * law.duration_s() * law.duration_s();
+        const double standstill = 4e-16 * law.peak_acceleration();
+        const double tolerance_v = 1e-12 * law.peak_speed() + standstill * law.duration_s();
+        const double tolerance_s = 1e-9 + standstill * law.duration_s() * law.duration_s();
         Real s = 0;
         Real v = c.start;
         Real a = 0;
         Real t_s = 0;
         constexpr int kSteps = 100;
-        for (const LawPiece& piece : law.pieces()) {
-            const Real dt = Real{piece.duration_s} / kSteps;
+        for (const LawSection& section : law.sections()) {
+            const Real dt = Real{section.duration_s} / kSteps;
             for (int k = 0; k < kSteps; ++k) {  // Simpson's rule, exact for the speeds between
-                const Real middle_v = v + (a + piece.jerk * dt / 4) * dt / 2;
-                const Real next_v = v + (a + piece.jerk * dt / 2) * dt;
+                const Real middle_v = v + (a + section.jerk * dt / 4) * dt / 2;
+                const Real next_v = v + (a + section.jerk * dt / 2) * dt;
                 s += dt / 6 * (v + 4 * middle_v + next_v);
                 v = next_v;
-                a += piece.jerk * dt;
+                a += section.jerk * dt;
                 t_s += dt;
                 const LawState state = law.at(static_cast<double>(t_s));
                 ASSERT_NEAR(state.s, static_cast<double>(s), tolerance_s) << what(c);
@@ -228,8 +228,8 @@ TEST(SCurve, ReversedInTimeIsTheLawOfExchangedEnds) {
                            c.end,
                            c.start,
                            {c.limits.max_speed, c.limits.deceleration, c.limits.acceleration, c.limits.jerk}};
-        const TimeLaw law = law_of(c);
-        const TimeLaw reversed = law_of(back);
+        const TimeLaw law = make_law(c);
+        const TimeLaw reversed = make_law(back);
         ASSERT_NEAR(law.duration_s(), reversed.duration_s(), 1e-12 * law.duration_s()) << what(c);
         if (jumps(c.limits)) continue;
         for (const double share : {0.1, 0.35, 0.6, 0.9}) {
@@ -248,8 +248,8 @@ TEST(SCurve, JustTheLengthOfARampIsThatRamp) {
         const double limit = c.start < c.end ? c.limits.acceleration : c.limits.deceleration;
         c.length = ramp_length(c.start, c.end, limit, c.limits.jerk);
         if (c.length == 0) continue;
-        const TimeLaw law = law_of(c);
-        ASSERT_LE(law.pieces().size(), 3U) << what(c);
+        const TimeLaw law = make_law(c);
+        ASSERT_LE(law.sections().size(), 3U) << what(c);
         ASSERT_NEAR(law.duration_s(), ramp_s(c.start, c.end, limit, c.limits.jerk), 1e-12 * law.duration_s())
             << what(c);
         ASSERT_EQ(law.peak_speed(), std::max(c.start, c.end)) << what(c);
@@ -263,7 +263,7 @@ TEST(SCurve, AbsorbsAShortfallOfRounding) {
         const double limit = c.start < c.end ? c.limits.acceleration : c.limits.deceleration;
         c.length = ramp_length(c.start, c.end, limit, c.limits.jerk) * (1 - 1e-9 * cases.share());
         if (c.length == 0) continue;
-        const TimeLaw law = law_of(c);
+        const TimeLaw law = make_law(c);
         expect_limits(law, c, 1.1e-9);
         expect_continuous(law, c);
         if (HasFatalFailure()) return;
@@ -277,7 +277,7 @@ TEST(SCurve, AGrossShortfallStillJoins) {
         if (jumps(c.limits) || c.start == c.end) continue;
         const double limit = c.start < c.end ? c.limits.acceleration : c.limits.deceleration;
         c.length = ramp_length(c.start, c.end, limit, c.limits.jerk) * cases.log_uniform(1e-6, 1);
-        expect_continuous(law_of(c), c);
+        expect_continuous(make_law(c), c);
         if (HasFatalFailure()) return;
     }
 }
@@ -286,7 +286,7 @@ TEST(SCurve, BrakesFirstWhereTheStartIsTooFast) {
     LawCases cases(53);
     for (int i = 0; i < 20'000; ++i) {
         const LawCase c = cases.too_fast();
-        const TimeLaw law = law_of(c);
+        const TimeLaw law = make_law(c);
         expect_continuous(law, c);
         expect_limits(law, c);
         if (HasFatalFailure()) return;
@@ -314,7 +314,7 @@ TEST(SCurve, TinyLengthsAtHighSpeedsKeepTheirLimits) {
         if (std::isinf(c.limits.max_speed)) c.limits.max_speed = 2000;
         c.start = c.end = c.limits.max_speed * 0.999;
         c.length = cases.log_uniform(1e-12, 1e-3);
-        const TimeLaw law = law_of(c);
+        const TimeLaw law = make_law(c);
         expect_limits(law, c);
         ASSERT_NEAR(law.duration_s(), c.length / c.start, 0.1 * c.length / c.start) << what(c);
         if (HasFatalFailure()) return;
@@ -329,7 +329,7 @@ TEST(SCurve, NothingToDoTakesNoTime) {
     EXPECT_EQ(law.at(0).s, 0);
     EXPECT_EQ(law.at(0).v, 7);
     const TimeLaw cruise = TimeLaw::between(20, 10, 10, {10, 10, 10, 10});
-    EXPECT_EQ(cruise.pieces().size(), 1U);
+    EXPECT_EQ(cruise.sections().size(), 1U);
     EXPECT_DOUBLE_EQ(cruise.duration_s(), 2);
     EXPECT_EQ(TimeLaw::between(20, 0, 0, {kInfinity, kInfinity, kInfinity, kInfinity}).at(0).s, 20);
 }

@@ -20,7 +20,7 @@ inline double trapezoid_s(double length, double speed, double acceleration) {
     return reached ? length / speed + speed / acceleration : 2 * std::sqrt(length / acceleration);
 }
 
-inline bool on_arc(const Segment& segment, int joint) {
+inline bool is_on_arc(const Segment& segment, int joint) {
     const auto& carriers = segment.position_joints;
     return segment.kind == SegmentKind::circular &&
            std::find(carriers.begin(), carriers.end(), joint) != carriers.end();
@@ -35,7 +35,7 @@ inline void expect_joint_limits(const Segment& segment, const PlannerSetup& setu
             const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
             ASSERT_LE(std::abs(state.velocity[joint]), limits.max_speed * (1 + kRelative))
                 << "joint " << joint;
-            if (on_arc(segment, joint)) continue;
+            if (is_on_arc(segment, joint)) continue;
             ASSERT_LE(std::abs(state.acceleration[joint]), limits.max_acceleration * (1 + kRelative))
                 << "joint " << joint;
         }
@@ -45,7 +45,7 @@ inline void expect_joint_limits(const Segment& segment, const PlannerSetup& setu
 /// The lead law keeps a speed and an acceleration along the path.
 inline void expect_path_limits(const Segment& segment, double speed, double acceleration) {
     for (int i = 0; i <= 60; ++i) {
-        const LawState state = segment.lead.at(segment.duration_s * i / 60);
+        const LawState state = segment.master.at(segment.duration_s * i / 60);
         ASSERT_LE(state.v, speed * (1 + kRelative));
         ASSERT_LE(std::abs(state.a), acceleration * (1 + kRelative));
     }

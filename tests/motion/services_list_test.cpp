@@ -17,8 +17,8 @@ namespace {
 using rrs::Shell;
 using rrs::Status;
 
-constexpr rrs::Answers kAlways{Status::RRS_SUCCESS, Status::RRS_NOT_INITIALIZED,
-                               Status::RRS_SERVICE_NOT_SUPPORTED, Status::RRS_INVALID_PARAMETER};
+constexpr rrs::AllowedStatuses kAlways{Status::RRS_SUCCESS, Status::RRS_NOT_INITIALIZED,
+                                       Status::RRS_SERVICE_NOT_SUPPORTED, Status::RRS_INVALID_PARAMETER};
 
 struct Call {
     rrs::Service service;
@@ -39,9 +39,9 @@ Status call_with_any(Shell& shell, Status (Shell::*method)(Parameters...), rrs::
 
 std::vector<Call> all_calls() {
     std::vector<Call> calls;
-#define GSIM_RCS_SERVICE(method, opcode, number, rrs_number, input, answers, parameters, arguments) \
-    calls.push_back({rrs::services::method, [](Shell& shell, rrs::ServiceValues& values) {          \
-                         return call_with_any(shell, &Shell::method, values);                       \
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs_number, input, statuses, parameters, arguments) \
+    calls.push_back({rrs::services::method, [](Shell& shell, rrs::ServiceValues& values) {           \
+                         return call_with_any(shell, &Shell::method, values);                        \
                      }});
 #include "controller/module/rcs_services.def"
     return calls;
@@ -55,7 +55,7 @@ TEST_P(ServicesList, AnswersOfThePlannerAreInIt) {
     const std::vector<Call> calls = all_calls();
     rrs::ServiceValues values(11);
     std::mt19937 random(12);
-    std::size_t succeeded = 0, refused = 0;
+    std::size_t succeeded = 0, rejected = 0;
     for (int session = 0; session < 40; ++session) {
         const auto planner = make(gantry_setup());
         if (session > 0) planner->Initialize();
@@ -63,13 +63,13 @@ TEST_P(ServicesList, AnswersOfThePlannerAreInIt) {
             const Call& call = calls[random() % calls.size()];
             if (call.service.name == "Terminate") continue;
             const Status status = call.make(*planner, values);
-            EXPECT_TRUE(kAlways.holds(status) || call.service.answers.holds(status))
+            EXPECT_TRUE(kAlways.contains(status) || call.service.statuses.contains(status))
                 << call.service.name << " answers " << name(status);
-            ++(rrs::is_refused(status) ? refused : succeeded);
+            ++(rrs::is_error_status(status) ? rejected : succeeded);
         }
     }
     EXPECT_GT(succeeded, 1000U);
-    EXPECT_GT(refused, 1000U);
+    EXPECT_GT(rejected, 1000U);
 }
 
 TEST_P(ServicesList, ExtensionsReachThePlannerBothWays) {

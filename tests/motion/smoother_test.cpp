@@ -25,30 +25,30 @@ PlannerSetup blending_setup(rrs::CornerRule corner, bool limit_jerk) {
 
 /// Returns the targets of a random program: lines of one size with corners of one kind, as CAM writes them.
 std::vector<rrs::JointPos> random_way(std::mt19937& random) {
-    std::uniform_real_distribution<double> even(-1, 1);
-    const double length_mm = std::pow(10.0, 1.5 * even(random));
-    const double bend_rad = 0.5 * kPi * std::pow(10.0, even(random) - 1);
-    std::vector<rrs::JointPos> way;
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const double length_mm = std::pow(10.0, 1.5 * uniform(random));
+    const double bend_rad = 0.5 * kPi * std::pow(10.0, uniform(random) - 1);
+    std::vector<rrs::JointPos> waypoints;
     rrs::JointPos at = rrs::JointPos::Zero(3);
     double heading = 0;
     for (int line = 0; line < 120; ++line) {
-        const bool corner = even(random) > 0.9;
-        heading += (corner ? kPi : bend_rad) * even(random);
-        const double length = length_mm * (1.1 + even(random));
+        const bool corner = uniform(random) > 0.9;
+        heading += (corner ? kPi : bend_rad) * uniform(random);
+        const double length = length_mm * (1.1 + uniform(random));
         at[0] += length * std::cos(heading);
         at[1] += length * std::sin(heading);
-        at[2] += 0.1 * length * even(random);
-        way.push_back(at);
+        at[2] += 0.1 * length * uniform(random);
+        waypoints.push_back(at);
     }
-    return way;
+    return waypoints;
 }
 
-double duration_s(const PlannerSetup& setup, const std::vector<rrs::JointPos>& way, rrs::PathMode mode,
+double duration_s(const PlannerSetup& setup, const std::vector<rrs::JointPos>& waypoints, rrs::PathMode mode,
                   double speed_mm_s) {
     Path path(setup);
     path.mode = mode;
-    for (const rrs::JointPos& end : way) path.line(end, speed_mm_s);
-    path.rest();
+    for (const rrs::JointPos& end : waypoints) path.line(end, speed_mm_s);
+    path.standstill();
     return path.out().segments.back().end_s();
 }
 
@@ -59,14 +59,14 @@ TEST_P(Smoother, IsNotSlowerThanStopping) {
     const PlannerSetup setup = blending_setup(corner, limit_jerk);
     std::mt19937 random(23);
     for (int i = 0; i < 150; ++i) {
-        const std::vector<rrs::JointPos> way = random_way(random);
+        const std::vector<rrs::JointPos> waypoints = random_way(random);
         const double speed_mm_s = i % 2 == 0 ? 20 : 200;
-        const double blended_s = duration_s(setup, way, rrs::PathMode::continuous, speed_mm_s);
-        const double exact_s = duration_s(setup, way, rrs::PathMode::exact_path, speed_mm_s);
-        const double stopped_s = duration_s(setup, way, rrs::PathMode::exact_stop, speed_mm_s);
+        const double blended_time_s = duration_s(setup, waypoints, rrs::PathMode::continuous, speed_mm_s);
+        const double exact_s = duration_s(setup, waypoints, rrs::PathMode::exact_path, speed_mm_s);
+        const double stopped_s = duration_s(setup, waypoints, rrs::PathMode::exact_stop, speed_mm_s);
         // An exact path costs jumps of speed, which a blend avoids.
-        EXPECT_LE(blended_s, exact_s * 1.1) << i;
-        EXPECT_LE(blended_s, stopped_s * (1 + 1e-9)) << i;
+        EXPECT_LE(blended_time_s, exact_s * 1.1) << i;
+        EXPECT_LE(blended_time_s, stopped_s * (1 + 1e-9)) << i;
         EXPECT_LE(exact_s, stopped_s * (1 + 1e-9)) << i;
     }
 }

@@ -22,44 +22,44 @@ struct Asked {
     double exit_mm_s = 0;
 };
 
-SteppedBlock block_of(const Asked& asked) {
+SteppedBlock make_block(const Asked& requested) {
     const auto per_minute = [](double value, int power) {
         return static_cast<float>(value * std::pow(60, power));
     };
-    const float acceleration = per_minute(asked.acceleration_mm_s2, 2);
-    const float jerk = per_minute(asked.jerk_mm_s3, 3);
-    const float speed = per_minute(asked.speed_mm_s, 1);
-    return {static_cast<float>(asked.length_mm),
-            per_minute(asked.entry_mm_s, 1),
-            per_minute(asked.exit_mm_s, 1),
+    const float acceleration = per_minute(requested.acceleration_mm_s2, 2);
+    const float jerk = per_minute(requested.jerk_mm_s3, 3);
+    const float speed = per_minute(requested.speed_mm_s, 1);
+    return {static_cast<float>(requested.length_mm),
+            per_minute(requested.entry_mm_s, 1),
+            per_minute(requested.exit_mm_s, 1),
             speed,
             SteppedRamps::mean_acceleration(speed, acceleration, jerk),
             acceleration,
             jerk};
 }
 
-struct Driven {
+struct ExecutedBlock {
     double time_s = 0;
     double length_mm = 0;
     double crawled_s = 0;
-    std::vector<LawPiece> pieces;
+    std::vector<LawSection> sections;
 };
 
-Driven drive(const SteppedBlock& block, SteppedRamps& ramps) {
-    Driven driven;
-    ramps.drive(block, [&](const SteppedPiece& piece) {
-        const LawPiece& law = piece.law;
+ExecutedBlock drive(const SteppedBlock& block, SteppedRamps& ramps) {
+    ExecutedBlock driven;
+    ramps.drive(block, [&](const SteppedSection& section) {
+        const LawSection& law = section.law;
         driven.time_s += law.duration_s;
         driven.length_mm += law.v0 * law.duration_s + law.a0 * law.duration_s * law.duration_s / 2;
-        if (piece.falls_short) driven.crawled_s += law.duration_s;
-        driven.pieces.push_back(law);
+        if (section.stops_short) driven.crawled_s += law.duration_s;
+        driven.sections.push_back(law);
     });
     return driven;
 }
 
-Driven drive(const Asked& asked) {
+ExecutedBlock drive(const Asked& requested) {
     SteppedRamps ramps(kStep_s);
-    return drive(block_of(asked), ramps);
+    return drive(make_block(requested), ramps);
 }
 
 TEST(SteppedRamps, MeanAccelerationIsThatOfAnSCurveFromRest) {
@@ -80,16 +80,16 @@ TEST(SteppedRamps, TakeTheTimesOfGrblHal) {
 }
 
 TEST(SteppedRamps, TellHowLongTheyCrawl) {
-    const Driven crawls = drive({.length_mm = 50});
-    EXPECT_GT(crawls.crawled_s, 5.5);
-    EXPECT_LT(crawls.crawled_s, 6.5);
+    const ExecutedBlock creeps = drive({.length_mm = 50});
+    EXPECT_GT(creeps.crawled_s, 5.5);
+    EXPECT_LT(creeps.crawled_s, 6.5);
     EXPECT_EQ(drive({.length_mm = 10}).crawled_s, 0);
 }
 
 // With steps that are short compared with the ramps, and without a jerk limit, they are trapezoids.
 TEST(SteppedRamps, OfFineStepsAndGreatJerksAreTrapezoids) {
     SteppedRamps ramps(1e-4);
-    const Driven driven = drive(block_of({.length_mm = 50, .jerk_mm_s3 = 1e9}), ramps);
+    const ExecutedBlock driven = drive(make_block({.length_mm = 50, .jerk_mm_s3 = 1e9}), ramps);
     EXPECT_NEAR(driven.time_s, 0.5 + 0.1, 1e-2);  // it crawls for 6 ms
 }
 
@@ -100,22 +100,22 @@ TEST(SteppedRamps, GoTheirWayAndNeverBackNorFasterThanPlanned) {
     };
     for (int i = 0; i < 2000; ++i) {
         SCOPED_TRACE(i);
-        Asked asked{number(0.01, 500), number(1, 300), number(50, 5000), number(500, 200'000)};
-        SteppedBlock block = block_of(asked);
+        Asked requested{number(0.01, 500), number(1, 300), number(50, 5000), number(500, 200'000)};
+        SteppedBlock block = make_block(requested);
         // The planner's limit: the speed that it can brake from and to with the mean acceleration.
-        const auto most = [&] {
+        const auto max = [&] {
             return std::min(block.speed_mm_min,
                             std::sqrt(2 * block.mean_acceleration_mm_min2 * block.length_mm) * 0.5F);
         };
-        block.entry_mm_min = most() * std::uniform_real_distribution<float>(0, 1)(random);
-        block.exit_mm_min = most() * std::uniform_real_distribution<float>(0, 1)(random);
+        block.entry_mm_min = max() * std::uniform_real_distribution<float>(0, 1)(random);
+        block.exit_mm_min = max() * std::uniform_real_distribution<float>(0, 1)(random);
         SteppedRamps ramps(kStep_s);
-        const Driven driven = drive(block, ramps);
-        ASSERT_NEAR(driven.length_mm, asked.length_mm, 1e-5 * asked.length_mm);
-        for (const LawPiece& piece : driven.pieces) {
-            ASSERT_GT(piece.duration_s, 0);
-            ASSERT_GE(piece.v0, 0);
-            ASSERT_GE(piece.v0 + piece.a0 * piece.duration_s, -1e-6 * (1 + piece.v0));
+        const ExecutedBlock driven = drive(block, ramps);
+        ASSERT_NEAR(driven.length_mm, requested.length_mm, 1e-5 * requested.length_mm);
+        for (const LawSection& section : driven.sections) {
+            ASSERT_GT(section.duration_s, 0);
+            ASSERT_GE(section.v0, 0);
+            ASSERT_GE(section.v0 + section.a0 * section.duration_s, -1e-6 * (1 + section.v0));
         }
     }
 }
@@ -125,14 +125,14 @@ TEST(SteppedRamps, EndWhateverTheNumbers) {
     for (const double length_mm : {1e-6, 1.0, 1e6}) {
         for (const double speed_mm_s : {1e-3, 1.0, 1e4}) {
             for (const double jerk_mm_s3 : {1.0, 1e9}) {
-                const Driven driven =
+                const ExecutedBlock driven =
                     drive({.length_mm = length_mm, .speed_mm_s = speed_mm_s, .jerk_mm_s3 = jerk_mm_s3});
                 EXPECT_TRUE(std::isfinite(driven.time_s));
                 EXPECT_NEAR(driven.length_mm, length_mm, 1e-3 * length_mm);
             }
         }
     }
-    const Driven slowed = drive({.length_mm = 50, .speed_mm_s = 20, .entry_mm_s = 100});
+    const ExecutedBlock slowed = drive({.length_mm = 50, .speed_mm_s = 20, .entry_mm_s = 100});
     EXPECT_NEAR(slowed.length_mm, 50, 1e-3);
 }
 

@@ -17,7 +17,7 @@ rrs::JointPos random_target(std::mt19937& random, int joints) {
 }
 
 PlannerSetup look_ahead_setup() {
-    PlannerSetup setup = three_slides();
+    PlannerSetup setup = three_slide_machine();
     setup.controller.planner = rrs::PlannerKind::look_ahead;
     setup.controller.corner = rrs::CornerRule::velocity_step;
     setup.queue_capacity = 400;
@@ -48,7 +48,7 @@ class StopServices : public AnyPlanner {};
 INSTANTIATE_TEST_SUITE_P(Ways, StopServices, all_ways(), way_name);
 
 TEST_P(StopServices, ATrapezoidStopsInTheLengthOfItsBrakes) {
-    ReadyShell ready(make(three_slides()), joint_pos({0, 0, 0}));
+    ReadyShell ready(make(three_slide_machine()), joint_pos({0, 0, 0}));
     ready.planner.SetInterpolationTime(0.5);
     ready.to(joint_pos({100, 0, 0}));
     EXPECT_NEAR(ready.step().joints[0], 45, 1e-9);
@@ -66,7 +66,7 @@ TEST_P(StopServices, ATrapezoidStopsInTheLengthOfItsBrakes) {
 }
 
 TEST_P(StopServices, CancelDropsTheRest) {
-    ReadyShell ready(make(three_slides()), joint_pos({0, 0, 0}));
+    ReadyShell ready(make(three_slide_machine()), joint_pos({0, 0, 0}));
     ready.planner.SetInterpolationTime(0.5);
     ready.to(joint_pos({100, 0, 0}));
     ready.to(joint_pos({100, 100, 0}));
@@ -82,7 +82,7 @@ TEST_P(StopServices, CancelDropsTheRest) {
 }
 
 TEST_P(StopServices, WhereNothingMoves) {
-    ReadyShell ready(make(three_slides()), joint_pos({0, 0, 0}));
+    ReadyShell ready(make(three_slide_machine()), joint_pos({0, 0, 0}));
     EXPECT_EQ(ready.planner.ContinueMotion(), Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(ready.planner.StopMotion(), Status::RRS_SUCCESS);
     EXPECT_EQ(ready.planner.StopMotion(), Status::RRS_SUCCESS);
@@ -114,7 +114,7 @@ TEST_P(StopServices, ShortBlocksDoNotDelayIt) {
 
 TEST_P(StopServices, OnAnArcItStaysOnTheArc) {
     for (const auto kind : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
-        PlannerSetup setup = three_slides();
+        PlannerSetup setup = three_slide_machine();
         setup.controller.planner = kind;
         ReadyShell ready(make(setup), joint_pos({50, 0, 0}));
         ready.planner.SetCartesianPositionSpeed(80);
@@ -172,7 +172,7 @@ void stop_and_go(std::mt19937& random, const PlannerSetup& setup, bool joint_mot
         if (testing::Test::HasFatalFailure()) return;
     }
     double stands = 0;
-    for (const Segment& segment : ready.collector.segments) stands += segment.lead.end_speed() == 0;
+    for (const Segment& segment : ready.collector.segments) stands += segment.master.end_speed() == 0;
     EXPECT_GE(stands, 1);
 }
 
@@ -181,7 +181,7 @@ TEST(Stop, KeepsLimitsWithFollowersAndJerks) {
     for (int round = 0; round < 120; ++round) {
         PlannerSetup setup = odd_setup(random);
         set_ramps(setup, random, round % 2 == 0);
-        setup.controller.own_ramps = round % 4 < 3;
+        setup.controller.independent_ramps = round % 4 < 3;
         stop_and_go(random, setup, round % 3 == 0);
         if (testing::Test::HasFatalFailure()) FAIL() << "round " << round;
     }
@@ -199,7 +199,7 @@ TEST(Stop, KeepsLimitsOverManyBlocks) {
 
 TEST(Stop, OnAnArcNoWayIsLost) {
     for (const auto kind : {rrs::PlannerKind::rest_to_rest, rrs::PlannerKind::look_ahead}) {
-        PlannerSetup setup = three_slides();
+        PlannerSetup setup = three_slide_machine();
         setup.controller.planner = kind;
         ReadyPlanner ready(setup, joint_pos({50, 0, 0}));
         ready.planner.SetCartesianPositionSpeed(80);
@@ -222,7 +222,7 @@ TEST(Stop, ATurningJointBesideAnArc) {
     std::uniform_real_distribution<double> unit(0, 1);
     for (int run = 0; run < 150; ++run) {
         PlannerSetup setup = gantry_setup();
-        setup.controller.own_ramps = true;
+        setup.controller.independent_ramps = true;
         for (JointSetup& joint : setup.joints) {
             joint.min = -kUnlimited;
             joint.max = kUnlimited;
@@ -251,7 +251,7 @@ TEST(Stop, ATurningJointBesideAnArc) {
         for (const Segment& segment : ready.collector.segments) {
             for (int i = 0; i <= 8; ++i) {  // it moves at the reported speed, and not back
                 const JointState state = segment.at(segment.duration_s * i / 8);
-                const double speed = segment.lead.at(segment.duration_s * i / 8).v;
+                const double speed = segment.master.at(segment.duration_s * i / 8).v;
                 ASSERT_NEAR(state.velocity.head<3>().norm(), speed, 1e-6 * (1 + speed)) << "run " << run;
                 ASSERT_LT((state.position - segment.start).head<3>().norm(), segment.length_mm + 1e-6);
             }

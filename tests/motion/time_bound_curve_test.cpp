@@ -61,9 +61,9 @@ class Reference {
                 const CurvePoint& point = points_[ahead > 0 ? i + 1 : i];
                 const double lever = point.q1[j] + ahead * point.q2[j];
                 const double drag = point.q2[j] * speed2;
-                const double most = shape_.limits.max_acceleration[j];
-                low = std::max(low, std::min((most - drag) / lever, (-most - drag) / lever));
-                high = std::min(high, std::max((most - drag) / lever, (-most - drag) / lever));
+                const double max = shape_.limits.max_acceleration[j];
+                low = std::max(low, std::min((max - drag) / lever, (-max - drag) / lever));
+                high = std::min(high, std::max((max - drag) / lever, (-max - drag) / lever));
             }
             if (std::abs(points_[i].q1[j]) * std::sqrt(speed2) > shape_.limits.max_speed[j]) high = -kNoBound;
         }
@@ -75,8 +75,8 @@ class Reference {
         double high = 1e4;
         for (int k = 0; k < 45; ++k) {
             const double speed2 = (low + high) / 2;
-            const auto [least, most] = range(i, speed2);
-            const bool can = least <= most && speed2 + 2 * h_ * least <= next && speed2 + 2 * h_ * most >= 0;
+            const auto [min, max] = range(i, speed2);
+            const bool can = min <= max && speed2 + 2 * h_ * min <= next && speed2 + 2 * h_ * max >= 0;
             (can ? low : high) = speed2;
         }
         return low;
@@ -107,14 +107,15 @@ TEST(TimeBoundCurve, ArcUnderLimitsOfItsPathAloneHasAClosedForm) {
 TEST(TimeBoundCurve, OneJointTakesItsOwnTrapezoid) {
     Random random(11);
     for (int i = 0; i < 300; ++i) {
-        const double pace = random.between(0.5, 2);
+        const double frequency = random.between(0.5, 2);
         const double speed = random.around(10);
         const double acceleration = random.around(10);
-        const Shape shape{.length = random.between(1, 10),
-                          .joints = {{{random.between(0, 0.99) / pace, pace, random.between(0, 6)}}},
-                          .drift = {1},
-                          .limits = {joints({speed}), joints({acceleration})},
-                          .caps = {}};
+        const Shape shape{
+            .length = random.between(1, 10),
+            .joints = {{{random.between(0, 0.99) / frequency, frequency, random.between(0, 6)}}},
+            .joint_slope = {1},
+            .limits = {joints({speed}), joints({acceleration})},
+            .caps = {}};
         const double distance = shape.at(shape.length).q[0] - shape.at(0).q[0];
         const double expected_s = trapezoid_s(distance, {speed, acceleration, acceleration});
         ASSERT_NEAR(shape.bound_s({.cell_rad = 0.005}), expected_s, 1e-9 * expected_s) << "case " << i;
@@ -169,18 +170,18 @@ TEST(TimeBoundCurve, RandomCurvesAgreeWithANumericalOptimum) {
 // The square of the speed is s (length - s) times something positive; slowed down until every limit is kept.
 // With s = length sin^2(x) the time is an integral of something smooth.
 double smooth_law_s(const Shape& shape, Random& random) {
-    const double swing = random.between(-0.9, 0.9);
-    const double pace = random.between(0, 6) / shape.length;
+    const double amplitude = random.between(-0.9, 0.9);
+    const double frequency = random.between(0, 6) / shape.length;
     constexpr int kSteps = 2000;
     double worst = 0;
     double sum = 0;
     for (int i = 0; i < kSteps; ++i) {
         const double s = shape.length * std::pow(std::sin((i + 0.5) / kSteps * std::numbers::pi / 2), 2);
-        const double factor = 1 + swing * std::sin(pace * s);
-        const double slope = swing * pace * std::cos(pace * s);
-        const double way = s * (shape.length - s);
-        const double a = ((shape.length - 2 * s) * factor + way * slope) / 2;
-        worst = std::max(worst, shape.excess(s, way * factor, a));
+        const double factor = 1 + amplitude * std::sin(frequency * s);
+        const double slope = amplitude * frequency * std::cos(frequency * s);
+        const double travel = s * (shape.length - s);
+        const double a = ((shape.length - 2 * s) * factor + travel * slope) / 2;
+        worst = std::max(worst, shape.excess(s, travel * factor, a));
         sum += std::numbers::pi / kSteps / std::sqrt(factor);
     }
     return sum * std::sqrt(worst) * (1 + 1e-4);

@@ -49,14 +49,14 @@ class Random {
 };
 
 struct Wave {
-    double amplitude, pace, phase;
+    double amplitude, frequency, phase;
 };
 
 /// A curve that is a sum of sines and a drift in each joint, under limits of the joints and the path.
 struct Shape {
     double length = 0;
     std::vector<std::vector<Wave>> joints;
-    std::vector<double> drift;
+    std::vector<double> joint_slope;
     JointLimits limits;
     PathCaps caps;
 
@@ -64,12 +64,12 @@ struct Shape {
         const auto count = static_cast<Eigen::Index>(joints.size());
         CurvePoint point{rrs::JointPos::Zero(count), rrs::JointPos::Zero(count), rrs::JointPos::Zero(count)};
         for (Eigen::Index j = 0; j < count; ++j) {
-            point.q[j] = drift[static_cast<std::size_t>(j)] * s;
-            point.q1[j] = drift[static_cast<std::size_t>(j)];
-            for (const auto& [amplitude, pace, phase] : joints[static_cast<std::size_t>(j)]) {
-                point.q[j] += amplitude * std::sin(pace * s + phase);
-                point.q1[j] += amplitude * pace * std::cos(pace * s + phase);
-                point.q2[j] -= amplitude * pace * pace * std::sin(pace * s + phase);
+            point.q[j] = joint_slope[static_cast<std::size_t>(j)] * s;
+            point.q1[j] = joint_slope[static_cast<std::size_t>(j)];
+            for (const auto& [amplitude, frequency, phase] : joints[static_cast<std::size_t>(j)]) {
+                point.q[j] += amplitude * std::sin(frequency * s + phase);
+                point.q1[j] += amplitude * frequency * std::cos(frequency * s + phase);
+                point.q2[j] -= amplitude * frequency * frequency * std::sin(frequency * s + phase);
             }
         }
         return point;
@@ -80,8 +80,9 @@ struct Shape {
         result.max_q2 = rrs::JointPos::Zero(static_cast<Eigen::Index>(joints.size()));
         for (std::size_t j = 0; j < joints.size(); ++j) {
             for (const Wave& wave : joints[j]) {
-                result.max_q2[static_cast<Eigen::Index>(j)] += wave.amplitude * wave.pace * wave.pace;
-                result.turn_rad = std::max(result.turn_rad, wave.pace * length);
+                result.max_q2[static_cast<Eigen::Index>(j)] +=
+                    wave.amplitude * wave.frequency * wave.frequency;
+                result.turn_rad = std::max(result.turn_rad, wave.frequency * length);
             }
         }
         result.at = [this](double s) { return at(s); };
@@ -128,7 +129,7 @@ inline Shape random_shape(Random& random) {
             shape.joints.back().push_back(
                 {random.around(1, 0.3), random.between(0.3, 2), random.between(0, 6)});
         }
-        shape.drift.push_back(random.between(-1, 1));
+        shape.joint_slope.push_back(random.between(-1, 1));
         shape.limits.max_speed[j] = random.around(10, 0.7);
         shape.limits.max_acceleration[j] = random.around(20, 0.5);
     }

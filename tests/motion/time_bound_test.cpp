@@ -86,11 +86,11 @@ double programmed_s(const std::vector<Line>& lines, int steps) {
         std::vector<double> next_best;
         for (int step = 0; step <= (last ? 0 : steps); ++step) {
             next_speeds.push_back(top * step / steps);
-            double least = kNoBound;
+            double min = kNoBound;
             for (std::size_t k = 0; k < speeds.size(); ++k) {
-                least = std::min(least, best[k] + between_s(lines[i], speeds[k], next_speeds.back()));
+                min = std::min(min, best[k] + between_s(lines[i], speeds[k], next_speeds.back()));
             }
-            next_best.push_back(least);
+            next_best.push_back(min);
         }
         speeds = std::move(next_speeds);
         best = std::move(next_best);
@@ -146,21 +146,21 @@ TEST(TimeBound, NoRandomLawWithStopsBeatsTheBound) {
     for (int i = 0; i < 500; ++i) {
         double law_s = 0;
         double since_stop = 0;
-        PathCaps least;
+        PathCaps min;
         TimeBound bound({});
         for (const Line& line : random_lines(random, 30)) {
             bound.add_line(line.length, line.caps);
             since_stop += line.length;
-            least.max_speed = std::min(least.max_speed, line.caps.max_speed);
-            least.max_acceleration = std::min(least.max_acceleration, line.caps.max_acceleration);
-            least.max_deceleration = std::min(least.max_deceleration, line.caps.max_deceleration);
+            min.max_speed = std::min(min.max_speed, line.caps.max_speed);
+            min.max_acceleration = std::min(min.max_acceleration, line.caps.max_acceleration);
+            min.max_deceleration = std::min(min.max_deceleration, line.caps.max_deceleration);
             if (random.count(0, 3) > 0) continue;
-            law_s += trapezoid_s(since_stop, least);
+            law_s += trapezoid_s(since_stop, min);
             since_stop = 0;
-            least = {};
+            min = {};
             if (random.count(0, 1) > 0) bound.stop();
         }
-        if (since_stop > 0) law_s += trapezoid_s(since_stop, least);
+        if (since_stop > 0) law_s += trapezoid_s(since_stop, min);
         ASSERT_LE(bound.bound_s(), law_s * (1 + kRounding)) << "case " << i;
     }
 }
@@ -181,13 +181,13 @@ double mixed_bound_s(unsigned seed, const JointLimits& limits, const PathCaps& c
 TEST(TimeBound, CuttingTheWindowNeverRaisesTheBound) {
     const JointLimits limits{joints({20, 30}), joints({40, 25})};
     for (unsigned seed = 0; seed < 30; ++seed) {
-        const double whole_s = mixed_bound_s(seed, limits, {25, 60, 50}, {.cell_rad = 0.05});
+        const double total_s = mixed_bound_s(seed, limits, {25, 60, 50}, {.cell_rad = 0.05});
         double shorter_s = 0;
         for (const std::size_t window : {0, 2, 8, 64, 256}) {
             shorter_s = mixed_bound_s(seed, limits, {25, 60, 50}, {.cell_rad = 0.05, .window = window});
-            ASSERT_LE(shorter_s, whole_s * (1 + kRounding)) << "window " << window;
+            ASSERT_LE(shorter_s, total_s * (1 + kRounding)) << "window " << window;
         }
-        ASSERT_NEAR(shorter_s, whole_s, kRounding * whole_s) << "braking takes less than 128 cells";
+        ASSERT_NEAR(shorter_s, total_s, kRounding * total_s) << "braking takes less than 128 cells";
     }
 }
 
@@ -228,7 +228,7 @@ TEST(TimeBound, OddValuesGiveANumberThatIsNotNegative) {
     const auto any = [&] { return odd[random.count(0, std::size(odd) - 1)]; };
     for (int i = 0; i < 3000; ++i) {
         TimeBound bound({joints({any(), any()}), joints({any(), any(), any()})}, {.cell_rad = 0.2});
-        for (int piece = 0; piece < 4; ++piece) {
+        for (int part_index = 0; part_index < 4; ++part_index) {
             bound.add_line(any(), joints({any(), any(), any()}), {any(), any(), any()});
             const auto at = [&](double) {
                 return CurvePoint{joints({any(), any()}), joints({any(), any()}), joints({any(), any()})};

@@ -80,9 +80,9 @@ TEST(TimeLaw, InTimeByHand) {
 }
 
 TEST(TimeLaw, InTimeTakesAShortfallWithinRoundingAsEqual) {
-    const double least = TimeLaw::fastest_s(7, kInfinity, 3);
-    const TimeLaw law = TimeLaw::in_time(7, least * (1 - 1e-15), 3);
-    EXPECT_EQ(law.at(least).s, 7);
+    const double min = TimeLaw::fastest_s(7, kInfinity, 3);
+    const TimeLaw law = TimeLaw::in_time(7, min * (1 - 1e-15), 3);
+    EXPECT_EQ(law.at(min).s, 7);
     EXPECT_LE(law.at(0).a, 3 * (1 + kRelative));
 }
 
@@ -104,7 +104,7 @@ TEST(TimeLaw, RestToRestBeginsAndEndsAtRest) {
 TEST(TimeLaw, TrapezoidBetweenMovingEndsByHand) {
     // 1 s from 50 to 100 at 50 mm/s2, 1 s at 100, 1 s down to 20 at 80 mm/s2: 75 + 100 + 60 mm.
     const TimeLaw law = TimeLaw::between(235, 50, 20, {100, 50, 80, kInfinity});
-    EXPECT_EQ(law.pieces().size(), 3U);
+    EXPECT_EQ(law.sections().size(), 3U);
     EXPECT_DOUBLE_EQ(law.duration_s(), 3);
     EXPECT_DOUBLE_EQ(law.at(1).s, 75);
     EXPECT_DOUBLE_EQ(law.at(0.5).a, 50);
@@ -124,9 +124,9 @@ TEST(TimeLaw, BrakesFirstWhereTheStartIsTooFast) {
 
 TEST(TimeLaw, OfPiecesHasTheValuesOfItsPieces) {
     // Up by jerk and past the peak at 2 s, then constant speed; the part without duration is omitted.
-    const LawPiece pieces[] = {{3, 0, 1, 4, -2}, {0, 12, 4, 0, 0}, {2, 12, 4, 0, 0}};
-    const TimeLaw law = TimeLaw::of_pieces(pieces);
-    EXPECT_EQ(law.pieces().size(), 2U);
+    const LawSection sections[] = {{3, 0, 1, 4, -2}, {0, 12, 4, 0, 0}, {2, 12, 4, 0, 0}};
+    const TimeLaw law = TimeLaw::from_sections(sections);
+    EXPECT_EQ(law.sections().size(), 2U);
     EXPECT_DOUBLE_EQ(law.duration_s(), 5);
     EXPECT_DOUBLE_EQ(law.length(), 20);
     EXPECT_DOUBLE_EQ(law.start_speed(), 1);
@@ -135,12 +135,12 @@ TEST(TimeLaw, OfPiecesHasTheValuesOfItsPieces) {
     EXPECT_DOUBLE_EQ(law.peak_acceleration(), 4);
     EXPECT_DOUBLE_EQ(law.at(2).v, 5);
     EXPECT_DOUBLE_EQ(law.at(4).s, 16);
-    EXPECT_EQ(TimeLaw::of_pieces({}).duration_s(), 0);
+    EXPECT_EQ(TimeLaw::from_sections({}).duration_s(), 0);
 }
 
 TEST(TimeLaw, OfPiecesCopiesALaw) {
     const TimeLaw law = TimeLaw::between(70, 3, 5, {20, 15, 10, 40});
-    const TimeLaw copy = TimeLaw::of_pieces(law.pieces());
+    const TimeLaw copy = TimeLaw::from_sections(law.sections());
     EXPECT_DOUBLE_EQ(copy.length(), 70);
     EXPECT_DOUBLE_EQ(copy.duration_s(), law.duration_s());
     EXPECT_DOUBLE_EQ(copy.peak_speed(), law.peak_speed());
@@ -148,7 +148,7 @@ TEST(TimeLaw, OfPiecesCopiesALaw) {
 }
 
 struct Case {
-    double length, speed, acceleration, stretch;
+    double length, speed, acceleration, section;
 };
 
 Case random_case(std::mt19937& random) {
@@ -156,14 +156,14 @@ Case random_case(std::mt19937& random) {
     std::bernoulli_distribution coin(0.3);
     Case c{std::exp(log_scale(random)), std::exp(log_scale(random)), std::exp(log_scale(random)), 0};
     if (coin(random)) c.length = c.speed * c.speed / c.acceleration;  // the edge of triangle and trapezoid
-    c.stretch = coin(random) ? 1 + 1e-15 : 1 + std::exp(log_scale(random));
+    c.section = coin(random) ? 1 + 1e-15 : 1 + std::exp(log_scale(random));
     return c;
 }
 
 void expect_law(const TimeLaw& law, const Case& c, double duration_s) {
     const auto what = [&] {
         return testing::Message() << "length " << c.length << " speed " << c.speed << " acceleration "
-                                  << c.acceleration << " stretch " << c.stretch;
+                                  << c.acceleration << " stretch " << c.section;
     };
     ASSERT_EQ(law.duration_s(), duration_s) << what();
     ASSERT_LE(law.peak_speed(), c.speed * (1 + kRelative)) << what();
@@ -188,7 +188,7 @@ TEST(TimeLaw, RandomLawsKeepTheirLimitsAndTheirTime) {
         ASSERT_NEAR(TimeLaw::fastest_s(c.length, c.speed, c.acceleration), fastest_s, 1e-12 * fastest_s);
         const TimeLaw fastest = TimeLaw::fastest(c.length, c.speed, c.acceleration);
         expect_law(fastest, c, TimeLaw::fastest_s(c.length, c.speed, c.acceleration));
-        const double longer_s = fastest.duration_s() * c.stretch;
+        const double longer_s = fastest.duration_s() * c.section;
         expect_law(TimeLaw::in_time(c.length, longer_s, c.acceleration, c.speed), c, longer_s);
         if (HasFatalFailure()) return;
     }
@@ -199,7 +199,7 @@ TEST(TimeLaw, DistanceIsTheIntegralOfTheSpeed) {
     for (int i = 0; i < 300; ++i) {
         const Case c = random_case(random);
         const TimeLaw law = TimeLaw::in_time(
-            c.length, c.stretch * trapezoid_s(c.length, c.speed, c.acceleration), c.acceleration);
+            c.length, c.section * trapezoid_s(c.length, c.speed, c.acceleration), c.acceleration);
         for (const double share : {0.2, 0.5, 0.9, 1.0}) {
             const double t = share * law.duration_s();
             ASSERT_NEAR(law.at(t).s, integrated(law, t), 1e-3 * c.length)

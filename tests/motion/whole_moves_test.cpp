@@ -11,8 +11,8 @@
 namespace gsim::motion::whole_moves_test {
 namespace {
 
-struct Kept final : SegmentSink {
-    void take(const Segment& segment) override { segments.push_back(segment); }
+struct StoredSegments final : SegmentSink {
+    void on_segment(const Segment& segment) override { segments.push_back(segment); }
     std::vector<Segment> segments;
 };
 
@@ -20,13 +20,13 @@ Move line_to(rrs::TargetId id, const rrs::JointPos& joints, double speed_mm_s) {
     Move move;
     move.target_id = id;
     move.goal.joints = joints;
-    move.terms.position_speed_mm_s = speed_mm_s;
+    move.move_parameters.position_speed_mm_s = speed_mm_s;
     return move;
 }
 
 class WholeMoves : public testing::Test {
   protected:
-    double number(double least, double most) { return std::uniform_real_distribution(least, most)(random); }
+    double number(double min, double max) { return std::uniform_real_distribution(min, max)(random); }
     bool chance() { return random() % 2 == 0; }
 
     rrs::JointPos place() {
@@ -39,13 +39,13 @@ class WholeMoves : public testing::Test {
         const double speed_mm_s = number(1, 200);
         Move move = line_to(++id, place(), speed_mm_s);
         if (chance()) move.type = rrs::MotionType::joint;
-        move.terms.rapid = chance();
-        if (chance()) move.terms.position_acceleration_mm_s2 = number(100, 1000);
-        if (chance()) move.terms.motion_time_s = number(1, 20);
+        move.move_parameters.rapid = chance();
+        if (chance()) move.move_parameters.position_acceleration_mm_s2 = number(100, 1000);
+        if (chance()) move.move_parameters.motion_time_s = number(1, 20);
         if (chance()) {
             auto ramps = std::make_shared<ProgrammedRamps>(5);
             ramps->accelerations.setConstant(number(50, 500));
-            move.terms.ramps = ramps;
+            move.move_parameters.ramps = ramps;
         }
         return move;
     }
@@ -66,26 +66,26 @@ class WholeMoves : public testing::Test {
 };
 
 TEST_F(WholeMoves, AreMadeAlikeWhateverCameBefore) {
-    Kept after;
+    StoredSegments after;
     DefaultPlanner used(gantry_setup(), &after);
     used.Initialize();
     rrs::JointPos at = joint_pos({500, 500, 300, 0, 0});
-    ASSERT_TRUE(used.stand_at({at, std::nullopt}));
+    ASSERT_TRUE(used.set_position({at, std::nullopt}));
     for (int i = 0; i < 300; ++i) {
         SCOPED_TRACE(i);
         use_services(used);
         const Move move = any_move();
-        ASSERT_TRUE(used.Planner::put(move));
+        ASSERT_TRUE(used.Planner::enqueue(move));
         used.flush();
 
-        Kept alone;
-        motion::Planner fresh(gantry_setup(), &alone);
-        ASSERT_TRUE(fresh.stand_at({at, std::nullopt}));
-        ASSERT_TRUE(fresh.put(move));
+        StoredSegments standalone;
+        motion::Planner fresh(gantry_setup(), &standalone);
+        ASSERT_TRUE(fresh.set_position({at, std::nullopt}));
+        ASSERT_TRUE(fresh.enqueue(move));
         fresh.flush();
-        ASSERT_EQ(alone.segments.size(), 1U);
+        ASSERT_EQ(standalone.segments.size(), 1U);
         const Segment& one = after.segments.back();
-        const Segment& other = alone.segments.back();
+        const Segment& other = standalone.segments.back();
         ASSERT_EQ(one.duration_s, other.duration_s);
         ASSERT_EQ(one.end, other.end);
         ASSERT_EQ(one.limited_by, other.limited_by);
@@ -98,15 +98,15 @@ TEST_F(WholeMoves, LeaveTheModesOfServices) {
     const rrs::JointPos near = joint_pos({500, 500, 300, 0, 0});
     const rrs::JointPos far = joint_pos({900, 500, 300, 0, 0});
     const auto duration_s = [&](bool moves_between) {
-        Kept kept;
+        StoredSegments kept;
         DefaultPlanner planner(gantry_setup(), &kept);
         planner.Initialize();
-        EXPECT_TRUE(planner.stand_at({near, std::nullopt}));
+        EXPECT_TRUE(planner.set_position({near, std::nullopt}));
         planner.SelectMotionType(rrs::MotionType::linear);
         planner.SetCartesianPositionSpeed(12.5);
         if (moves_between) {
-            EXPECT_TRUE(planner.Planner::put(line_to(1, far, 100)));
-            EXPECT_TRUE(planner.Planner::put(line_to(2, near, 150)));
+            EXPECT_TRUE(planner.Planner::enqueue(line_to(1, far, 100)));
+            EXPECT_TRUE(planner.Planner::enqueue(line_to(2, near, 150)));
         }
         EXPECT_EQ(planner.SetNextTarget(3, rrs::TargetParam::end, rrs::CartPos::Identity(), far, {}, 0),
                   rrs::Status::RRS_SUCCESS);

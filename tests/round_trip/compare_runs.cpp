@@ -17,9 +17,9 @@ constexpr double kSameShare = 1e-3;
 constexpr double kSameTime_s = 2e-3;
 
 double distance(const MadeMove& a, const MadeMove& b) {
-    double greatest = 0;
-    for (const auto& [letter, value] : a.to) greatest = std::max(greatest, std::abs(value - b.to.at(letter)));
-    return greatest;
+    double max = 0;
+    for (const auto& [letter, value] : a.to) max = std::max(max, std::abs(value - b.to.at(letter)));
+    return max;
 }
 
 bool is_arc(const MadeMove& move) {
@@ -42,36 +42,37 @@ double radius_at(const MadeMove& arc, const MadeMove& at) {
 }
 
 double center_distance(const MadeMove& a, const MadeMove& b) {
-    double greatest = 0;
+    double max = 0;
     for (const auto& [letter, value] : a.center) {
         const bool in_plane = a.plane.find(static_cast<char>(letter | 0x20)) != std::string::npos;
         const auto other = b.center.find(letter);
-        if (in_plane && other != b.center.end())
-            greatest = std::max(greatest, std::abs(value - other->second));
+        if (in_plane && other != b.center.end()) max = std::max(max, std::abs(value - other->second));
     }
-    return greatest;
+    return max;
 }
 
 // Returns true if `piece` is a part of the arc that it does not end.
-bool is_piece(const MadeMove& arc, const MadeMove& piece) {
+bool is_piece(const MadeMove& arc, const MadeMove& arc_part) {
     if (!is_arc(arc)) return false;
-    if (piece.kind == "linear") return std::abs(radius_at(arc, piece) - radius_at(arc, arc)) < kOnArc_mm;
-    return piece.kind == arc.kind && piece.plane == arc.plane && center_distance(arc, piece) < kOnArc_mm;
+    if (arc_part.kind == "linear")
+        return std::abs(radius_at(arc, arc_part) - radius_at(arc, arc)) < kOnArc_mm;
+    return arc_part.kind == arc.kind && arc_part.plane == arc.plane &&
+           center_distance(arc, arc_part) < kOnArc_mm;
 }
 
-std::string shown(const MadeMove& move) {
+std::string display_text(const MadeMove& move) {
     std::string text = move.kind;
     for (const auto& [letter, value] : move.to) text += fmt::format(" {}{:.6f}", letter, value);
     return text;
 }
 
-std::string name_of(const MadeEvent& event) {
+std::string event_name(const MadeEvent& event) {
     if (event.detail.empty() || event.kind == "optional_stop") return event.kind;
     return event.kind + " " + event.detail;
 }
 
 std::string same_switch(const MadeEvent& event) {
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kSame = {{
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 9> kEqualTolerance = {{
         {"jet_on", "M8"},
         {"flood_on", "M8"},
         {"jet_off", "M9"},
@@ -82,17 +83,17 @@ std::string same_switch(const MadeEvent& event) {
         {"abrasive_off", "digital_output P0 off"},
         {"spindle_orient", "spindle_orient 0 deg, shortest way"},  // the marked angle is that of R0
     }};
-    for (const auto& [kind, word] : kSame) {
+    for (const auto& [kind, word] : kEqualTolerance) {
         if (event.kind == kind) return std::string(word);
     }
-    return name_of(event);
+    return event_name(event);
 }
 
 std::vector<MadeEvent> events_of(const RunRecord& run, const std::set<std::string>& unsaid) {
     std::vector<MadeEvent> events;
     for (const MadeEvent& event : run.events) {
         const bool repeated = event.kind != "probe" && event.kind != "tool_table";
-        if (!repeated || unsaid.contains(name_of(event))) continue;
+        if (!repeated || unsaid.contains(event_name(event))) continue;
         if (event.kind == "overrides_on" || event.kind == "overrides_off") {
             // M48 and M49 are two events in RS274/NGC.
             const std::string state = event.kind == "overrides_on" ? " enabled" : " disabled";
@@ -129,7 +130,7 @@ std::vector<MadeEvent> with_stops_at_changes(const std::vector<MadeEvent>& first
 }
 
 // A dwell of no time is a program's mark for a standstill.
-std::vector<MadeMove> moves_of(const RunRecord& run) {
+std::vector<MadeMove> read_moves(const RunRecord& run) {
     std::vector<MadeMove> moves;
     for (const MadeMove& move : run.moves) {
         if (move.kind != "dwell" || move.duration_s > 0) moves.push_back(move);
@@ -144,38 +145,41 @@ bool is_same_time(double a_s, double b_s) {
 }  // namespace
 
 std::string compare_positions(const RunRecord& first, const RunRecord& second) {
-    const std::vector<MadeMove> wanted_moves = moves_of(first), found_moves = moves_of(second);
+    const std::vector<MadeMove> wanted_moves = read_moves(first), found_moves = read_moves(second);
     const MadeMove* at = nullptr;  // position of the second run
     std::size_t j = 0;
     for (std::size_t i = 0; i < wanted_moves.size(); ++i) {
-        const MadeMove& wanted = wanted_moves[i];
+        const MadeMove& expected_value = wanted_moves[i];
         std::size_t found = j;
         // These are the parts of an arc, up to the one that ends at its end.
-        while (found < found_moves.size() && is_piece(wanted, found_moves[found]) &&
-               (distance(wanted, found_moves[found]) > kSamePlace)) {
+        while (found < found_moves.size() && is_piece(expected_value, found_moves[found]) &&
+               (distance(expected_value, found_moves[found]) > kSamePlace)) {
             ++found;
         }
         const bool ends_there =
-            found < found_moves.size() && distance(wanted, found_moves[found]) <= kSamePlace;
-        const bool same_way = ends_there && (way_of(wanted) == way_of(found_moves[found]) ||
-                                             is_piece(wanted, found_moves[found]));
+            found < found_moves.size() && distance(expected_value, found_moves[found]) <= kSamePlace;
+        const bool same_way = ends_there && (way_of(expected_value) == way_of(found_moves[found]) ||
+                                             is_piece(expected_value, found_moves[found]));
         if (same_way) {
             // Further turns end at the end of the first one.
-            for (int turn = 1; turn < wanted.turns && found + 1 < found_moves.size(); ++turn) {
+            for (int turn = 1; turn < expected_value.turns && found + 1 < found_moves.size(); ++turn) {
                 const MadeMove& next = found_moves[found + 1];
-                if (!is_arc(next) || !is_piece(wanted, next) || distance(wanted, next) > kSamePlace) break;
+                if (!is_arc(next) || !is_piece(expected_value, next) ||
+                    distance(expected_value, next) > kSamePlace)
+                    break;
                 ++found;
             }
             at = &found_moves[found];
             j = found + 1;
             continue;
         }
-        const bool stays = wanted.kind != "dwell" && (at == nullptr || distance(wanted, *at) <= kSamePlace);
+        const bool stays =
+            expected_value.kind != "dwell" && (at == nullptr || distance(expected_value, *at) <= kSamePlace);
         if (stays) continue;
-        return fmt::format("move {}: {}, found {}", i + 1, shown(wanted),
-                           j < found_moves.size() ? shown(found_moves[j]) : "none");
+        return fmt::format("move {}: {}, found {}", i + 1, display_text(expected_value),
+                           j < found_moves.size() ? display_text(found_moves[j]) : "none");
     }
-    if (j < found_moves.size()) return fmt::format("a further move: {}", shown(found_moves[j]));
+    if (j < found_moves.size()) return fmt::format("a further move: {}", display_text(found_moves[j]));
     return {};
 }
 
@@ -190,12 +194,13 @@ std::string compare_events(const RunRecord& first, const RunRecord& second,
     const std::vector<MadeEvent> b = events_of(second, unsaid);
     const std::vector<MadeEvent> a = with_stops_at_changes(events_of(first, unsaid), b);
     for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
-        const std::string wanted = i < a.size() ? same_switch(a[i]) : "none";
+        const std::string expected_value = i < a.size() ? same_switch(a[i]) : "none";
         const std::string found = i < b.size() ? same_switch(b[i]) : "none";
-        if (wanted != found) return fmt::format("event {}: {}, found {}", i + 1, wanted, found);
+        if (expected_value != found)
+            return fmt::format("event {}: {}, found {}", i + 1, expected_value, found);
         if (!is_same_time(a[i].t_s, b[i].t_s)) {
-            return fmt::format("event {}, {}: at {:.4f} s, found at {:.4f} s", i + 1, wanted, a[i].t_s,
-                               b[i].t_s);
+            return fmt::format("event {}, {}: at {:.4f} s, found at {:.4f} s", i + 1, expected_value,
+                               a[i].t_s, b[i].t_s);
         }
     }
     return {};

@@ -64,9 +64,9 @@ TEST(CompareRuns, TimesAndEvents) {
 }
 
 RunRecord switches(const std::vector<std::string>& kinds) {
-    RunRecord made;
-    for (const std::string& kind : kinds) made.events.push_back({1, kind, ""});
-    return made;
+    RunRecord run_record;
+    for (const std::string& kind : kinds) run_record.events.push_back({1, kind, ""});
+    return run_record;
 }
 
 TEST(CompareRuns, OverridesAreOneSwitchOrTwo) {

@@ -55,23 +55,23 @@ class Table {
     void add(const std::string& file, const std::string& post, const Outcome& outcome) {
         static constexpr std::array<const char*, 6> kNames = {"same",    "differs",      "not written",
                                                               "not run", "not recorded", "does not run"};
-        const std::string ending = kNames[static_cast<std::size_t>(outcome.ending)];
-        ++counts_[post][ending];
+        const std::string extension = kNames[static_cast<std::size_t>(outcome.extension)];
+        ++counts_[post][extension];
         if (outcome.by_lines) ++counts_[post]["with arcs by lines"];
-        const auto tell = [&](const char* what, const std::string& difference) {
+        const auto print_difference = [&](const char* what, const std::string& difference) {
             if (!difference.empty())
-                lines_.push_back(fmt::format("{}\t{}\t{}\t{}\t{}", post, ending, file, what, difference));
+                lines_.push_back(fmt::format("{}\t{}\t{}\t{}\t{}", post, extension, file, what, difference));
         };
-        tell("positions", outcome.differences.positions);
-        tell("times", outcome.differences.times);
-        tell("events", outcome.differences.events);
-        tell("", first_line(outcome.message));
+        print_difference("positions", outcome.differences.positions);
+        print_difference("times", outcome.differences.times);
+        print_difference("events", outcome.differences.events);
+        print_difference("", first_line(outcome.message));
     }
     std::string text() const {
         std::string text;
         for (const auto& [post, counts] : counts_) {
             text += fmt::format("{}:", post);
-            for (const auto& [ending, count] : counts) text += fmt::format(" {} {};", count, ending);
+            for (const auto& [extension, count] : counts) text += fmt::format(" {} {};", count, extension);
             text += "\n";
         }
         for (const std::string& line : lines_) text += line + "\n";
@@ -112,17 +112,18 @@ TEST_F(Corpus, ComesBackAsItWas) {
             strict.add(name, "all", {Ending::does_not_run, {}, message, false});
             continue;
         }
-        for (const Way& way : kWays) {
-            const Outcome outcome = round->end(way);
-            strict.add(name, way.post, outcome);
-            EXPECT_TRUE(outcome.ending != Ending::differs || is_exception(way.post, name))
-                << way.post << " " << name << "\n"
+        for (const Way& write_mode : kWays) {
+            const Outcome outcome = round->end(write_mode);
+            strict.add(name, write_mode.post, outcome);
+            EXPECT_TRUE(outcome.extension != Ending::differs || is_exception(write_mode.post, name))
+                << write_mode.post << " " << name << "\n"
                 << outcome.differences.positions << "\n"
                 << outcome.differences.times << "\n"
                 << outcome.differences.events;
-            EXPECT_NE(outcome.ending, Ending::not_run) << way.post << " " << name << "\n" << outcome.message;
-            if (outcome.ending == Ending::not_written)
-                going_on.add(name, way.post, round->end(way, {"--go-on"}));
+            EXPECT_NE(outcome.extension, Ending::not_run) << write_mode.post << " " << name << "\n"
+                                                          << outcome.message;
+            if (outcome.extension == Ending::not_written)
+                going_on.add(name, write_mode.post, round->end(write_mode, {"--go-on"}));
         }
     }
     if (const char* const table = std::getenv("GSIM_ROUND_TRIP_TABLE"); table != nullptr)

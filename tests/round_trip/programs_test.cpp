@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 // Programs of each dialect: as many as the variable says, else `few`.
 unsigned programs(unsigned few) {
-    const char* const wanted = std::getenv("GSIM_ROUND_TRIP_PROGRAMS");
-    return wanted == nullptr ? few : static_cast<unsigned>(std::stoul(wanted));
+    const char* const expected_value = std::getenv("GSIM_ROUND_TRIP_PROGRAMS");
+    return expected_value == nullptr ? few : static_cast<unsigned>(std::stoul(expected_value));
 }
 
 class RoundTrip : public apps::Apps {
@@ -30,15 +30,17 @@ class RoundTrip : public apps::Apps {
         return (folder_ / write(name, text)).string();
     }
     // Expects the same program, or a named error; returns true if it is written for the controller.
-    bool expect_same(const WayRound& round, const Way& way,
+    bool expect_same(const WayRound& round, const Way& write_mode,
                      const std::vector<std::string>& options = {}) const {
-        const Outcome outcome = round.end(way, options);
-        if (outcome.ending == Ending::not_written || outcome.ending == Ending::not_recorded) return false;
-        EXPECT_EQ(outcome.ending, Ending::same) << way.post << ": " << outcome.differences.positions << "\n"
-                                                << outcome.differences.times << "\n"
-                                                << outcome.differences.events << "\n"
-                                                << outcome.message << "\n"
-                                                << round.written();
+        const Outcome outcome = round.end(write_mode, options);
+        if (outcome.extension == Ending::not_written || outcome.extension == Ending::not_recorded)
+            return false;
+        EXPECT_EQ(outcome.extension, Ending::same)
+            << write_mode.post << ": " << outcome.differences.positions << "\n"
+            << outcome.differences.times << "\n"
+            << outcome.differences.events << "\n"
+            << outcome.message << "\n"
+            << round.written();
         return true;
     }
 };
@@ -54,7 +56,8 @@ TEST_F(RoundTrip, SamplesAndGoldenPrograms) {
             for (const char* axes : {"XYZ", "XYZABC"}) {
                 WayRound round(folder_, axes);
                 if (!round.begin(entry.path(), ngc ? "rs274ngc" : "ab9")) continue;
-                for (const Way& way : kWays) written += static_cast<int>(expect_same(round, way));
+                for (const Way& write_mode : kWays)
+                    written += static_cast<int>(expect_same(round, write_mode));
                 break;
             }
         }
@@ -73,7 +76,7 @@ TEST_F(RoundTrip, RandomProgramsOfBothDialects) {
             SCOPED_TRACE(fmt::format("{} {}\n{}", name, seed, text));
             WayRound round(folder_, "XYZABC");
             if (!round.begin(file("random.nc", text), name)) continue;
-            for (const Way& way : kWays) written += static_cast<int>(expect_same(round, way));
+            for (const Way& write_mode : kWays) written += static_cast<int>(expect_same(round, write_mode));
             ASSERT_FALSE(HasFailure());
         }
     }
@@ -89,9 +92,9 @@ TEST_F(RoundTrip, RandomModes) {
             SCOPED_TRACE(text);
             WayRound round(folder_, "XYZ");
             ASSERT_TRUE(round.begin(file("random.nc", text), dialect)) << round.message();
-            for (const Way& way : kWays) {
+            for (const Way& write_mode : kWays) {
                 for (const char* offsets : {"keep", "none"})
-                    written += static_cast<int>(expect_same(round, way, {"--offsets", offsets}));
+                    written += static_cast<int>(expect_same(round, write_mode, {"--offsets", offsets}));
             }
             ASSERT_FALSE(HasFailure());
         }

@@ -105,16 +105,16 @@ bool WayRound::begin(const fs::path& program, const std::string& dialect) {
            (fs::exists(folder_ / "first.json") && message_.starts_with("gsim-run: no path"));
 }
 
-Outcome WayRound::end(const Way& way, const std::vector<std::string>& options) const {
+Outcome WayRound::end(const Way& write_mode, const std::vector<std::string>& options) const {
     if (!has_path_) return {Ending::not_recorded, {}, message_, false};
-    gsim_run(program_, dialect_, "first-timed", way.controller, true);
-    std::vector<std::string> arguments{"path.json",         "--dialect", way.post,  "--machine",
+    gsim_run(program_, dialect_, "first-timed", write_mode.controller, true);
+    std::vector<std::string> arguments{"path.json",         "--dialect", write_mode.post, "--machine",
                                        machine(kExactStop), "-o",        "again.nc"};
     arguments.insert(arguments.end(), options.begin(), options.end());
     const apps::Ended written = apps::run_program(tests::program_path("path2gcode"), arguments, folder_);
     if (written.status != 0) return {Ending::not_written, {}, written.err, false};
-    const apps::Ended again = gsim_run("again.nc", way.dialect, "again", kExactStop, false);
-    if (again.status != 0) return {Ending::not_run, {}, again.err, false};
+    const apps::Ended relist = gsim_run("again.nc", write_mode.dialect, "again", kExactStop, false);
+    if (relist.status != 0) return {Ending::not_run, {}, relist.err, false};
     const RunRecord first = read("first"), second = read("again");
     Outcome outcome;
     const std::set<std::string> unsaid = comments_of(written.err);
@@ -129,12 +129,12 @@ Outcome WayRound::end(const Way& way, const std::vector<std::string>& options) c
                                compare_events(first, second, unsaid)};
     }
     if (outcome.differences.none() && !outcome.by_lines) {
-        gsim_run("again.nc", way.dialect, "again-timed", way.controller, false);
+        gsim_run("again.nc", write_mode.dialect, "again-timed", write_mode.controller, false);
         const RunRecord first_timed = read("first-timed"), second_timed = read("again-timed");
         outcome.differences.times = compare_times(first_timed, second_timed);
         outcome.differences.events = compare_events(first_timed, second_timed, unsaid);
     }
-    outcome.ending = outcome.differences.none() ? Ending::same : Ending::differs;
+    outcome.extension = outcome.differences.none() ? Ending::same : Ending::differs;
     return outcome;
 }
 

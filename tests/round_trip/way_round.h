@@ -30,7 +30,7 @@ enum class Ending {
 };
 
 struct Outcome {
-    Ending ending = Ending::same;
+    Ending extension = Ending::same;
     Differences differences;
     std::string message;    ///< Message of the error.
     bool by_lines = false;  ///< Arcs outside the planes are lines: times are not compared.
@@ -46,7 +46,7 @@ class WayRound {
     /// counts as one, too.
     bool begin(const std::filesystem::path& program, const std::string& dialect);
     /// Records it on the controller of `way`, writes it, with these options, and runs it again.
-    Outcome end(const Way& way, const std::vector<std::string>& options = {}) const;
+    Outcome end(const Way& write_mode, const std::vector<std::string>& options = {}) const;
     /// Returns the first run's output.
     const std::string& message() const { return message_; }
     std::string written() const;

@@ -27,6 +27,7 @@ class Affected(unittest.TestCase):
         self.addCleanup(os.chdir, os.getcwd())
         os.chdir(folder.name)
         affected.names.cache_clear()
+        affected.renamings.cache_clear()
         for name, text in SOURCES.items():
             self.write(name, text)
         self.git("init", "--quiet")
@@ -81,6 +82,16 @@ class Affected(unittest.TestCase):
         self.write("high/c.cpp", SOURCES["high/c.cpp"].replace("c()", "d()"))
         self.assertEqual([], affected.changed_files("HEAD"))
 
+    def test_a_name_that_stays_elsewhere_may_be_renamed_if_a_list_says_so(self):
+        self.write("high/d.cpp", "int a() { return 2; }\n")
+        self.write("high/e.cpp", "int d();\n")
+        self.git("add", ".")
+        self.assertEqual(["high/d.cpp", "high/e.cpp"], affected.changed_files("HEAD"))
+        self.write(".ci/renames", "# old new\nd a\n")
+        affected.renamings.cache_clear()
+        self.git("add", ".")
+        self.assertEqual([".ci/renames", "high/e.cpp"], affected.changed_files("HEAD"))
+
     def test_a_name_that_becomes_another_one_of_the_source_is_a_change(self):
         self.write("high/c.cpp", SOURCES["high/c.cpp"].replace("b()", "a()"))
         self.assertEqual(["high/c.cpp"], affected.changed_files("HEAD"))
@@ -96,7 +107,7 @@ class Affected(unittest.TestCase):
 
 class SameSource(unittest.TestCase):
     def is_same(self, before, after, is_lua=False):
-        return affected.same_source.is_same(before, after, is_lua, {}, set())
+        return affected.same_source.is_same(before, after, is_lua, {}, set(), set())
 
     def test_a_comment_in_a_text_is_none(self):
         self.assertFalse(self.is_same('puts("a // b");', 'puts("a // c");'))

@@ -31,30 +31,30 @@ struct Log : MoveSink {
     void acceleration(double) override {}
     void action(const std::string& name) override { actions.push_back(name); }
     void call(const SubPath&) override {}
-    void note(const TargetId&, std::string_view sentence) override { notes.emplace_back(sentence); }
+    void note(const TargetId&, std::string_view message) override { notes.emplace_back(message); }
 };
 
 /// The moves of one path of a program.
 struct Moved {
     machine::Machine machine;
     Log log;
-    std::string fault;
+    std::string error;
 
     Moved(const machine::Machine& of, const Program& program, std::size_t path) : machine(of) {
         const MachineSpace space = MachineSpace::make(machine).value();
-        EXPECT_TRUE(space.coupled());
+        EXPECT_TRUE(space.is_coupled());
         const States states(program);
         const auto turns = plan_rotary(program, space, states, {});
-        EXPECT_TRUE(turns) << turns.error().sentence;
+        EXPECT_TRUE(turns) << turns.error().message;
         if (!turns) return;
         const auto done =
             AxisMoves(program, space, states, *turns, {kTolerance_mm, kDigit_mm}).run(path, log);
-        if (!done) fault = done.error().sentence;
+        if (!done) error = done.error().message;
     }
     explicit Moved(std::vector<Target> targets)
         : Moved(offset_head(), {"n", {{"root", std::move(targets)}}, 0}, 0) {}
 
-    Vector3d tip(const AxisValues& axes) const {
+    Vector3d tcp(const AxisValues& axes) const {
         rrs::JointPos joints(axes.size());
         for (Eigen::Index i = 0; i < axes.size(); ++i) {
             joints[i] = machine::joint_value(machine.axes[static_cast<std::size_t>(i)], axes[i]);
@@ -62,16 +62,16 @@ struct Moved {
         return machine::make_kinematics(machine)->forward(joints).translation();
     }
     /// Returns the TCP in the middle of linear move `n`.
-    Vector3d middle(std::size_t n) const { return tip((log.moves[n - 1].axes + log.moves[n].axes) / 2); }
+    Vector3d middle(std::size_t n) const { return tcp((log.moves[n - 1].axes + log.moves[n].axes) / 2); }
     /// The time that the feeds of the moves from `n` on make, min.
     double minutes_from(std::size_t n) const {
         double minutes = 0;
         for (std::size_t i = n; i < log.moves.size(); ++i) {
-            const AxisValues way = log.moves[i].axes - log.moves[i - 1].axes;
-            const double linear_mm = way.head(3).norm();
+            const AxisValues displacement = log.moves[i].axes - log.moves[i - 1].axes;
+            const double linear_mm = displacement.head(3).norm();
             const bool rotary = linear_mm < kDigit_mm / 2;
             EXPECT_EQ(log.moves[i].feed_is_rotary, rotary);
-            minutes += (rotary ? way.tail(2).norm() : linear_mm) / log.moves[i].feed_per_min;
+            minutes += (rotary ? displacement.tail(2).norm() : linear_mm) / log.moves[i].feed_per_min;
         }
         return minutes;
     }
@@ -90,12 +90,12 @@ TEST(AxisMoves, ALineWithTurningAxesKeepsTheTipOnIt) {
     ASSERT_GT(run.log.moves.size(), 5U);
     EXPECT_EQ(run.log.notes.size(), 1U);
     for (std::size_t i = 1; i < run.log.moves.size(); ++i) {
-        for (const Vector3d& tip : {run.tip(run.log.moves[i].axes), run.middle(i)}) {
-            EXPECT_LT(std::hypot(tip.y() - 800, tip.z() - 300), 1.5 * kTolerance_mm) << i;
+        for (const Vector3d& tcp : {run.tcp(run.log.moves[i].axes), run.middle(i)}) {
+            EXPECT_LT(std::hypot(tcp.y() - 800, tcp.z() - 300), 1.5 * kTolerance_mm) << i;
         }
         EXPECT_FALSE(run.log.moves[i].arc);
     }
-    EXPECT_LT((run.tip(run.log.moves.back().axes) - Vector3d(1000, 800, 300)).norm(), 1e-9);
+    EXPECT_LT((run.tcp(run.log.moves.back().axes) - Vector3d(1000, 800, 300)).norm(), 1e-9);
     EXPECT_NEAR(run.minutes_from(1), 100.0 / 1000, 1e-3) << "the feed is of the tip";
 }
 
@@ -112,9 +112,9 @@ TEST(AxisMoves, AnArcStaysOneWhileTheHeadIsStill) {
     const Moved turning({to({900, 800, 300}, 30, 20), arc});
     EXPECT_GT(turning.log.moves.size(), 20U);
     for (std::size_t i = 1; i < turning.log.moves.size(); ++i) {
-        const Vector3d tip = turning.middle(i);
-        EXPECT_NEAR(std::hypot(tip.x() - 950, tip.y() - 800), 50, 1.5 * kTolerance_mm) << i;
-        EXPECT_NEAR(tip.z(), 300, 1.5 * kTolerance_mm);
+        const Vector3d tcp = turning.middle(i);
+        EXPECT_NEAR(std::hypot(tcp.x() - 950, tcp.y() - 800), 50, 1.5 * kTolerance_mm) << i;
+        EXPECT_NEAR(tcp.z(), 300, 1.5 * kTolerance_mm);
     }
 }
 
@@ -144,7 +144,7 @@ TEST(AxisMoves, ATiltOverTheUprightIsNoted) {
         targets.emplace_back(part);
     }
     const Moved along(std::move(targets));
-    EXPECT_EQ(along.fault, "");
+    EXPECT_EQ(along.error, "");
     for (const std::string& note : along.log.notes)
         EXPECT_EQ(note.find("upright"), std::string::npos) << note;
     for (std::size_t i = 1; i < along.log.moves.size(); ++i) {
@@ -172,12 +172,12 @@ TEST(AxisMoves, UnwindingKeepsTheTipWhereItIs) {
     for (int i = 0; i <= 30; ++i) targets.emplace_back(to({900.0 + i, 800, 300}, 20, 30 * i));
     std::get<Point>(targets[0]).actions = {"waterjet_on"};
     const Moved run(std::move(targets));
-    ASSERT_EQ(run.fault, "");
+    ASSERT_EQ(run.error, "");
     std::size_t unwinding = 0;
     for (std::size_t i = 1; i < run.log.moves.size(); ++i) {
         if (!run.log.moves[i].rapid) continue;
         ++unwinding;
-        EXPECT_LT((run.middle(i) - run.tip(run.log.moves[i].axes)).norm(), 1.5 * kTolerance_mm) << i;
+        EXPECT_LT((run.middle(i) - run.tcp(run.log.moves[i].axes)).norm(), 1.5 * kTolerance_mm) << i;
     }
     EXPECT_GT(unwinding, 20U);
     EXPECT_EQ(run.log.actions.size() % 2, 1U) << "off and on again";
@@ -187,7 +187,7 @@ TEST(AxisMoves, UnwindingKeepsTheTipWhereItIs) {
 TEST(AxisMoves, WhatIsOutOfReachBetweenPointsIsAnError) {
     // Both ends are within X; between them, at C 180, its axis is 60 mm further than at C 0.
     const Moved run({to({2950, 800, 300}, 0, 100), to({2950, 800, 300}, 0, 260)});
-    EXPECT_NE(run.fault.find("out of reach: X"), std::string::npos) << run.fault;
+    EXPECT_NE(run.error.find("out of reach: X"), std::string::npos) << run.error;
 }
 
 Program with_sub_path(const Point& first_use, const Point& second_use, const Point& begin) {
@@ -252,8 +252,8 @@ TEST(AxisMoves, TinyArcsAreLinesWithinTheirDigits) {
     const Moved run({to({900, 800, 300}, 0, 0), arc});
     EXPECT_TRUE(run.log.notes.empty());
     for (std::size_t i = 1; i < run.log.moves.size(); ++i) {
-        const Vector3d tip = run.middle(i);
-        EXPECT_NEAR(std::hypot(tip.x() - 900.01, tip.y() - 800), 0.01, kDigit_mm / 2);
+        const Vector3d tcp = run.middle(i);
+        EXPECT_NEAR(std::hypot(tcp.x() - 900.01, tcp.y() - 800), 0.01, kDigit_mm / 2);
     }
 }
 

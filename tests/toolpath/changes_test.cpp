@@ -84,12 +84,13 @@ TEST(PathChanges, APathThatIsTurnedAboutTheVerticalKeepsItsShape) {
     const machine::Machine gantry = read_sample("af5.toml");
     const MachineSpace space = MachineSpace::make(gantry).value();
     std::mt19937 random(7);
-    std::uniform_real_distribution<double> angle(-std::numbers::pi, std::numbers::pi), way(-300, 300);
+    std::uniform_real_distribution<double> angle(-std::numbers::pi, std::numbers::pi), coordinate(-300, 300);
     for (int i = 0; i < 20; ++i) {
-        const rrs::CartPos motion = motion_of(way(random), way(random), way(random), angle(random));
+        const rrs::CartPos motion =
+            motion_of(coordinate(random), coordinate(random), coordinate(random), angle(random));
         Program placed = wheel();
         const auto done = place(placed, motion, space);
-        ASSERT_TRUE(done) << done.error().sentence;
+        ASSERT_TRUE(done) << done.error().message;
         expect_moved(wheel(), placed, motion, space, true);
     }
 }
@@ -133,7 +134,7 @@ TEST(PathChanges, ArcsStayArcsOfTheirRadius) {
         Program placed = before;
         const rrs::CartPos motion = motion_of(100, -50, 20, 0.1 * i);
         if (const auto done = place(placed, motion, space); !done) {
-            EXPECT_THAT(done.error().sentence, HasSubstr("should say where the rotary axes"));
+            EXPECT_THAT(done.error().message, HasSubstr("should say where the rotary axes"));
             continue;
         }
         for (std::size_t p = 0; p < before.paths.size(); ++p) {
@@ -156,18 +157,18 @@ TEST(PathChanges, ArcsStayArcsOfTheirRadius) {
 TEST(PathChanges, WhatCannotBePlacedIsSaid) {
     const machine::Machine gantry = read_sample("af5.toml");
     const MachineSpace space = MachineSpace::make(gantry).value();
-    const auto fault = [&](Program program) {
-        return place(program, motion_of(1, 0, 0, 1), space).error().sentence;
+    const auto error = [&](Program program) {
+        return place(program, motion_of(1, 0, 0, 1), space).error().message;
     };
     Program recorded = wheel();
     recorded.work_offsets["54"] = {};
-    EXPECT_THAT(fault(recorded), HasSubstr("recorded"));
+    EXPECT_THAT(error(recorded), HasSubstr("recorded"));
     Program framed = wheel();
     framed.paths[1].frame.name = "55";
-    EXPECT_THAT(fault(framed), HasSubstr("several work frames"));
+    EXPECT_THAT(error(framed), HasSubstr("several work frames"));
     Program bare = wheel();
     std::get<Point>(bare.paths[1].targets[0]).orientation = RotaryAxes{{'C', 0}};
-    EXPECT_THAT(fault(bare), HasSubstr("rotary axes B stand"));
+    EXPECT_THAT(error(bare), HasSubstr("rotary axes B stand"));
 }
 
 // The tool of a machine without rotary axes keeps its direction.
@@ -177,7 +178,7 @@ TEST(PathChanges, WhatCannotLeanIsNotLeant) {
     Point point;
     point.position_mm = {10, 20, 30};
     Program program{"p", {{"p", {point}}}, 0};
-    EXPECT_THAT(place(program, motion_of(0, 0, 0, 0, 0.2), space).error().sentence, HasSubstr("would lean"));
+    EXPECT_THAT(place(program, motion_of(0, 0, 0, 0, 0.2), space).error().message, HasSubstr("would lean"));
     ASSERT_TRUE(place(program, motion_of(0, 0, 0, 1.5), space));
     EXPECT_NEAR(std::get<Point>(program.paths[0].targets[0]).position_mm[2], 30, 1e-12);
 }
@@ -186,17 +187,17 @@ TEST(PathChanges, WhatCannotLeanIsNotLeant) {
 TEST(PathChanges, BehindAPointOfTheMachineEachAxisIsNamed) {
     const machine::Machine mill = read_sample("mill-table-table.toml");
     const MachineSpace space = MachineSpace::make(mill).value();
-    Point whole, part;
-    whole.orientation = RotaryAxes{{'A', -30}, {'C', 20}};
+    Point full, part;
+    full.orientation = RotaryAxes{{'A', -30}, {'C', 20}};
     part.orientation = RotaryAxes{{'A', -10}};
     const MachinePoint home{.kind = MachinePoint::Kind::reference, .number = 1, .axes = {{'A', 0}, {'C', 0}}};
     const auto placed = [&](std::vector<Target> targets) {
         Program program{"p", {{"p", std::move(targets)}}, 0};
         return place(program, motion_of(0, 0, 0, 0.7), space);
     };
-    EXPECT_TRUE(placed({whole, part}));
-    EXPECT_THAT(placed({whole, home, part}).error().sentence, HasSubstr("rotary axes C stand"));
-    EXPECT_TRUE(placed({whole, home, whole}));
+    EXPECT_TRUE(placed({full, part}));
+    EXPECT_THAT(placed({full, home, part}).error().message, HasSubstr("rotary axes C stand"));
+    EXPECT_TRUE(placed({full, home, full}));
 }
 
 Point point_at(double x_mm, std::optional<double> feed_mm_min, bool turned = true) {
@@ -207,7 +208,7 @@ Point point_at(double x_mm, std::optional<double> feed_mm_min, bool turned = tru
     return point;
 }
 
-tl::expected<void, Fault> put_in_order(Program& program, const std::vector<std::size_t>& order) {
+tl::expected<void, Error> put_in_order(Program& program, const std::vector<std::size_t>& order) {
     static const machine::Machine gantry = read_sample("af5.toml");
     return reorder(program, order, MachineSpace::make(gantry).value());
 }
@@ -233,35 +234,35 @@ TEST(PathChanges, TheOrderOfSubPathsChanges) {
 // A value that a sub-path takes over from the one before would differ in another order.
 TEST(PathChanges, WhatOthersHandOverKeepsTheOrder) {
     const std::vector<std::size_t> order{2, 0, 1};
-    const auto fault = [&](Path third) {
+    const auto error = [&](Path third) {
         Program program = of_three(std::move(third));
-        return put_in_order(program, order).error().sentence;
+        return put_in_order(program, order).error().message;
     };
-    EXPECT_THAT(fault({"c", {point_at(3, std::nullopt)}}), HasSubstr("'c' should have a feed"));
-    EXPECT_THAT(fault({"c", {point_at(3, 300, false)}}), HasSubstr("orientation of its own"));
+    EXPECT_THAT(error({"c", {point_at(3, std::nullopt)}}), HasSubstr("'c' should have a feed"));
+    EXPECT_THAT(error({"c", {point_at(3, 300, false)}}), HasSubstr("orientation of its own"));
     Point arc = point_at(3, 300);
     arc.motion = MotionType::circular;
-    EXPECT_THAT(fault({"c", {arc}}), HasSubstr("straight motion"));
+    EXPECT_THAT(error({"c", {arc}}), HasSubstr("straight motion"));
     Point on = point_at(3, 300);
     on.actions = {"waterjet_on"};
-    EXPECT_THAT(fault({"c", {on}}), HasSubstr("something else running"));
+    EXPECT_THAT(error({"c", {on}}), HasSubstr("something else running"));
     Program program = of_three({"c", {point_at(3, 300)}});
-    EXPECT_THAT(put_in_order(program, {0, 0, 1}).error().sentence, HasSubstr("each of 0 to 2 once"));
+    EXPECT_THAT(put_in_order(program, {0, 0, 1}).error().message, HasSubstr("each of 0 to 2 once"));
     // Half of an orientation is taken over, too; values that are not compared may continue.
     Point half = point_at(3, 300);
     half.orientation = RotaryAxes{{'C', 0}};
-    EXPECT_THAT(fault({"c", {half}}), HasSubstr("all rotary axes"));
+    EXPECT_THAT(error({"c", {half}}), HasSubstr("all rotary axes"));
     for (const char* action : {"path_mode exact_path", "digital_output P3 on", "ramps linear"}) {
         Point mode = point_at(3, 300);
         mode.actions = {action};
-        EXPECT_THAT(fault({"c", {mode}}), HasSubstr("may hold on")) << action;
+        EXPECT_THAT(error({"c", {mode}}), HasSubstr("may hold on")) << action;
     }
     Point turning = point_at(3, 300);
     turning.feed_deg_min = 100;
-    EXPECT_THAT(fault({"c", {turning}}), HasSubstr("rotary axes holds on"));
-    Point told = point_at(3, 300);
-    told.actions = {"message done", "waterjet_on", "waterjet_off"};
-    Program fine = of_three({"c", {told}});
+    EXPECT_THAT(error({"c", {turning}}), HasSubstr("rotary axes holds on"));
+    Point reported = point_at(3, 300);
+    reported.actions = {"message done", "waterjet_on", "waterjet_off"};
+    Program fine = of_three({"c", {reported}});
     EXPECT_TRUE(put_in_order(fine, order));
 }
 
@@ -270,7 +271,7 @@ TEST(PathChanges, AnyOrderOfTheWheelIsOneThatCanBeRun) {
     do {
         Program program = wheel();
         const auto done = put_in_order(program, order);
-        EXPECT_TRUE(done) << done.error().sentence;
+        EXPECT_TRUE(done) << done.error().message;
     } while (std::next_permutation(order.begin(), order.end()));
 }
 
@@ -293,20 +294,20 @@ TEST(PathChanges, FeedsAreSetOrMultiplied) {
 
 TEST(PathChanges, FeedsThatOthersTakeOverAreNotChangedAlone) {
     const FeedChange change{.path = "b", .value = 2};
-    Program takes = of_three({"c", {point_at(3, std::nullopt)}});
-    EXPECT_THAT(change_feeds(takes, change).error(), HasSubstr("'c' takes one over"));
-    EXPECT_EQ(std::get<Point>(takes.paths[2].targets[0]).feed_mm_min, 200) << "nothing is done by halves";
-    ASSERT_TRUE(change_feeds(takes, {.path = "a", .value = 2})) << "b has its own, and hands that over";
+    Program accepts = of_three({"c", {point_at(3, std::nullopt)}});
+    EXPECT_THAT(change_feeds(accepts, change).error(), HasSubstr("'c' takes one over"));
+    EXPECT_EQ(std::get<Point>(accepts.paths[2].targets[0]).feed_mm_min, 200) << "nothing is done by halves";
+    ASSERT_TRUE(change_feeds(accepts, {.path = "a", .value = 2})) << "b has its own, and hands that over";
     // After a sub-path, in the path that uses it.
     Program behind = of_three({"c", {point_at(3, 300)}});
     behind.paths[0].targets = {SubPath{2}, point_at(9, std::nullopt)};
     EXPECT_THAT(change_feeds(behind, change).error(), HasSubstr("'root' takes one over"));
     // The second time round.
-    Program again = of_three({"c", {point_at(3, std::nullopt), SubPath{2}}});
-    again.paths[0].targets = {SubPath{1}, SubPath{3, 2}};
-    EXPECT_THAT(change_feeds(again, change).error(), HasSubstr("'c' takes one over"));
-    again.paths[0].targets = {SubPath{1}, SubPath{3, 1}};
-    EXPECT_TRUE(change_feeds(again, change));
+    Program relist = of_three({"c", {point_at(3, std::nullopt), SubPath{2}}});
+    relist.paths[0].targets = {SubPath{1}, SubPath{3, 2}};
+    EXPECT_THAT(change_feeds(relist, change).error(), HasSubstr("'c' takes one over"));
+    relist.paths[0].targets = {SubPath{1}, SubPath{3, 1}};
+    EXPECT_TRUE(change_feeds(relist, change));
 }
 
 }  // namespace

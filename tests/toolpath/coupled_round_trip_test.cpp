@@ -11,7 +11,7 @@
 #include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
-#include "tests/toolpath/way.h"
+#include "tests/toolpath/path_distance.h"
 
 namespace gsim::path::coupled_round_trip_test {
 namespace {
@@ -26,7 +26,7 @@ constexpr int kPoints = 12;
 struct Coupled {
     std::string machine, post;
     Vector3d middle;  ///< Centre of a reachable box in the work frame.
-    double digit_mm, digit_deg;
+    double resolution_mm, digit_deg;
 };
 
 /// Lines and arcs about the middle, the tool's axis up to 25 degrees off the vertical.
@@ -35,15 +35,15 @@ Program random_path(std::mt19937& random, const Vector3d& middle) {
         return std::uniform_real_distribution<double>(low, high)(random);
     };
     const auto point = [&] {
-        Point made;
-        made.position_mm = {middle.x() + number(-40, 40), middle.y() + number(-40, 40),
-                            middle.z() + number(-15, 15)};
+        Point new_point;
+        new_point.position_mm = {middle.x() + number(-40, 40), middle.y() + number(-40, 40),
+                                 middle.z() + number(-15, 15)};
         const double tilt = number(0.02, 0.4);
         const double azimuth = number(-3, 3);
-        made.orientation = ToolAxis{
+        new_point.orientation = ToolAxis{
             {std::sin(tilt) * std::cos(azimuth), std::sin(tilt) * std::sin(azimuth), std::cos(tilt)}};
-        made.feed_mm_min = std::round(number(500, 3000));
-        return made;
+        new_point.feed_mm_min = std::round(number(500, 3000));
+        return new_point;
     };
     std::vector<Target> targets{point()};
     std::get<Point>(targets[0]).motion = MotionType::rapid;
@@ -67,7 +67,7 @@ void expect_tip_on_path(const PathFile& file, const Coupled& setup) {
     const machine::Machine machine =
         machine::load_machine(tests::source_path("samples/machines/") + setup.machine + ".toml").value();
     const codegen::Post post = codegen::find_post(setup.post).value();
-    const double digits = 2 * setup.digit_mm + 400 * setup.digit_deg * std::numbers::pi / 180;
+    const double digits = 2 * setup.resolution_mm + 400 * setup.digit_deg * std::numbers::pi / 180;
     engine::PathProgramOptions options;
     options.tolerance_mm = kTolerance_mm;
     options.name = "part";
@@ -76,15 +76,15 @@ void expect_tip_on_path(const PathFile& file, const Coupled& setup) {
     EXPECT_FALSE(program->notes().empty()) << "pieces are told of";
     std::string text;
     program->write(
-        [&text](const std::string&) { return [&text](std::string_view piece) { text += piece; }; });
+        [&text](const std::string&) { return [&text](std::string_view chunk) { text += chunk; }; });
     script::Conditions conditions;
     conditions.machine = machine;
-    conditions.options.dialect = post.reads_as;
+    conditions.options.dialect = post.dialect;
     const script::Outcome run = script::run(text, conditions);
     ASSERT_TRUE(run.completed()) << run.message();
 
     const auto kinematics = machine::make_kinematics(run.machine);
-    const auto tip = [&](const rrs::JointPos& joints) {
+    const auto tcp = [&](const rrs::JointPos& joints) {
         return Vector3d(kinematics->forward(joints).translation());
     };
     const std::vector<Target>& targets = file.program.paths[0].targets;
@@ -101,11 +101,11 @@ void expect_tip_on_path(const PathFile& file, const Coupled& setup) {
              ++segment) {
             const motion::Segment& each = run.segments[segment];
             for (int k = 0; target > 0 && k <= kSamples; ++k) {
-                const Vector3d place = tip(each.position_at(each.duration_s * k / kSamples));
-                ASSERT_LT(off_the_way(place, at, end, arc), 1.2 * kTolerance_mm + digits) << target;
+                const Vector3d position = tcp(each.position_at(each.duration_s * k / kSamples));
+                ASSERT_LT(off_the_way(position, at, end, arc), 1.2 * kTolerance_mm + digits) << target;
             }
         }
-        if ((tip(move.end) - end).norm() > digits) continue;
+        if ((tcp(move.end) - end).norm() > digits) continue;
         if (point.orientation) axis = to_eigen(std::get<ToolAxis>(*point.orientation).direction);
         EXPECT_LT((kinematics->forward(move.end).linear().col(2) - axis).norm(), 0.1 * setup.digit_deg)
             << target;

@@ -51,9 +51,9 @@ TEST(PathJson, PlacesAreThoseOfTheTargets) {
         "[4,5,6]}]}]}",
         "f");
     ASSERT_TRUE(file) << file.error();
-    EXPECT_EQ(file->located({0, 1}, "x"), "f:4:3: x");
-    EXPECT_EQ(file->located({1, 0}, "x"), "f:5:28: x");
-    EXPECT_EQ(file->located({1, std::nullopt}, "x"), "f:5:2: x");
+    EXPECT_EQ(file->with_location({0, 1}, "x"), "f:4:3: x");
+    EXPECT_EQ(file->with_location({1, 0}, "x"), "f:5:28: x");
+    EXPECT_EQ(file->with_location({1, std::nullopt}, "x"), "f:5:2: x");
     EXPECT_EQ(std::get<SubPath>(file->program.paths[0].targets[1]), (SubPath{1, 2}));
 }
 
@@ -117,9 +117,9 @@ TEST(PathJson, ErrorsNamePlaceAndReason) {
 
 TEST(PathJson, MangledFilesEndWithAValueOrALocatedSentence) {
     std::mt19937 random(2);
-    const std::string whole = to_json(random_program(random));
+    const std::string full = to_json(random_program(random));
     for (int i = 0; i < 3000; ++i) {
-        const std::string text = test::mangled(random, whole);
+        const std::string text = test::mangled(random, full);
         const auto file = read_json(text, "f");
         EXPECT_TRUE(file || is_located(file.error())) << error_of(text);
     }

@@ -30,10 +30,10 @@ MachinePoint fixed(std::map<char, double> axes) {
     return point;
 }
 
-Point rapid(const Vector& place, std::optional<Orientation> orientation = {}) {
+Point rapid(const Vector& position, std::optional<Orientation> orientation = {}) {
     Point point;
     point.motion = MotionType::rapid;
-    point.position_mm = place;
+    point.position_mm = position;
     point.orientation = std::move(orientation);
     return point;
 }
@@ -47,13 +47,13 @@ TEST(MachinePoints, WhatIsReadIsWritten) {
     const std::vector<Target>& targets = file->program.paths[0].targets;
     MachinePoint left;
     left.name = "left";
-    left.called = "CLAMP1";
+    left.alias = "CLAMP1";
     left.dwell_s = 1.5;
     left.actions = {"a", "b"};
     EXPECT_EQ(std::get<MachinePoint>(targets[0]), left);
     EXPECT_EQ(std::get<MachinePoint>(targets[1]).number, 12);
     EXPECT_EQ(std::get<MachinePoint>(targets[2]).kind, MachinePoint::Kind::reference);
-    EXPECT_EQ(std::get<MachinePoint>(targets[3]).called, "DOCK");
+    EXPECT_EQ(std::get<MachinePoint>(targets[3]).alias, "DOCK");
     EXPECT_EQ(read_json(to_json(file->program), "f").value().program, file->program);
 }
 
@@ -86,7 +86,7 @@ TEST(MachinePoints, WhatIsIllFormedIsTold) {
 // The rapid comes directly after the point, after a sub-path that ends there, and at the beginning of a
 // repeated sub-path.
 TEST(MachinePoints, WhatFollowsIsARapid) {
-    const std::string sentence =
+    const std::string message =
         "the first motion behind a fixed or reference point must be a rapid: where that point is in the work "
         "nobody "
         "knows";
@@ -94,15 +94,15 @@ TEST(MachinePoints, WhatFollowsIsARapid) {
     const std::string arc = R"({"motion": "circular", "position_mm": [1, 2, 3], "via_mm": [4, 5, 6]})";
     const std::string none = R"({"motion": "none", "position_mm": [1, 2, 3]})";
     for (const std::string& motion : {line, arc, none})
-        EXPECT_EQ(error_of(R"({"fixed": 1},)" + motion), "f:1:51: " + sentence);
+        EXPECT_EQ(error_of(R"({"fixed": 1},)" + motion), "f:1:51: " + message);
     const auto with_park = [](const std::string& targets, const std::string& park) {
         const auto file = read_json(R"({"root": "p", "paths": [{"name": "q", "targets": [)" + park +
                                         "]},\n{\"name\": \"p\", \"targets\": [" + targets + "]}]}",
                                     "f");
         return file ? "no error" : file.error();
     };
-    EXPECT_EQ(with_park(R"({"path": "q"},)" + line, R"({"fixed": 1})"), "f:2:41: " + sentence);
-    EXPECT_EQ(with_park(R"({"path": "q", "repeats": 2})", line + R"(,{"fixed": 1})"), "f:1:51: " + sentence);
+    EXPECT_EQ(with_park(R"({"path": "q"},)" + line, R"({"fixed": 1})"), "f:2:41: " + message);
+    EXPECT_EQ(with_park(R"({"path": "q", "repeats": 2})", line + R"(,{"fixed": 1})"), "f:1:51: " + message);
     EXPECT_EQ(with_park(R"({"path": "q"})", line + R"(,{"fixed": 1})"), "no error");
 }
 
@@ -114,22 +114,25 @@ TEST(MachinePoints, ARecordedPathHasNone) {
 }
 
 TEST(MachinePoints, ZGoesFirstWhereThatLeadsUp) {
-    const auto steps = [](std::map<char, double> axes) { return way_to(fixed(std::move(axes)), 100).steps; };
+    const auto steps = [](std::map<char, double> axes) {
+        return plan_approach(fixed(std::move(axes)), 100).steps;
+    };
     EXPECT_EQ(steps({{'X', 1}, {'Y', 2}, {'Z', 100}, {'B', 3}}),
               (Steps{{{'Z', 100}}, {{'X', 1}, {'Y', 2}, {'B', 3}}}));
     EXPECT_EQ(steps({{'X', 1}, {'Z', 99}}), (Steps{{{'X', 1}}, {{'Z', 99}}}));
     EXPECT_EQ(steps({{'B', 1}}), (Steps{{{'B', 1}}}));
-    EXPECT_FALSE(way_to(fixed({{'X', 1}, {'Z', 100}}), 100).from_above);
-    EXPECT_TRUE(way_to(fixed({{'X', 1}, {'Z', 99}}), 100).from_above);
-    EXPECT_TRUE(way_to(fixed({{'X', 1}, {'Z', 99}}), std::nullopt).from_above) << "nobody knows what is up";
-    EXPECT_TRUE(way_to(fixed({{'X', 1}}), 100).from_above);
+    EXPECT_FALSE(plan_approach(fixed({{'X', 1}, {'Z', 100}}), 100).retract_first);
+    EXPECT_TRUE(plan_approach(fixed({{'X', 1}, {'Z', 99}}), 100).retract_first);
+    EXPECT_TRUE(plan_approach(fixed({{'X', 1}, {'Z', 99}}), std::nullopt).retract_first)
+        << "nobody knows what is up";
+    EXPECT_TRUE(plan_approach(fixed({{'X', 1}}), 100).retract_first);
     MachinePoint home;
     home.kind = MachinePoint::Kind::reference;
     home.number = 3;
-    const MachineWay way = way_to(home, 100);
-    EXPECT_EQ(way.reference, 3);
-    EXPECT_FALSE(way.from_above);
-    EXPECT_EQ(way.steps, (Steps{{{'Z', 0}}, {{'X', 0}, {'Y', 0}}}));
+    const MachineApproach machine_path = plan_approach(home, 100);
+    EXPECT_EQ(machine_path.reference, 3);
+    EXPECT_FALSE(machine_path.retract_first);
+    EXPECT_EQ(machine_path.steps, (Steps{{{'Z', 0}}, {{'X', 0}, {'Y', 0}}}));
 }
 
 class Plan : public testing::Test {
@@ -145,7 +148,7 @@ class Plan : public testing::Test {
 
     machine::Machine machine_ = machine::read_machine(machine::built_in_machine_toml(), "m").value();
     Program program_;
-    tl::expected<std::vector<PathTurns>, Fault> turns_ = tl::unexpected(Fault{});
+    tl::expected<std::vector<RotarySchedule>, Error> turns_ = tl::unexpected(Error{});
     std::vector<std::optional<AxisValues>> entries_;
 };
 
@@ -156,7 +159,7 @@ TEST_F(Plan, GoesOnFromWhereThePointHasTheAxes) {
             {rapid({1, 1, 100}, leaning(0)), fixed({{'X', 1}, {'Y', 1}, {'Z', 1}, {'B', 170}, {'C', 0}}),
              rapid({2, 1, 100}, leaning(-150)), fixed({{'X', 1}, {'Y', 1}, {'Z', 1}}), rapid({3, 1, 100})}}},
           0});
-    ASSERT_TRUE(turns_) << turns_.error().sentence;
+    ASSERT_TRUE(turns_) << turns_.error().message;
     EXPECT_EQ(b(0, 1), 170);
     EXPECT_EQ(b(0, 2), 210) << "-150 by the short way";
     EXPECT_EQ(b(0, 3), 210) << "it names no rotary axis";
@@ -173,13 +176,13 @@ TEST_F(Plan, PathsThatNameNoRotaryAxisPassThemOn) {
           {"park", {park, park}},
           {"q", {park, rapid({1, 1, 100}, RotaryAxes{{'B', 50}, {'C', 0}})}}},
          0});
-    ASSERT_TRUE(turns_) << turns_.error().sentence;
-    EXPECT_FALSE((*turns_)[0].knows(0));
+    ASSERT_TRUE(turns_) << turns_.error().message;
+    EXPECT_FALSE((*turns_)[0].is_known(0));
     EXPECT_EQ(b(0, 1), 30);
     EXPECT_EQ(b(0, 2), 30);
     EXPECT_EQ(b(0, 3), 50);
-    EXPECT_FALSE((*turns_)[1].knows(1));
-    EXPECT_FALSE((*turns_)[2].knows(0));
+    EXPECT_FALSE((*turns_)[1].is_known(1));
+    EXPECT_FALSE((*turns_)[2].is_known(0));
     EXPECT_EQ(b(2, 1), 50);
     EXPECT_FALSE(entries_[1]) << "not known, and 30";
     ASSERT_TRUE(entries_[2]);
@@ -200,8 +203,8 @@ struct Driven : MoveSink {
         behind_point = false;
     }
     void retract() override { ups += behind_point ? 1 : 0; }
-    void go_to(const MachineWay& way) override {
-        for (const auto& step : way.steps) {
+    void go_to(const MachineApproach& machine_path) override {
+        for (const auto& step : machine_path.steps) {
             for (const auto& [letter, value] : step)
                 if (at.size() > 0) at[static_cast<Eigen::Index>(*machine_.find(letter))] = value;
         }
@@ -215,12 +218,12 @@ struct Driven : MoveSink {
     }
     void note(const TargetId&, std::string_view) override {}
 
-    void take(const tl::expected<void, Fault>& done) {
-        if (!done && fault.empty()) fault = done.error().sentence;
+    void take(const tl::expected<void, Error>& done) {
+        if (!done && error.empty()) error = done.error().message;
     }
 
     AxisValues at;
-    std::string fault;
+    std::string error;
     double most_turned_deg = 0;
     int lines = 0, ups = 0;
     bool behind_point = false;
@@ -253,15 +256,15 @@ TEST_F(Plan, LinesTurnTheShortWayFromWhereTheAxesReallyStand) {
         }
         ASSERT_FALSE(validate(program));
         plan(program);
-        if (!turns_ && turns_.error().sentence.starts_with("out of reach")) continue;
-        ASSERT_TRUE(turns_) << turns_.error().sentence << to_json(program_);
+        if (!turns_ && turns_.error().message.starts_with("out of reach")) continue;
+        ASSERT_TRUE(turns_) << turns_.error().message << to_json(program_);
         const MachineSpace space = MachineSpace::make(machine_).value();
         const States states(program_);
         const AxisMoves moves(program_, space, states, *turns_, {});
         Driven machine(moves, machine_);
         machine.take(moves.run(program_.root, machine));
-        if (machine.fault.starts_with("out of reach")) continue;
-        ASSERT_EQ(machine.fault, "") << to_json(program_);
+        if (machine.error.starts_with("out of reach")) continue;
+        ASSERT_EQ(machine.error, "") << to_json(program_);
         ++driven;
         lines += machine.lines;
         ups += machine.ups;

@@ -19,14 +19,14 @@ class Generator {
     Generator(std::mt19937& random, const RandomPathOptions& options) : random_(random), options_(options) {}
 
     Program program() {
-        Program made;
-        made.name = "random";
+        Program path_program;
+        path_program.name = "random";
         for (int i = 0; i <= options_.sub_paths; ++i) {
-            made.paths.push_back({fmt::format("path {}", i), {}});
-            fill(made.paths.back().targets, static_cast<std::size_t>(i));
+            path_program.paths.push_back({fmt::format("path {}", i), {}});
+            fill(path_program.paths.back().targets, static_cast<std::size_t>(i));
         }
-        made.root = made.paths.size() - 1;
-        return made;
+        path_program.root = path_program.paths.size() - 1;
+        return path_program;
     }
 
   private:
@@ -59,7 +59,7 @@ class Generator {
     Point first_point() {
         Point point;
         point.motion = chance(50) ? MotionType::rapid : MotionType::linear;
-        point.position_mm = at_mm_ = somewhere();
+        point.position_mm = last_position_mm_ = somewhere();
         point.feed_mm_min = number(100, 5000);
         if (options_.orientations) point.orientation = turned();
         return point;
@@ -70,9 +70,9 @@ class Generator {
         point.kind = chance(50) ? MachinePoint::Kind::fixed : MachinePoint::Kind::reference;
         const bool is_reference = point.kind == MachinePoint::Kind::reference;
         if (chance(50)) {
-            point.number = 1 + below(is_reference ? kReferencePoints : kGreatestFixedPoint);
+            point.number = 1 + below(is_reference ? kReferencePointCount : kMaxFixedPoint);
         } else {
-            point.called = fmt::format("P{}_x", below(100));
+            point.alias = fmt::format("P{}_x", below(100));
         }
         if (chance(30)) point.name = fmt::format("P \"{}\" \u00e4", below(100));
         if (chance(30)) point.dwell_s = number(0.1, 2);
@@ -93,7 +93,7 @@ class Generator {
         if (options_.orientations && chance(50)) point.orientation = turned();
         if (chance(20)) point.feed_mm_min = number(100, 5000);
         if (options_.extras) add_extras(point);
-        at_mm_ = point.position_mm;
+        last_position_mm_ = point.position_mm;
         return point;
     }
 
@@ -107,7 +107,7 @@ class Generator {
         const std::array<Vector, 6> normals{Vector{0, 0, 1},  Vector{0, 0, -1}, Vector{0, 1, 0},
                                             Vector{0, -1, 0}, Vector{1, 0, 0},  Vector{-1, 0, 0}};
         arc.normal = normals[static_cast<std::size_t>(below(6))];
-        const Vector3d start = to_eigen(at_mm_);
+        const Vector3d start = to_eigen(last_position_mm_);
         const Vector3d normal = to_eigen(arc.normal);
         Vector3d radius = to_eigen({number(-60, 60), number(-60, 60), number(-60, 60)});
         radius -= normal * normal.dot(radius);
@@ -133,7 +133,7 @@ class Generator {
 
     std::mt19937& random_;
     const RandomPathOptions& options_;
-    Vector at_mm_{};
+    Vector last_position_mm_{};
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ Point turned(double x, double b, double c, MotionType motion = MotionType::linea
 struct Planned {
     machine::Machine machine = built_in();
     Program program;
-    tl::expected<std::vector<PathTurns>, Fault> turns = tl::unexpected(Fault{});
+    tl::expected<std::vector<RotarySchedule>, Error> turns = tl::unexpected(Error{});
 
     explicit Planned(std::vector<Target> targets, RotaryOptions options = {}) {
         program = {"n", {{"root", std::move(targets)}}, 0};
@@ -43,7 +43,7 @@ struct Planned {
         turns = plan_rotary(program, space, states, options);
     }
     double b(std::size_t target) const { return turns.value()[0].at(target)[0]; }
-    const std::vector<PathTurns::Unwinding>& unwindings() const { return turns.value()[0].unwindings; }
+    const std::vector<RotarySchedule::Unwinding>& unwindings() const { return turns.value()[0].unwindings; }
 };
 
 TEST(RotaryPlan, NoNeedlessWholeTurns) {
@@ -53,7 +53,8 @@ TEST(RotaryPlan, NoNeedlessWholeTurns) {
 }
 
 TEST(RotaryPlan, AsGivenTakesTheNumbers) {
-    const Planned planned({turned(0, 170, 10), turned(1, -170, 10), turned(2, 190, 10)}, {.as_given = true});
+    const Planned planned({turned(0, 170, 10), turned(1, -170, 10), turned(2, 190, 10)},
+                          {.is_literal = true});
     EXPECT_EQ(planned.b(1), -170);
     EXPECT_EQ(planned.b(2), 190);
 }
@@ -87,7 +88,7 @@ TEST(RotaryPlan, UnwindsWhereTheJetIsOffIfThatIsEnough) {
         targets.emplace_back(point);
     }
     const Planned planned(std::move(targets));
-    for (const PathTurns::Unwinding& each : planned.unwindings()) EXPECT_EQ(each.target, 20U);
+    for (const RotarySchedule::Unwinding& each : planned.unwindings()) EXPECT_EQ(each.target, 20U);
 }
 
 TEST(RotaryPlan, TheJetIsOffWhileAxesUnwind) {
@@ -131,7 +132,7 @@ TEST(RotaryPlan, ToolAxesAreReachedAndTurnedToLittle) {
         targets.emplace_back(point);
     }
     const Planned planned(std::move(targets));
-    ASSERT_TRUE(planned.turns) << planned.turns.error().sentence;
+    ASSERT_TRUE(planned.turns) << planned.turns.error().message;
     const auto kinematics = machine::make_kinematics(machine);
     const MachineSpace space = MachineSpace::make(machine).value();
     for (std::size_t i = 0; i <= 72; ++i) {
@@ -143,19 +144,19 @@ TEST(RotaryPlan, ToolAxesAreReachedAndTurnedToLittle) {
             joints[k] = machine::joint_value(machine.axes[static_cast<std::size_t>(k)], axes[k]);
         }
         const rrs::CartPos pose = kinematics->forward(joints);
-        const Eigen::Vector3d wanted =
+        const Eigen::Vector3d expected_value =
             Eigen::Vector3d(std::get<ToolAxis>(*point.orientation).direction.data()).normalized();
-        EXPECT_LT((pose.linear().col(2) - wanted).norm(), 1e-9) << i;
+        EXPECT_LT((pose.linear().col(2) - expected_value).norm(), 1e-9) << i;
         EXPECT_LT((pose.translation() - Eigen::Vector3d(point.position_mm.data())).norm(), 1e-9) << i;
-        EXPECT_TRUE(space.range_fault(axes).empty());
+        EXPECT_TRUE(space.axis_range_error(axes).empty());
     }
     EXPECT_TRUE(planned.unwindings().empty()) << "two turns fit into -360..360";
 }
 
 void expect_fault(const Planned& planned, std::size_t target, const std::string& part) {
     ASSERT_FALSE(planned.turns);
-    EXPECT_EQ(planned.turns.error().where.target, target) << planned.turns.error().sentence;
-    EXPECT_NE(planned.turns.error().sentence.find(part), std::string::npos) << planned.turns.error().sentence;
+    EXPECT_EQ(planned.turns.error().where.target, target) << planned.turns.error().message;
+    EXPECT_NE(planned.turns.error().message.find(part), std::string::npos) << planned.turns.error().message;
 }
 
 TEST(RotaryPlan, FaultsNameTheTarget) {

@@ -11,8 +11,8 @@
 #include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
+#include "tests/toolpath/path_distance.h"
 #include "tests/toolpath/random_path.h"
-#include "tests/toolpath/way.h"
 
 namespace gsim::path::round_trip_test {
 namespace {
@@ -44,7 +44,7 @@ std::string written(const PathFile& file, const machine::Machine& machine, const
     std::string text;
     if (program) {
         program->write(
-            [&text](const std::string&) { return [&text](std::string_view piece) { text += piece; }; });
+            [&text](const std::string&) { return [&text](std::string_view chunk) { text += chunk; }; });
     }
     return text;
 }
@@ -52,8 +52,8 @@ std::string written(const PathFile& file, const machine::Machine& machine, const
 // Follows a run along a path.
 class Follower {
   public:
-    Follower(const Program& program, const script::Outcome& run, double digit_mm, double digit_deg)
-        : program_(program), run_(run), digit_mm_(digit_mm), digit_deg_(digit_deg) {}
+    Follower(const Program& program, const script::Outcome& run, double resolution_mm, double digit_deg)
+        : program_(program), run_(run), digit_mm_(resolution_mm), digit_deg_(digit_deg) {}
 
     void follow(std::size_t path) {
         for (const Target& target : program_.paths[path].targets) {
@@ -109,7 +109,7 @@ class Follower {
             if (move.info.kind == MoveKind::dwell) continue;
             gone += move.length_mm;
             joints_ = move.end;
-            check_way(move, end, arc);
+            check_path(move, end, arc);
         }
         EXPECT_TRUE(arrived()) << "to " << end.transpose() << "\n" << run_.lua.substr(0, 3000);
         EXPECT_NEAR(gone, length, slack);
@@ -122,12 +122,12 @@ class Follower {
         if (point.motion == MotionType::rapid || length_mm < 1) return;
         std::size_t last = next_ - 1;
         while (run_.moves[last].info.kind == MoveKind::dwell || run_.moves[last].length_mm == 0) --last;
-        const double wanted = point.duration_s ? length_mm * 60 / *point.duration_s : feed_mm_min_;
-        EXPECT_NEAR(run_.moves[last].info.feed_per_min, wanted, 0.02);
+        const double expected_value = point.duration_s ? length_mm * 60 / *point.duration_s : feed_mm_min_;
+        EXPECT_NEAR(run_.moves[last].info.feed_per_min, expected_value, 0.02);
     }
 
-    void check_way(const simulation::RecordedMove& move, const Vector3d& end,
-                   const std::optional<ArcShape>& arc) {
+    void check_path(const simulation::RecordedMove& move, const Vector3d& end,
+                    const std::optional<ArcShape>& arc) {
         while (segment_ < run_.segments.size() && run_.segments[segment_].end_s() < move.start_s + 1e-9)
             ++segment_;
         for (std::size_t i = segment_; i < run_.segments.size(); ++i) {
@@ -156,7 +156,7 @@ struct Controller {
     bool rotary_axes = true;
     bool inch = false;
     bool verbose = false;
-    double digit_mm = 0.001, digit_deg = 0.001;
+    double resolution_mm = 0.001, digit_deg = 0.001;
 };
 
 class RoundTrip : public testing::TestWithParam<Controller> {};
@@ -173,17 +173,17 @@ TEST_P(RoundTrip, TheToolGoesWhereThePathSays) {
         kind.orientations = controller.rotary_axes;
         const PathFile file{random_program(random, kind), "f", {}, {}};
         engine::PathProgramOptions options;
-        options.go_on = true;  // random paths have actions that are no words
+        options.continue_on_unknown = true;  // random paths have actions that are no words
         options.words = {controller.inch, controller.verbose};
         options.tolerance_mm = kTolerance_mm;
         options.name = "part";
         const std::string text = written(file, machine, post, options);
         script::Conditions conditions;
         conditions.machine = machine;
-        conditions.options.dialect = post.reads_as;
+        conditions.options.dialect = post.dialect;
         const script::Outcome run = script::run(text, conditions);
         ASSERT_TRUE(run.completed()) << run.message() << "\n" << text;
-        Follower follower(file.program, run, controller.digit_mm, controller.digit_deg);
+        Follower follower(file.program, run, controller.resolution_mm, controller.digit_deg);
         follower.follow(file.program.root);
         EXPECT_TRUE(follower.at_end());
         ASSERT_FALSE(HasFailure()) << text.substr(0, 4000);

@@ -53,7 +53,7 @@ TEST(PathSchema, HasTheReadersTypes) {
                                                          : "point";
         const json property = all["$defs"][of]["properties"][std::string(kTargetKeys[i])];
         const std::string type = property.value("type", "string");
-        switch (TargetDraft::kind_of(key)) {
+        switch (TargetDraft::value_kind(key)) {
             case TargetDraft::ValueKind::text: EXPECT_EQ(type, "string") << kTargetKeys[i]; break;
             case TargetDraft::ValueKind::number:
                 EXPECT_TRUE(type == "number" || type == "integer") << kTargetKeys[i];
@@ -72,10 +72,10 @@ TEST(PathSchema, HasTheReadersTouches) {
     const json touch = schema()["$defs"]["touch"];
     EXPECT_EQ(keys_of(touch["properties"]), as_set(kTouchKeys));
     EXPECT_EQ(as_set(touch["required"].get<std::vector<std::string>>()),
-              as_set(std::span(kTouchKeys).first(kNeededTouchKeys)));
+              as_set(std::span(kTouchKeys).first(kRequiredTouchKeys)));
     for (std::size_t i = 0; i < kTouchKeys.size(); ++i) {
         const json property = touch["properties"][std::string(kTouchKeys[i])];
-        switch (TouchDraft::kind_of(static_cast<TouchKey>(i))) {
+        switch (TouchDraft::value_kind(static_cast<TouchKey>(i))) {
             case TouchDraft::ValueKind::text: EXPECT_EQ(property["enum"], (json{"X", "Y", "Z"})); break;
             case TouchDraft::ValueKind::vector: EXPECT_EQ(property["type"], "array"); break;
             case TouchDraft::ValueKind::number:
@@ -110,9 +110,9 @@ TEST(PathSchema, HasTheReadersLimits) {
     };
     for (const auto& [key, property] : all["$defs"]["point"]["properties"].items()) {
         if (property.value("type", "") != "number" || key == "turn_deg") continue;
-        const double most = property["maximum"];
-        EXPECT_TRUE(accepted(key, most)) << key;
-        EXPECT_FALSE(accepted(key, 2 * most)) << key;
+        const double max = property["maximum"];
+        EXPECT_TRUE(accepted(key, max)) << key;
+        EXPECT_FALSE(accepted(key, 2 * max)) << key;
         EXPECT_EQ(accepted(key, 0), !property.contains("exclusiveMinimum")) << key;
         EXPECT_FALSE(accepted(key, -1)) << key;
     }

@@ -13,14 +13,14 @@ namespace gsim::path::set_up_test {
 namespace {
 
 struct Log : MoveSink {
-    std::string told;
-    void move(const AxisMove& move) override { told += move.rapid ? "rapid " : "line "; }
-    void retract() override { told += "up "; }
-    void work_offset(const std::string& name) override { told += "G" + name + " "; }
+    std::string reported;
+    void move(const AxisMove& move) override { reported += move.rapid ? "rapid " : "line "; }
+    void retract() override { reported += "up "; }
+    void work_offset(const std::string& name) override { reported += "G" + name + " "; }
     void dwell(double) override {}
     void acceleration(double) override {}
-    void action(const std::string& name) override { told += "[" + name + "] "; }
-    void call(const SubPath& use) override { told += "call" + std::to_string(use.path) + " "; }
+    void action(const std::string& name) override { reported += "[" + name + "] "; }
+    void call(const SubPath& use) override { reported += "call" + std::to_string(use.path) + " "; }
     void note(const TargetId&, std::string_view) override {}
 };
 
@@ -39,7 +39,7 @@ std::string path(const std::string& name_and_keys, const std::string& targets) {
 }
 
 /// Returns the output of one path's moves in a program, or the error.
-std::string told(const Program& program, std::size_t path, const MoveOptions& options = {}) {
+std::string reported(const Program& program, std::size_t path, const MoveOptions& options = {}) {
     const machine::Machine machine =
         machine::load_machine(tests::source_path("samples/machines/router3.toml")).value();
     const MachineSpace space = MachineSpace::make(machine).value();
@@ -47,7 +47,7 @@ std::string told(const Program& program, std::size_t path, const MoveOptions& op
     const auto turns = plan_rotary(program, space, states, {}).value();
     Log log;
     const auto done = AxisMoves(program, space, states, turns, options).run(path, log);
-    return done ? log.told : done.error().sentence;
+    return done ? log.reported : done.error().message;
 }
 
 TEST(SetUp, AFrameIsToldBeforeTheFirstMotionAndWhereItChanges) {
@@ -57,8 +57,8 @@ TEST(SetUp, AFrameIsToldBeforeTheFirstMotionAndWhereItChanges) {
                  R"(, {"path": "part", "work_offset": "55"}, {"path": "part", "work_offset": "G55"}, )" +
                  kRapid) +
         "," + path(R"("part")", std::string(kRapid) + "," + kLine));
-    EXPECT_EQ(told(program, 0), "G54 rapid up G55 call1 call1 up G54 rapid ");
-    EXPECT_EQ(told(program, 1), "rapid line ") << "in the frame of whoever uses it";
+    EXPECT_EQ(reported(program, 0), "G54 rapid up G55 call1 call1 up G54 rapid ");
+    EXPECT_EQ(reported(program, 1), "rapid line ") << "in the frame of whoever uses it";
 }
 
 TEST(SetUp, AToolIsChangedWhereItIsAnotherOne) {
@@ -67,10 +67,10 @@ TEST(SetUp, AToolIsChangedWhereItIsAnotherOne) {
         path(R"("rough", "tool": 3)", kRapid) + "," + path(R"("more", "tool": 3)", kRapid) + "," +
         path(R"("fine", "tool": 4, "length_offset": 0, "diameter_offset": 14)", kRapid));
     EXPECT_EQ(
-        told(program, 0),
+        reported(program, 0),
         "up [tool_select T3] [tool_change T3] [tool_length H3] call1 call2 up [tool_select T4] [tool_change "
         "T4] [tool_length_off] [tool_diameter D14] call3 ");
-    for (const std::size_t sub_path : {1U, 2U, 3U}) EXPECT_EQ(told(program, sub_path), "rapid ");
+    for (const std::size_t sub_path : {1U, 2U, 3U}) EXPECT_EQ(reported(program, sub_path), "rapid ");
 }
 
 TEST(SetUp, WhatAChangeOfTheToolStopsIsSetGoingAgain) {
@@ -81,7 +81,7 @@ TEST(SetUp, WhatAChangeOfTheToolStopsIsSetGoingAgain) {
         "," + path(R"("p", "tool": 3)", kRapid));
     MoveOptions options;
     options.tool_change_stops = {.spindle = true};
-    EXPECT_EQ(told(program, 0, options),
+    EXPECT_EQ(reported(program, 0, options),
               "rapid [speed 900] [spindle_cw] up [tool_select T3] [tool_change T3] [speed 900] [spindle_cw] "
               "[tool_length H3] call1 ");
 }
@@ -89,13 +89,14 @@ TEST(SetUp, WhatAChangeOfTheToolStopsIsSetGoingAgain) {
 TEST(SetUp, TheWayFromAboveIsARapid) {
     const std::string uses = std::string(kRapid) + R"(, {"path": "part", "work_offset": "G55"})";
     const std::string root = R"("job", "work_offset": "G54")";
-    EXPECT_NE(told(program_of(path(root, uses) + "," + path(R"("part")", kLine)), 0).find("must be a rapid"),
-              std::string::npos);
-    EXPECT_NE(told(program_of(path(root, uses + "," + kLine) + "," + path(R"("part")", kRapid)), 0)
+    EXPECT_NE(
+        reported(program_of(path(root, uses) + "," + path(R"("part")", kLine)), 0).find("must be a rapid"),
+        std::string::npos);
+    EXPECT_NE(reported(program_of(path(root, uses + "," + kLine) + "," + path(R"("part")", kRapid)), 0)
                   .find("must be a rapid"),
               std::string::npos);
     // The first motion of all is as it always was.
-    EXPECT_EQ(told(program_of(path(root, kLine)), 0), "G54 line ");
+    EXPECT_EQ(reported(program_of(path(root, kLine)), 0), "G54 line ");
 }
 
 TEST(SetUp, ASubPathGoesBackToItsOwnFrame) {
@@ -103,13 +104,13 @@ TEST(SetUp, ASubPathGoesBackToItsOwnFrame) {
     const Program own =
         program_of(path(R"("job", "work_offset": "G54")", R"({"path": "outer"})") + "," +
                    path(R"("outer", "work_offset": "G55")", R"({"path": "inner"})") + "," + inner);
-    EXPECT_EQ(told(own, 0), "G55 call1 ");
-    EXPECT_EQ(told(own, 1), "G56 call2 up G55 ") << "nothing has moved before";
+    EXPECT_EQ(reported(own, 0), "G55 call1 ");
+    EXPECT_EQ(reported(own, 1), "G56 call2 up G55 ") << "nothing has moved before";
     const Program differs = program_of(
         path(R"("job", "work_offset": "G54")",
              R"({"path": "outer"}, {"path": "outer", "work_offset": "G57"})") +
         "," + path(R"("outer")", std::string(kRapid) + R"(, {"path": "inner"}, )" + kRapid) + "," + inner);
-    EXPECT_NE(told(differs, 1).find("the path needs its own 'work_offset'"), std::string::npos);
+    EXPECT_NE(reported(differs, 1).find("the path needs its own 'work_offset'"), std::string::npos);
 }
 
 TEST(SetUp, AJetIsOffMeanwhile) {
@@ -118,7 +119,7 @@ TEST(SetUp, AJetIsOffMeanwhile) {
                         R"({"motion": "rapid", "position_mm": [1, 2, -3], "actions": ["waterjet_on"]},
                 {"path": "part", "work_offset": "G55"})") +
                    "," + path(R"("part")", kRapid));
-    EXPECT_EQ(told(program, 0),
+    EXPECT_EQ(reported(program, 0),
               "the jet may be on where the tool or the work offset changes; turn it off before");
 }
 
@@ -129,14 +130,14 @@ TEST(SetUp, RangesAreThoseOfTheMachine) {
                    path(R"("part")", kRapid));
     MoveOptions options;
     options.frames_mm["55"] = Vector{595, 0, 0};
-    EXPECT_EQ(told(program, 1, options), "out of reach: X 605 is outside 0 to 600");
+    EXPECT_EQ(reported(program, 1, options), "out of reach: X 605 is outside 0 to 600");
     options.frames_mm["55"] = Vector{500, 0, 0};
-    EXPECT_EQ(told(program, 1, options), "rapid ");
+    EXPECT_EQ(reported(program, 1, options), "rapid ");
     const Program above = program_of(
         path(R"("job", "work_offset": "G55")", R"({"motion": "rapid", "position_mm": [10, 20, 5]})"));
-    EXPECT_EQ(told(above, 0), "out of reach: Z 5 is outside -120 to 0");
+    EXPECT_EQ(reported(above, 0), "out of reach: Z 5 is outside -120 to 0");
     options.frames_mm["55"] = std::nullopt;
-    EXPECT_EQ(told(above, 0, options), "G55 rapid ");
+    EXPECT_EQ(reported(above, 0, options), "G55 rapid ");
 }
 
 TEST(SetUp, FilesHaveThemAndComeBackEqual) {

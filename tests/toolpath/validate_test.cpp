@@ -47,10 +47,10 @@ Program chain(std::size_t paths) {
 }
 
 void expect_fault(const Program& program, const TargetId& where, const std::string& part) {
-    const auto fault = validate(program);
-    ASSERT_TRUE(fault) << part;
-    EXPECT_EQ(fault->where, where) << fault->sentence;
-    EXPECT_NE(fault->sentence.find(part), std::string::npos) << fault->sentence;
+    const auto error = validate(program);
+    ASSERT_TRUE(error) << part;
+    EXPECT_EQ(error->where, where) << error->message;
+    EXPECT_NE(error->message.find(part), std::string::npos) << error->message;
 }
 
 TEST(ValidatePath, EightLevelsBelowTheRootAndNoMore) {

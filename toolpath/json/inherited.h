@@ -15,9 +15,9 @@ class Inherited {
 
     /// Returns an unknown value.
     static Inherited unknown() {
-        Inherited made;
-        made.differs_ = true;
-        return made;
+        Inherited inherited;
+        inherited.differs_ = true;
+        return inherited;
     }
 
     const std::optional<T>& value() const { return value_; }

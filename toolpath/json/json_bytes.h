@@ -5,7 +5,7 @@
 #include <functional>
 #include <iterator>
 
-#include "toolpath/model/place.h"
+#include "toolpath/model/source_location.h"
 
 namespace gsim::path {
 
@@ -14,9 +14,9 @@ namespace gsim::path {
 class JsonBytes {
   public:
     /// Function that fills the buffer and returns how many bytes it wrote; 0 at the end.
-    using Read = std::function<std::size_t(char* buffer, std::size_t size)>;
+    using ReadFunction = std::function<std::size_t(char* buffer, std::size_t size)>;
 
-    explicit JsonBytes(Read read) : read_(std::move(read)) { fill(); }
+    explicit JsonBytes(ReadFunction read) : read_(std::move(read)) { fill(); }
     JsonBytes(const JsonBytes&) = delete;
     JsonBytes& operator=(const JsonBytes&) = delete;
 
@@ -28,9 +28,9 @@ class JsonBytes {
     }
 
     /// Returns the start position of the last string, number, word or opening bracket.
-    const Place& token() const { return token_; }
+    const SourceLocation& token() const { return token_; }
     /// Returns the position after the last byte that was read.
-    const Place& here() const { return here_; }
+    const SourceLocation& location() const { return location_; }
 
     /// Iterator with which a parser reads.
     class Iterator {
@@ -65,10 +65,10 @@ class JsonBytes {
 
     static constexpr std::size_t kBuffer = std::size_t{1} << 16;
 
-    Read read_;
+    ReadFunction read_;
     std::array<char, kBuffer> buffer_;
     std::size_t next_ = 0, end_ = 0;
-    Place here_{1, 1}, token_{1, 1};
+    SourceLocation location_{1, 1}, token_{1, 1};
     bool in_string_ = false, escaped_ = false, in_word_ = false;
 };
 
@@ -82,8 +82,8 @@ inline void JsonBytes::note(char c) {
     } else {
         in_string_ = c != '"';
     }
-    ++here_.column;
-    if (c == '\n') here_ = {here_.line + 1, 1};
+    ++location_.column;
+    if (c == '\n') location_ = {location_.line + 1, 1};
 }
 
 // Handles the one byte that a parser reads beyond a number to detect its end: such a byte is no token of its
@@ -93,7 +93,7 @@ inline void JsonBytes::note_outside(char c) {
         case '"':
         case '{':
         case '[':
-            token_ = here_;
+            token_ = location_;
             in_string_ = c == '"';
             in_word_ = false;
             break;
@@ -106,7 +106,7 @@ inline void JsonBytes::note_outside(char c) {
         case ']':
         case '}': in_word_ = false; break;
         default:
-            if (!in_word_) token_ = here_;
+            if (!in_word_) token_ = location_;
             in_word_ = true;
     }
 }

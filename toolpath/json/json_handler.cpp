@@ -11,13 +11,13 @@ namespace gsim::path {
 
 namespace {
 
-constexpr std::size_t kLongestMessage = 300;
+constexpr std::size_t kMaxMessageLength = 300;
 
 // Returns the parser's message without its own numbering and position.
 std::string_view plain_message(std::string_view what) {
     const std::size_t column = what.find("column ");
-    const std::size_t behind = column == std::string_view::npos ? column : what.find(": ", column);
-    return behind == std::string_view::npos ? what : what.substr(behind + 2);
+    const std::size_t colon = column == std::string_view::npos ? column : what.find(": ", column);
+    return colon == std::string_view::npos ? what : what.substr(colon + 2);
 }
 
 bool add_key(std::vector<std::string>& seen, const std::string& key) {
@@ -32,11 +32,11 @@ bool is_known(const std::string& key, std::span<const std::string_view> known) {
 
 }  // namespace
 
-bool JsonHandler::fail(const Place& place, std::string_view sentence) {
-    std::string line(sentence.substr(0, kLongestMessage));
+bool JsonHandler::fail(const SourceLocation& source_location, std::string_view message) {
+    std::string line(message.substr(0, kMaxMessageLength));
     std::replace_if(
         line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-    error_ = fmt::format("{}:{}:{}: {}", file_.file_name, place.line, place.column, line);
+    error_ = fmt::format("{}:{}:{}: {}", file_.file_name, source_location.line, source_location.column, line);
     return false;
 }
 
@@ -44,50 +44,50 @@ bool JsonHandler::check(tl::expected<void, std::string> done) {
     return done ? true : fail(done.error());
 }
 
-bool JsonHandler::wrong_type(std::string_view found) {
-    return fail(fmt::format("{}, not {}", wanted(), found));
+bool JsonHandler::type_error(std::string_view found) {
+    return fail(fmt::format("{}, not {}", expected_type(), found));
 }
 
 bool JsonHandler::number(double value) {
     if (level() == Level::vector) {
-        if (values_.size() == 3) return fail(fmt::format("{}, not more", wanted()));
+        if (values_.size() == 3) return fail(fmt::format("{}, not more", expected_type()));
         values_.push_back(value);
         return true;
     }
     if (level() == Level::offset) return offset_value(value);
-    if (level() == Level::touch) return value_of_touch(value);
-    if (level() == Level::path) return number_of_path(value);
+    if (level() == Level::touch) return touch_value(value);
+    if (level() == Level::path) return path_number(value);
     if (level() == Level::program && key_ == "format") {
         const auto error = text::format_error(value);
         return error ? fail(*error) : true;
     }
     if (level() == Level::rotary) return check(draft_.set_rotary(key_, value));
-    const bool wants_number =
-        level() == Level::target && (target_wants(TargetDraft::ValueKind::number) ||
-                                     target_wants(TargetDraft::ValueKind::text_or_number));
-    return wants_number ? check(draft_.set_number(target_key_, value)) : wrong_type("a number");
+    const bool expects_number =
+        level() == Level::target && (target_expects(TargetDraft::ValueKind::number) ||
+                                     target_expects(TargetDraft::ValueKind::text_or_number));
+    return expects_number ? check(draft_.set_number(target_key_, value)) : type_error("a number");
 }
 
 bool JsonHandler::string(std::string& value) {
     switch (level()) {
         case Level::program:
-            if (key_ == "paths" || key_ == "work_offsets" || key_ == "format") return wrong_type("a string");
+            if (key_ == "paths" || key_ == "work_offsets" || key_ == "format") return type_error("a string");
             if (key_ == "name") file_.program.name = value;
             if (key_ == "root") {
                 root_ = value;
-                root_place_ = bytes_.token();
+                root_location_ = bytes_.token();
             }
             return true;
-        case Level::path: return string_of_path(value);
+        case Level::path: return path_string(value);
         case Level::actions: draft_.add_action(std::move(value)); return true;
-        case Level::touch: return value_of_touch(std::string_view(value));
+        case Level::touch: return touch_value(std::string_view(value));
         case Level::target:
-            if (target_wants(TargetDraft::ValueKind::text) ||
-                target_wants(TargetDraft::ValueKind::text_or_number)) {
+            if (target_expects(TargetDraft::ValueKind::text) ||
+                target_expects(TargetDraft::ValueKind::text_or_number)) {
                 return check(draft_.set_text(target_key_, value));
             }
             [[fallthrough]];
-        default: return wrong_type("a string");
+        default: return type_error("a string");
     }
 }
 
@@ -95,7 +95,7 @@ bool JsonHandler::start_object(std::size_t) {
     switch (level()) {
         case Level::outside: levels_.push_back(Level::program); return true;
         case Level::program:
-            if (key_ != "work_offsets") return wrong_type("an object");
+            if (key_ != "work_offsets") return type_error("an object");
             levels_.push_back(Level::offsets);
             return true;
         case Level::offsets: return start_offset();
@@ -110,21 +110,21 @@ bool JsonHandler::start_object(std::size_t) {
         case Level::targets:
             levels_.push_back(Level::target);
             draft_ = {};
-            draft_place_ = bytes_.token();
+            draft_location_ = bytes_.token();
             return true;
         case Level::touches:
             levels_.push_back(Level::touch);
             touch_draft_ = {};
-            touch_place_ = bytes_.token();
+            touch_location_ = bytes_.token();
             return true;
         case Level::target:
-            if (TargetDraft::kind_of(target_key_) == TargetDraft::ValueKind::letters) {
+            if (TargetDraft::value_kind(target_key_) == TargetDraft::ValueKind::letters) {
                 levels_.push_back(Level::rotary);
                 draft_.begin_rotary();
                 return true;
             }
             [[fallthrough]];
-        default: return wrong_type("an object");
+        default: return type_error("an object");
     }
 }
 
@@ -156,31 +156,31 @@ bool JsonHandler::path_key(const std::string& name) {
     return true;
 }
 
-bool JsonHandler::wants(PathDraft::ValueKind kind) const {
-    return PathDraft::kind_of(path_key_) == kind;
+bool JsonHandler::expects(PathDraft::ValueKind kind) const {
+    return PathDraft::value_kind(path_key_) == kind;
 }
 
-bool JsonHandler::target_wants(TargetDraft::ValueKind kind) const {
-    return TargetDraft::kind_of(target_key_) == kind;
+bool JsonHandler::target_expects(TargetDraft::ValueKind kind) const {
+    return TargetDraft::value_kind(target_key_) == kind;
 }
 
-bool JsonHandler::string_of_path(std::string& value) {
-    if (wants(PathDraft::ValueKind::text)) return check(path_draft_.set_text(path_key_, value));
-    if (path_key_ != PathKey::name) return wrong_type("a string");
+bool JsonHandler::path_string(std::string& value) {
+    if (expects(PathDraft::ValueKind::text)) return check(path_draft_.set_text(path_key_, value));
+    if (path_key_ != PathKey::name) return type_error("a string");
     file_.program.paths.back().name = value;
     return true;
 }
 
-bool JsonHandler::number_of_path(double value) {
-    if (wants(PathDraft::ValueKind::number)) return check(path_draft_.set_number(path_key_, value));
-    return wrong_type("a number");
+bool JsonHandler::path_number(double value) {
+    if (expects(PathDraft::ValueKind::number)) return check(path_draft_.set_number(path_key_, value));
+    return type_error("a number");
 }
 
 // Returns the key of the open vector.
 std::string_view JsonHandler::vector_key() const {
     const Level of = levels_[levels_.size() - 2];
-    if (of == Level::touch) return name_of(touch_key_);
-    return of == Level::path ? name_of(path_key_) : name_of(target_key_);
+    if (of == Level::touch) return key_name(touch_key_);
+    return of == Level::path ? key_name(path_key_) : key_name(target_key_);
 }
 
 bool JsonHandler::start_offset() {
@@ -215,7 +215,7 @@ bool JsonHandler::target_key(const std::string& name) {
     const auto* const found = std::find(kTargetKeys.begin(), kTargetKeys.end(), name);
     if (found == kTargetKeys.end()) return fail(unknown_key(name, "a target", kTargetKeys));
     target_key_ = static_cast<TargetKey>(found - kTargetKeys.begin());
-    if (draft_.mark(target_key_)) return fail(fmt::format("'{}' is given twice", name));
+    if (draft_.mark_present(target_key_)) return fail(fmt::format("'{}' is given twice", name));
     return true;
 }
 
@@ -223,24 +223,24 @@ bool JsonHandler::touch_key(const std::string& name) {
     const auto* const found = std::find(kTouchKeys.begin(), kTouchKeys.end(), name);
     if (found == kTouchKeys.end()) return fail(unknown_key(name, "a touch", kTouchKeys));
     touch_key_ = static_cast<TouchKey>(found - kTouchKeys.begin());
-    if (touch_draft_.mark(touch_key_)) return fail(fmt::format("'{}' is given twice", name));
+    if (touch_draft_.mark_present(touch_key_)) return fail(fmt::format("'{}' is given twice", name));
     return true;
 }
 
-bool JsonHandler::value_of_touch(double value) {
-    if (TouchDraft::kind_of(touch_key_) != TouchDraft::ValueKind::number) return wrong_type("a number");
+bool JsonHandler::touch_value(double value) {
+    if (TouchDraft::value_kind(touch_key_) != TouchDraft::ValueKind::number) return type_error("a number");
     return check(touch_draft_.set_number(touch_key_, value));
 }
 
-bool JsonHandler::value_of_touch(std::string_view value) {
-    if (TouchDraft::kind_of(touch_key_) != TouchDraft::ValueKind::text) return wrong_type("a string");
+bool JsonHandler::touch_value(std::string_view value) {
+    if (TouchDraft::value_kind(touch_key_) != TouchDraft::ValueKind::text) return type_error("a string");
     return check(touch_draft_.set_text(touch_key_, value));
 }
 
 // Adds the touch to a path, or to the use of one.
 bool JsonHandler::end_touch() {
     const auto touch = touch_draft_.finish();
-    if (!touch) return fail(touch_place_, touch.error());
+    if (!touch) return fail(touch_location_, touch.error());
     if (levels_[levels_.size() - 2] == Level::path) {
         path_draft_.add_touch(*touch);
     } else {
@@ -265,27 +265,27 @@ bool JsonHandler::start_array(std::size_t) {
     }
     if (level() == Level::path) return start_path_array();
     if (level() == Level::touch) return start_touch_array();
-    return level() == Level::target ? start_target_array() : wrong_type("an array");
+    return level() == Level::target ? start_target_array() : type_error("an array");
 }
 
 bool JsonHandler::start_path_array() {
-    const bool is_vector = wants(PathDraft::ValueKind::vector);
-    const bool are_touches = wants(PathDraft::ValueKind::touches);
-    if (!is_vector && !are_touches && path_key_ != PathKey::targets) return wrong_type("an array");
+    const bool is_vector = expects(PathDraft::ValueKind::vector);
+    const bool are_touches = expects(PathDraft::ValueKind::touches);
+    if (!is_vector && !are_touches && path_key_ != PathKey::targets) return type_error("an array");
     values_.clear();
     levels_.push_back(is_vector ? Level::vector : are_touches ? Level::touches : Level::targets);
     return true;
 }
 
 bool JsonHandler::start_touch_array() {
-    if (TouchDraft::kind_of(touch_key_) != TouchDraft::ValueKind::vector) return wrong_type("an array");
+    if (TouchDraft::value_kind(touch_key_) != TouchDraft::ValueKind::vector) return type_error("an array");
     values_.clear();
     levels_.push_back(Level::vector);
     return true;
 }
 
 bool JsonHandler::start_target_array() {
-    const TargetDraft::ValueKind kind = TargetDraft::kind_of(target_key_);
+    const TargetDraft::ValueKind kind = TargetDraft::value_kind(target_key_);
     if (kind == TargetDraft::ValueKind::list) {
         levels_.push_back(Level::actions);
         return true;
@@ -294,7 +294,7 @@ bool JsonHandler::start_target_array() {
         levels_.push_back(Level::touches);
         return true;
     }
-    if (kind != TargetDraft::ValueKind::vector) return wrong_type("an array");
+    if (kind != TargetDraft::ValueKind::vector) return type_error("an array");
     values_.clear();
     levels_.push_back(Level::vector);
     return true;
@@ -315,37 +315,38 @@ bool JsonHandler::end_vector() {
 }
 
 bool JsonHandler::end_path() {
-    const Place place = file_.paths.back();
-    for (const std::string_view name : std::span(kPathKeys).first(kNeededPathKeys)) {
+    const SourceLocation source_location = file_.paths.back();
+    for (const std::string_view name : std::span(kPathKeys).first(kRequiredPathKeys)) {
         if (std::find(path_keys_.begin(), path_keys_.end(), name) == path_keys_.end()) {
-            return fail(place, fmt::format("a path lacks the key '{}'", name));
+            return fail(source_location, fmt::format("a path lacks the key '{}'", name));
         }
     }
-    if (auto done = path_draft_.finish(file_.program.paths.back()); !done) return fail(place, done.error());
+    if (auto done = path_draft_.finish(file_.program.paths.back()); !done)
+        return fail(source_location, done.error());
     const std::size_t index = file_.program.paths.size() - 1;
     const std::string& name = file_.program.paths.back().name;
     if (by_name_.emplace(name, index).second) return true;
-    return fail(place, fmt::format("there are two paths of the name '{}'", name));
+    return fail(source_location, fmt::format("there are two paths of the name '{}'", name));
 }
 
 bool JsonHandler::end_target() {
     tl::expected<Target, std::string> target = draft_.finish();
-    if (!target) return fail(draft_place_, target.error());
+    if (!target) return fail(draft_location_, target.error());
     const std::size_t path = file_.program.paths.size() - 1;
     std::vector<Target>& targets = file_.program.paths.back().targets;
     if (draft_.is_sub_path()) references_.push_back({{path, targets.size()}, draft_.path_name()});
     targets.push_back(std::move(*target));
-    file_.targets.back().push_back(draft_place_);
+    file_.targets.back().push_back(draft_location_);
     return true;
 }
 
 bool JsonHandler::parse_error(std::size_t, const std::string&, const nlohmann::json::exception& exception) {
-    Place place = bytes_.here();
-    if (place.column > 1) --place.column;
-    return fail(place, plain_message(exception.what()));
+    SourceLocation source_location = bytes_.location();
+    if (source_location.column > 1) --source_location.column;
+    return fail(source_location, plain_message(exception.what()));
 }
 
-std::optional<std::size_t> JsonHandler::index_of(std::string_view name) const {
+std::optional<std::size_t> JsonHandler::path_index(std::string_view name) const {
     const auto found = by_name_.find(name);
     if (found == by_name_.end()) return std::nullopt;
     return found->second;
@@ -353,15 +354,15 @@ std::optional<std::size_t> JsonHandler::index_of(std::string_view name) const {
 
 bool JsonHandler::resolve() {
     if (file_.program.paths.empty())
-        return fail(Place{1, 1}, "a path file needs 'paths' with one path at least");
+        return fail(SourceLocation{1, 1}, "a path file needs 'paths' with one path at least");
     if (root_) {
-        const auto index = index_of(*root_);
-        if (!index) return fail(root_place_, fmt::format("there is no path of the name '{}'", *root_));
+        const auto index = path_index(*root_);
+        if (!index) return fail(root_location_, fmt::format("there is no path of the name '{}'", *root_));
         file_.program.root = *index;
     }
     for (const Reference& reference : references_) {
         const auto [path, target] = reference.from;
-        const auto index = index_of(reference.path_name);
+        const auto index = path_index(reference.path_name);
         if (!index) {
             return fail(file_.targets[path][*target],
                         fmt::format("there is no path of the name '{}'", reference.path_name));

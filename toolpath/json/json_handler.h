@@ -25,15 +25,15 @@ class JsonHandler {
     }
 
     // Events that nlohmann::json::sax_parse calls.
-    bool null() { return wrong_type("null"); }
-    bool boolean(bool) { return wrong_type("true or false"); }
+    bool null() { return type_error("null"); }
+    bool boolean(bool) { return type_error("true or false"); }
     bool number_integer(nlohmann::json::number_integer_t value) { return number(static_cast<double>(value)); }
     bool number_unsigned(nlohmann::json::number_unsigned_t value) {
         return number(static_cast<double>(value));
     }
     bool number_float(double value, const std::string&) { return number(value); }
     bool string(std::string& value);
-    bool binary(nlohmann::json::binary_t&) { return wrong_type("binary"); }
+    bool binary(nlohmann::json::binary_t&) { return type_error("binary"); }
     bool start_object(std::size_t);
     bool key(std::string& name);
     bool end_object();
@@ -79,24 +79,24 @@ class JsonHandler {
     bool start_path_array();
     bool start_touch_array();
     bool touch_key(const std::string& name);
-    bool value_of_touch(double value);
-    bool value_of_touch(std::string_view value);
+    bool touch_value(double value);
+    bool touch_value(std::string_view value);
     bool end_touch();
-    bool string_of_path(std::string& value);
-    bool number_of_path(double value);
-    bool wants(PathDraft::ValueKind kind) const;
-    bool target_wants(TargetDraft::ValueKind kind) const;
+    bool path_string(std::string& value);
+    bool path_number(double value);
+    bool expects(PathDraft::ValueKind kind) const;
+    bool target_expects(TargetDraft::ValueKind kind) const;
     std::string_view vector_key() const;
     bool end_path();
     bool end_target();
     bool end_vector();
     bool check(tl::expected<void, std::string> done);
-    bool fail(const Place& place, std::string_view sentence);
-    bool fail(std::string_view sentence) { return fail(bytes_.token(), sentence); }
-    bool wrong_type(std::string_view found);
-    std::string wanted() const;
+    bool fail(const SourceLocation& source_location, std::string_view message);
+    bool fail(std::string_view message) { return fail(bytes_.token(), message); }
+    bool type_error(std::string_view found);
+    std::string expected_type() const;
     bool resolve();
-    std::optional<std::size_t> index_of(std::string_view name) const;
+    std::optional<std::size_t> path_index(std::string_view name) const;
 
     const JsonBytes& bytes_;
     PathFile file_;
@@ -106,15 +106,15 @@ class JsonHandler {
     std::vector<std::string> program_keys_, path_keys_, offset_keys_;
     std::string offset_name_;  // of the work coordinate system being read
     std::optional<std::string> root_;
-    Place root_place_;
+    SourceLocation root_location_;
     PathKey path_key_ = PathKey::name;
     PathDraft path_draft_;
     TouchKey touch_key_ = TouchKey::axis;
     TouchDraft touch_draft_;
-    Place touch_place_;
+    SourceLocation touch_location_;
     TargetKey target_key_ = TargetKey::name;
     TargetDraft draft_;
-    Place draft_place_;
+    SourceLocation draft_location_;
     std::vector<double> values_;
     std::vector<Reference> references_;
     std::map<std::string, std::size_t, std::less<>> by_name_;

@@ -37,8 +37,8 @@ tl::expected<PathFile, std::string> read_json(std::function<std::size_t(char*, s
     }
     tl::expected<PathFile, std::string> file = handler.finish();
     if (!file) return file;
-    if (const auto fault = validate(file->program)) {
-        return tl::unexpected(file->located(fault->where, fault->sentence));
+    if (const auto error = validate(file->program)) {
+        return tl::unexpected(file->with_location(error->where, error->message));
     }
     return file;
 }

@@ -7,7 +7,7 @@
 
 #include <tl/expected.hpp>
 
-#include "toolpath/model/place.h"
+#include "toolpath/model/source_location.h"
 
 namespace gsim::path {
 

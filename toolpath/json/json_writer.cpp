@@ -29,97 +29,97 @@ class Writer {
         : program_(program), sink_(sink) {}
 
     void write() {
-        put("{{\n\"format\": {},\n\"name\": {},\n\"root\": {},\n", text::kFileFormat, quoted(program_.name),
-            quoted(program_.paths[program_.root].name));
+        print("{{\n\"format\": {},\n\"name\": {},\n\"root\": {},\n", text::kFileFormat, quoted(program_.name),
+              quoted(program_.paths[program_.root].name));
         if (program_.is_recorded()) write_work_offsets();
-        put("\"paths\": [\n");
+        print("\"paths\": [\n");
         for (const Path& path : program_.paths) {
             write_path(path);
-            put("{}\n", &path == &program_.paths.back() ? "" : ",");
+            print("{}\n", &path == &program_.paths.back() ? "" : ",");
         }
-        put("]\n}}\n");
+        print("]\n}}\n");
         sink_({text_.data(), text_.size()});
     }
 
   private:
     template <typename... Values>
-    void put(fmt::format_string<Values...> format, Values&&... values) {
+    void print(fmt::format_string<Values...> format, Values&&... values) {
         text::append_format(text_, format, std::forward<Values>(values)...);
     }
 
     void write_work_offsets() {
-        put("\"work_offsets\": {{");
+        print("\"work_offsets\": {{");
         const char* separator = "";
         for (const auto& [name, offset] : program_.work_offsets) {
-            put("{}{}: {{", separator, quoted(name));
+            print("{}{}: {{", separator, quoted(name));
             const char* between = "";
             for (const auto& [letter, value] : offset.origin) {
-                put("{}\"{}\": {}", between, letter, value);
+                print("{}\"{}\": {}", between, letter, value);
                 between = ", ";
             }
-            if (offset.rotation_deg != 0) put("{}\"{}\": {}", between, kRotationKey, offset.rotation_deg);
-            put("}}");
+            if (offset.rotation_deg != 0) print("{}\"{}\": {}", between, kRotationKey, offset.rotation_deg);
+            print("}}");
             separator = ", ";
         }
-        put("}},\n");
+        print("}},\n");
     }
 
     void write_path(const Path& path) {
-        put("{{\"name\": {}", quoted(path.name));
+        print("{{\"name\": {}", quoted(path.name));
         write_frame(path.frame);
         if (path.tool) write_tool(*path.tool);
-        put(", \"targets\": [\n");
+        print(", \"targets\": [\n");
         for (const Target& target : path.targets) {
             std::visit([this](const auto& each) { write_target(each); }, target);
-            put("{}\n", &target == &path.targets.back() ? "" : ",");
-            pass_on();
+            print("{}\n", &target == &path.targets.back() ? "" : ",");
+            flush_buffer();
         }
-        put("]}}");
+        print("]}}");
     }
 
     void write_target(const SubPath& sub_path) {
-        put("{{\"path\": {}", quoted(program_.paths[sub_path.path].name));
-        if (sub_path.repeats != 1) put(", \"repeats\": {}", sub_path.repeats);
+        print("{{\"path\": {}", quoted(program_.paths[sub_path.path].name));
+        if (sub_path.repeats != 1) print(", \"repeats\": {}", sub_path.repeats);
         write_frame(sub_path.frame);
-        put("}}");
+        print("}}");
     }
 
     void write_frame(const WorkFrame& frame) {
-        if (!frame.name.empty()) put(", \"{}\": {}", name_of(TargetKey::work_offset), quoted(frame.name));
+        if (!frame.name.empty()) print(", \"{}\": {}", key_name(TargetKey::work_offset), quoted(frame.name));
         if (frame.set_offset_mm) vector(TargetKey::set_offset_mm, *frame.set_offset_mm);
         if (frame.touches.empty()) return;
-        put(", \"{}\": [", name_of(TargetKey::probe_offset));
+        print(", \"{}\": [", key_name(TargetKey::probe_offset));
         for (const Touch& touch : frame.touches) {
-            if (&touch != &frame.touches.front()) put(", ");
+            if (&touch != &frame.touches.front()) print(", ");
             write_touch(touch);
         }
-        put("]");
+        print("]");
     }
 
     void write_touch(const Touch& touch) {
-        put("{{\"{}\": \"{}\", \"{}\": [{}, {}, {}]", name_of(TouchKey::axis), touch.axis,
-            name_of(TouchKey::from_mm), touch.from_mm[0], touch.from_mm[1], touch.from_mm[2]);
-        put(", \"{}\": {}, \"{}\": {}, \"{}\": {}", name_of(TouchKey::to_mm), touch.to_mm,
-            name_of(TouchKey::surface_mm), touch.surface_mm, name_of(TouchKey::feed_mm_min),
-            touch.feed_mm_min);
+        print("{{\"{}\": \"{}\", \"{}\": [{}, {}, {}]", key_name(TouchKey::axis), touch.axis,
+              key_name(TouchKey::from_mm), touch.from_mm[0], touch.from_mm[1], touch.from_mm[2]);
+        print(", \"{}\": {}, \"{}\": {}, \"{}\": {}", key_name(TouchKey::to_mm), touch.to_mm,
+              key_name(TouchKey::surface_mm), touch.surface_mm, key_name(TouchKey::feed_mm_min),
+              touch.feed_mm_min);
         if (touch.probe_radius_mm != 0)
-            put(", \"{}\": {}", name_of(TouchKey::probe_radius_mm), touch.probe_radius_mm);
-        if (touch.tool) put(", \"{}\": {}", name_of(TouchKey::tool), *touch.tool);
-        put("}}");
+            print(", \"{}\": {}", key_name(TouchKey::probe_radius_mm), touch.probe_radius_mm);
+        if (touch.tool) print(", \"{}\": {}", key_name(TouchKey::tool), *touch.tool);
+        print("}}");
     }
 
     void write_tool(const Tool& tool) {
-        put(", \"{}\": {}", name_of(PathKey::tool), tool.number);
+        print(", \"{}\": {}", key_name(PathKey::tool), tool.number);
         if (tool.length_offset != tool.number)
-            put(", \"{}\": {}", name_of(PathKey::length_offset), tool.length_offset);
+            print(", \"{}\": {}", key_name(PathKey::length_offset), tool.length_offset);
         if (tool.diameter_offset)
-            put(", \"{}\": {}", name_of(PathKey::diameter_offset), *tool.diameter_offset);
+            print(", \"{}\": {}", key_name(PathKey::diameter_offset), *tool.diameter_offset);
     }
 
     void write_target(const Point& point) {
-        put("{{");
-        if (!point.name.empty()) put("\"name\": {}, ", quoted(point.name));
-        put("\"motion\": \"{}\"", kMotionNames[static_cast<std::size_t>(point.motion)]);
+        print("{{");
+        if (!point.name.empty()) print("\"name\": {}, ", quoted(point.name));
+        print("\"motion\": \"{}\"", kMotionNames[static_cast<std::size_t>(point.motion)]);
         vector(TargetKey::position_mm, point.position_mm);
         if (point.motion == MotionType::circular) {
             std::visit([this](const auto& arc) { write_arc(arc); }, point.arc);
@@ -133,22 +133,22 @@ class Writer {
         number(TargetKey::feed_mm_rev, point.feed_mm_rev);
         number(TargetKey::lead_mm, point.lead_mm);
         if (!point.work_offset.empty())
-            put(", \"{}\": {}", name_of(TargetKey::work_offset), quoted(point.work_offset));
+            print(", \"{}\": {}", key_name(TargetKey::work_offset), quoted(point.work_offset));
         number(TargetKey::acceleration_mm_s2, point.acceleration_mm_s2);
         if (point.dwell_s != 0) number(TargetKey::dwell_s, point.dwell_s);
         write_actions(point.actions);
-        put("}}");
+        print("}}");
     }
 
     void write_target(const MachinePoint& point) {
-        put("{{");
-        if (!point.name.empty()) put("\"name\": {}, ", quoted(point.name));
+        print("{{");
+        if (!point.name.empty()) print("\"name\": {}, ", quoted(point.name));
         const auto key = point.kind == MachinePoint::Kind::fixed ? TargetKey::fixed : TargetKey::reference;
-        put("\"{}\": {}", name_of(key),
-            point.called.empty() ? fmt::format("{}", point.number) : quoted(point.called));
+        print("\"{}\": {}", key_name(key),
+              point.alias.empty() ? fmt::format("{}", point.number) : quoted(point.alias));
         if (point.dwell_s != 0) number(TargetKey::dwell_s, point.dwell_s);
         write_actions(point.actions);
-        put("}}");
+        print("}}");
     }
 
     void write_arc(const ViaPoint& arc) { vector(TargetKey::via_mm, arc.via_mm); }
@@ -163,32 +163,32 @@ class Writer {
         vector(TargetKey::rpy_deg, {angles.roll_deg, angles.pitch_deg, angles.yaw_deg});
     }
     void write_orientation(const RotaryAxes& axes) {
-        put(", \"{}\": {{", name_of(TargetKey::rotary_deg));
+        print(", \"{}\": {{", key_name(TargetKey::rotary_deg));
         const char* separator = "";
         for (const auto& [letter, value_deg] : axes) {
-            put("{}\"{}\": {}", separator, letter, value_deg);
+            print("{}\"{}\": {}", separator, letter, value_deg);
             separator = ", ";
         }
-        put("}}");
+        print("}}");
     }
 
     void write_actions(const std::vector<std::string>& actions) {
         if (actions.empty()) return;
-        put(", \"{}\": [", name_of(TargetKey::actions));
+        print(", \"{}\": [", key_name(TargetKey::actions));
         for (const std::string& action : actions) {
-            put("{}{}", &action == &actions.front() ? "" : ", ", quoted(action));
+            print("{}{}", &action == &actions.front() ? "" : ", ", quoted(action));
         }
-        put("]");
+        print("]");
     }
 
     void vector(TargetKey key, const Vector& value) {
-        put(", \"{}\": [{}, {}, {}]", name_of(key), value[0], value[1], value[2]);
+        print(", \"{}\": [{}, {}, {}]", key_name(key), value[0], value[1], value[2]);
     }
     void number(TargetKey key, std::optional<double> value) {
-        if (value) put(", \"{}\": {}", name_of(key), *value);
+        if (value) print(", \"{}\": {}", key_name(key), *value);
     }
 
-    void pass_on() {
+    void flush_buffer() {
         if (text_.size() < kEnough) return;
         sink_({text_.data(), text_.size()});
         text_.clear();
@@ -207,7 +207,7 @@ void write_json(const Program& program, const std::function<void(std::string_vie
 
 std::string to_json(const Program& program) {
     std::string text;
-    write_json(program, [&text](std::string_view piece) { text += piece; });
+    write_json(program, [&text](std::string_view chunk) { text += chunk; });
     return text;
 }
 

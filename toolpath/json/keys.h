@@ -28,7 +28,7 @@ enum class PathKey {
 inline constexpr std::array<std::string_view, 8> kPathKeys = {
     "name",         "targets", "work_offset",   "set_offset_mm",
     "probe_offset", "tool",    "length_offset", "diameter_offset"};
-inline constexpr std::size_t kNeededPathKeys = 2;
+inline constexpr std::size_t kRequiredPathKeys = 2;
 
 /// Keys of a target; those from `path` on are for sub-paths, as is `work_offset`. `fixed` and `reference`
 /// make a target a point of the machine, which also has `name`, `dwell_s` and `actions`.
@@ -93,18 +93,18 @@ enum class TouchKey { axis, from_mm, to_mm, surface_mm, feed_mm_min, probe_radiu
 /// In the order of TouchKey.
 inline constexpr std::array<std::string_view, 7> kTouchKeys = {
     "axis", "from_mm", "to_mm", "surface_mm", "feed_mm_min", "probe_radius_mm", "tool"};
-inline constexpr std::size_t kNeededTouchKeys = 5;
+inline constexpr std::size_t kRequiredTouchKeys = 5;
 
 /// Key of a work coordinate system that is not an axis.
 inline constexpr std::string_view kRotationKey = "rotation_deg";
 
-inline constexpr std::string_view name_of(TargetKey key) {
+inline constexpr std::string_view key_name(TargetKey key) {
     return kTargetKeys[static_cast<std::size_t>(key)];
 }
-inline constexpr std::string_view name_of(TouchKey key) {
+inline constexpr std::string_view key_name(TouchKey key) {
     return kTouchKeys[static_cast<std::size_t>(key)];
 }
-inline constexpr std::string_view name_of(PathKey key) {
+inline constexpr std::string_view key_name(PathKey key) {
     return kPathKeys[static_cast<std::size_t>(key)];
 }
 

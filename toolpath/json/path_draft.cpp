@@ -6,7 +6,7 @@
 
 namespace gsim::path {
 
-PathDraft::ValueKind PathDraft::kind_of(PathKey key) {
+PathDraft::ValueKind PathDraft::value_kind(PathKey key) {
     switch (key) {
         case PathKey::name:
         case PathKey::targets: return ValueKind::other;
@@ -18,15 +18,15 @@ PathDraft::ValueKind PathDraft::kind_of(PathKey key) {
 }
 
 tl::expected<void, std::string> PathDraft::set_text(PathKey key, std::string_view value) {
-    if (value.empty()) return tl::unexpected(fmt::format("'{}' must not be empty", name_of(key)));
+    if (value.empty()) return tl::unexpected(fmt::format("'{}' must not be empty", key_name(key)));
     frame_.name = frame_name(value);
     return {};
 }
 
 tl::expected<void, std::string> PathDraft::set_number(PathKey key, double value) {
-    if (!(value >= 0 && value <= kGreatestToolNumber) || value != std::floor(value)) {
-        return tl::unexpected(fmt::format("'{}' must be a whole number from 0 to {}; it is {}", name_of(key),
-                                          kGreatestToolNumber, value));
+    if (!(value >= 0 && value <= kMaxToolNumber) || value != std::floor(value)) {
+        return tl::unexpected(fmt::format("'{}' must be a whole number from 0 to {}; it is {}", key_name(key),
+                                          kMaxToolNumber, value));
     }
     auto& number = key == PathKey::tool            ? tool_
                    : key == PathKey::length_offset ? length_offset_
@@ -38,7 +38,7 @@ tl::expected<void, std::string> PathDraft::set_number(PathKey key, double value)
 tl::expected<void, std::string> PathDraft::set_vector(PathKey key, const std::vector<double>& values) {
     if (values.size() != 3) {
         return tl::unexpected(
-            fmt::format("'{}' must hold three numbers; it holds {}", name_of(key), values.size()));
+            fmt::format("'{}' must hold three numbers; it holds {}", key_name(key), values.size()));
     }
     frame_.set_offset_mm = {values[0], values[1], values[2]};
     return {};
@@ -47,7 +47,7 @@ tl::expected<void, std::string> PathDraft::set_vector(PathKey key, const std::ve
 tl::expected<void, std::string> PathDraft::end_touches() const {
     if (frame_.touches.empty())
         return tl::unexpected(
-            fmt::format("'{}' must hold one touch at least", name_of(PathKey::probe_offset)));
+            fmt::format("'{}' must hold one touch at least", key_name(PathKey::probe_offset)));
     return {};
 }
 
@@ -69,7 +69,7 @@ tl::expected<void, std::string> PathDraft::finish(Path& path) const {
     } else if (length_offset_ || diameter_offset_) {
         return tl::unexpected(
             fmt::format("'{}' goes with 'tool'",
-                        name_of(length_offset_ ? PathKey::length_offset : PathKey::diameter_offset)));
+                        key_name(length_offset_ ? PathKey::length_offset : PathKey::diameter_offset)));
     }
     return {};
 }

@@ -17,7 +17,7 @@ class PathDraft {
   public:
     /// Kind of value of a key; the name and the targets have other kinds.
     enum class ValueKind { other, text, number, vector, touches };
-    static ValueKind kind_of(PathKey key);
+    static ValueKind value_kind(PathKey key);
 
     tl::expected<void, std::string> set_text(PathKey key, std::string_view value);
     tl::expected<void, std::string> set_number(PathKey key, double value);

@@ -13,7 +13,7 @@ namespace gsim::path {
 
 namespace {
 
-constexpr double kGreatestRepeats = 1e9;
+constexpr double kMaxRepeats = 1e9;
 constexpr std::array kMachinePointKeys = {TargetKey::name, TargetKey::dwell_s, TargetKey::actions,
                                           TargetKey::fixed, TargetKey::reference};
 
@@ -23,7 +23,7 @@ Vector to_vector(const std::vector<double>& values) {
 
 }  // namespace
 
-TargetDraft::ValueKind TargetDraft::kind_of(TargetKey key) {
+TargetDraft::ValueKind TargetDraft::value_kind(TargetKey key) {
     switch (key) {
         case TargetKey::name:
         case TargetKey::motion:
@@ -45,9 +45,9 @@ TargetDraft::ValueKind TargetDraft::kind_of(TargetKey key) {
     }
 }
 
-bool TargetDraft::mark(TargetKey key) {
+bool TargetDraft::mark_present(TargetKey key) {
     const bool before = has(key);
-    seen_.set(static_cast<std::size_t>(key));
+    present_keys_.set(static_cast<std::size_t>(key));
     return before;
 }
 
@@ -57,7 +57,7 @@ tl::expected<void, std::string> TargetDraft::set_text(TargetKey key, std::string
     } else if (key == TargetKey::path) {
         path_name_ = value;
     } else if (key == TargetKey::fixed || key == TargetKey::reference) {
-        machine_point_.called = value;
+        machine_point_.alias = value;
     } else if (key == TargetKey::work_offset) {
         point_.work_offset = frame_name(value);
         return frame_.set_text(PathKey::work_offset, value);
@@ -82,10 +82,10 @@ tl::expected<void, std::string> TargetDraft::set_number(TargetKey key, double va
         case TargetKey::lead_mm: point_.lead_mm = value; break;
         case TargetKey::acceleration_mm_s2: point_.acceleration_mm_s2 = value; break;
         case TargetKey::dwell_s: point_.dwell_s = value; break;
-        case TargetKey::fixed: return set_point_number(key, value, kGreatestFixedPoint);
-        case TargetKey::reference: return set_point_number(key, value, kReferencePoints);
+        case TargetKey::fixed: return set_point_number(key, value, kMaxFixedPoint);
+        case TargetKey::reference: return set_point_number(key, value, kReferencePointCount);
         default:
-            if (!(value >= 1 && value <= kGreatestRepeats) || value != std::floor(value)) {
+            if (!(value >= 1 && value <= kMaxRepeats) || value != std::floor(value)) {
                 return tl::unexpected<std::string>(
                     fmt::format("'repeats' must be a whole number from 1 to 1000000000; it is {}", value));
             }
@@ -94,10 +94,10 @@ tl::expected<void, std::string> TargetDraft::set_number(TargetKey key, double va
     return {};
 }
 
-tl::expected<void, std::string> TargetDraft::set_point_number(TargetKey key, double value, int most) {
-    if (!(value >= 1 && value <= most) || value != std::floor(value)) {
+tl::expected<void, std::string> TargetDraft::set_point_number(TargetKey key, double value, int max) {
+    if (!(value >= 1 && value <= max) || value != std::floor(value)) {
         return tl::unexpected(
-            fmt::format("'{}' must be a whole number from 1 to {}; it is {}", name_of(key), most, value));
+            fmt::format("'{}' must be a whole number from 1 to {}; it is {}", key_name(key), max, value));
     }
     machine_point_.number = static_cast<int>(value);
     return {};
@@ -106,7 +106,7 @@ tl::expected<void, std::string> TargetDraft::set_point_number(TargetKey key, dou
 tl::expected<void, std::string> TargetDraft::set_vector(TargetKey key, const std::vector<double>& values) {
     if (values.size() != 3) {
         return tl::unexpected<std::string>(
-            fmt::format("'{}' must hold three numbers; it holds {}", name_of(key), values.size()));
+            fmt::format("'{}' must hold three numbers; it holds {}", key_name(key), values.size()));
     }
     if (key == TargetKey::set_offset_mm) return frame_.set_vector(PathKey::set_offset_mm, values);
     const Vector vector = to_vector(values);
@@ -132,15 +132,15 @@ tl::expected<void, std::string> TargetDraft::set_rotary(std::string_view letter,
     return {};
 }
 
-std::optional<std::string> TargetDraft::fault_of_sub_path() const {
+std::optional<std::string> TargetDraft::sub_path_error() const {
     if (!has(TargetKey::path)) {
         return fmt::format("'{}' is of sub-paths; this target lacks the key 'path'",
-                           name_of(has(TargetKey::repeats)         ? TargetKey::repeats
-                                   : has(TargetKey::set_offset_mm) ? TargetKey::set_offset_mm
-                                                                   : TargetKey::probe_offset));
+                           key_name(has(TargetKey::repeats)         ? TargetKey::repeats
+                                    : has(TargetKey::set_offset_mm) ? TargetKey::set_offset_mm
+                                                                    : TargetKey::probe_offset));
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(TargetKey::path); ++i) {
-        if (seen_[i] && static_cast<TargetKey>(i) != TargetKey::work_offset) {
+        if (present_keys_[i] && static_cast<TargetKey>(i) != TargetKey::work_offset) {
             return fmt::format("a target with the key 'path' is a sub-path and cannot have '{}'",
                                kTargetKeys[i]);
         }
@@ -148,13 +148,13 @@ std::optional<std::string> TargetDraft::fault_of_sub_path() const {
     return std::nullopt;
 }
 
-std::optional<std::string> TargetDraft::fault_of_arc() const {
+std::optional<std::string> TargetDraft::arc_error() const {
     const bool via = has(TargetKey::via_mm);
     const bool center = has(TargetKey::center_mm);
     if (point_.motion != MotionType::circular) {
         for (const TargetKey key :
              {TargetKey::via_mm, TargetKey::center_mm, TargetKey::normal, TargetKey::turn_deg}) {
-            if (has(key)) return fmt::format("'{}' is of circular motions only", name_of(key));
+            if (has(key)) return fmt::format("'{}' is of circular motions only", key_name(key));
         }
         return std::nullopt;
     }
@@ -166,41 +166,41 @@ std::optional<std::string> TargetDraft::fault_of_arc() const {
     return std::nullopt;
 }
 
-std::optional<std::string> TargetDraft::fault_of_point() const {
+std::optional<std::string> TargetDraft::point_error() const {
     if (!has(TargetKey::position_mm)) return "a point lacks the key 'position_mm'";
     const int orientations = static_cast<int>(has(TargetKey::tool_axis)) +
                              static_cast<int>(has(TargetKey::rpy_deg)) +
                              static_cast<int>(has(TargetKey::rotary_deg));
     if (orientations > 1) return "a point has one of 'tool_axis', 'rpy_deg' and 'rotary_deg', not several";
-    return fault_of_arc();
+    return arc_error();
 }
 
-std::optional<std::string> TargetDraft::fault_of_machine_point() const {
+std::optional<std::string> TargetDraft::machine_point_error() const {
     if (has(TargetKey::fixed) && has(TargetKey::reference))
         return "'fixed' and 'reference' are two points; a target is one of them";
     for (std::size_t i = 0; i < kTargetKeys.size(); ++i) {
         const auto key = static_cast<TargetKey>(i);
-        const bool is_of_point =
+        const bool is_point_key =
             std::find(kMachinePointKeys.begin(), kMachinePointKeys.end(), key) != kMachinePointKeys.end();
-        if (!seen_[i] || is_of_point) continue;
+        if (!present_keys_[i] || is_point_key) continue;
         return fmt::format(
             "a target with the key '{}' is a point of the machine, which it goes to by a rapid; it cannot "
             "have "
             "'{}'",
-            name_of(has(TargetKey::fixed) ? TargetKey::fixed : TargetKey::reference), kTargetKeys[i]);
+            key_name(has(TargetKey::fixed) ? TargetKey::fixed : TargetKey::reference), kTargetKeys[i]);
     }
     return std::nullopt;
 }
 
 tl::expected<Target, std::string> TargetDraft::finish() {
     if (is_sub_path()) {
-        if (auto sentence = fault_of_sub_path()) return tl::unexpected<std::string>(std::move(*sentence));
+        if (auto message = sub_path_error()) return tl::unexpected<std::string>(std::move(*message));
         auto frame = frame_.finish_frame();
         if (!frame) return tl::unexpected(frame.error());
         return SubPath{0, repeats_, *std::move(frame)};
     }
     if (is_machine_point()) {
-        if (auto sentence = fault_of_machine_point()) return tl::unexpected(*std::move(sentence));
+        if (auto message = machine_point_error()) return tl::unexpected(*std::move(message));
         machine_point_.kind =
             has(TargetKey::fixed) ? MachinePoint::Kind::fixed : MachinePoint::Kind::reference;
         machine_point_.name = std::move(point_.name);
@@ -209,7 +209,7 @@ tl::expected<Target, std::string> TargetDraft::finish() {
         machine_point_.actions.shrink_to_fit();
         return std::move(machine_point_);
     }
-    if (auto sentence = fault_of_point()) return tl::unexpected<std::string>(std::move(*sentence));
+    if (auto message = point_error()) return tl::unexpected<std::string>(std::move(*message));
     if (has(TargetKey::center_mm)) {
         point_.arc = center_;
     } else {
@@ -221,11 +221,11 @@ tl::expected<Target, std::string> TargetDraft::finish() {
 
 std::string unknown_key(std::string_view key, std::string_view where,
                         std::span<const std::string_view> known) {
-    constexpr std::size_t kShown = 64;
+    constexpr std::size_t kMaxShownLength = 64;
     const auto nearest = text::nearest_name(key, known);
     const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
                                      : fmt::format("it may hold: {}", text::joined(known, ", "));
-    return fmt::format("unknown key '{}' in {}; {}", key.substr(0, kShown), where, hint);
+    return fmt::format("unknown key '{}' in {}; {}", key.substr(0, kMaxShownLength), where, hint);
 }
 
 }  // namespace gsim::path

@@ -20,10 +20,10 @@ class TargetDraft {
   public:
     /// Kind of value of a key.
     enum class ValueKind { text, number, text_or_number, vector, letters, list, touches };
-    static ValueKind kind_of(TargetKey key);
+    static ValueKind value_kind(TargetKey key);
 
     /// Marks the key as present; returns true if it was present before.
-    bool mark(TargetKey key);
+    bool mark_present(TargetKey key);
 
     tl::expected<void, std::string> set_text(TargetKey key, std::string_view value);
     tl::expected<void, std::string> set_number(TargetKey key, double value);
@@ -47,15 +47,15 @@ class TargetDraft {
     const std::string& path_name() const { return path_name_; }
 
   private:
-    bool has(TargetKey key) const { return seen_[static_cast<std::size_t>(key)]; }
-    tl::expected<void, std::string> set_point_number(TargetKey key, double value, int most);
+    bool has(TargetKey key) const { return present_keys_[static_cast<std::size_t>(key)]; }
+    tl::expected<void, std::string> set_point_number(TargetKey key, double value, int max);
     bool is_machine_point() const { return has(TargetKey::fixed) || has(TargetKey::reference); }
-    std::optional<std::string> fault_of_sub_path() const;
-    std::optional<std::string> fault_of_point() const;
-    std::optional<std::string> fault_of_machine_point() const;
-    std::optional<std::string> fault_of_arc() const;
+    std::optional<std::string> sub_path_error() const;
+    std::optional<std::string> point_error() const;
+    std::optional<std::string> machine_point_error() const;
+    std::optional<std::string> arc_error() const;
 
-    std::bitset<kTargetKeys.size()> seen_;
+    std::bitset<kTargetKeys.size()> present_keys_;
     Point point_;
     MachinePoint machine_point_;
     CenterArc center_;

@@ -9,16 +9,16 @@ namespace gsim::path {
 
 namespace {
 
-constexpr double kGreatest_mm = 1e6;  // beyond any machine
-constexpr double kGreatestFeed_mm_min = 1e9;
+constexpr double kMaxPosition_mm = 1e6;  // beyond any machine
+constexpr double kMaxFeed_mm_min = 1e9;
 
-double from_along_axis_mm(const Touch& touch) {
+double start_on_axis_mm(const Touch& touch) {
     return touch.from_mm[static_cast<std::size_t>(touch.axis - 'X')];
 }
 
 }  // namespace
 
-TouchDraft::ValueKind TouchDraft::kind_of(TouchKey key) {
+TouchDraft::ValueKind TouchDraft::value_kind(TouchKey key) {
     switch (key) {
         case TouchKey::axis: return ValueKind::text;
         case TouchKey::from_mm: return ValueKind::vector;
@@ -26,9 +26,9 @@ TouchDraft::ValueKind TouchDraft::kind_of(TouchKey key) {
     }
 }
 
-bool TouchDraft::mark(TouchKey key) {
-    const bool before = seen_[static_cast<std::size_t>(key)];
-    seen_[static_cast<std::size_t>(key)] = true;
+bool TouchDraft::mark_present(TouchKey key) {
+    const bool before = present_keys_[static_cast<std::size_t>(key)];
+    present_keys_[static_cast<std::size_t>(key)] = true;
     return before;
 }
 
@@ -46,9 +46,9 @@ tl::expected<void, std::string> TouchDraft::set_number(TouchKey key, double valu
         case TouchKey::feed_mm_min: touch_.feed_mm_min = value; break;
         case TouchKey::probe_radius_mm: touch_.probe_radius_mm = value; break;
         default:
-            if (!(value >= 0 && value <= kGreatestToolNumber) || value != std::floor(value)) {
+            if (!(value >= 0 && value <= kMaxToolNumber) || value != std::floor(value)) {
                 return tl::unexpected(fmt::format("'tool' must be a whole number from 0 to {}; it is {}",
-                                                  kGreatestToolNumber, value));
+                                                  kMaxToolNumber, value));
             }
             touch_.tool = static_cast<int>(value);
     }
@@ -58,47 +58,48 @@ tl::expected<void, std::string> TouchDraft::set_number(TouchKey key, double valu
 tl::expected<void, std::string> TouchDraft::set_vector(TouchKey key, const std::vector<double>& values) {
     if (values.size() != 3) {
         return tl::unexpected(
-            fmt::format("'{}' must hold three numbers; it holds {}", name_of(key), values.size()));
+            fmt::format("'{}' must hold three numbers; it holds {}", key_name(key), values.size()));
     }
     touch_.from_mm = {values[0], values[1], values[2]};
     return {};
 }
 
 tl::expected<Touch, std::string> TouchDraft::finish() const {
-    for (std::size_t i = 0; i < kNeededTouchKeys; ++i) {
-        if (!seen_[i]) return tl::unexpected(fmt::format("a touch lacks the key '{}'", kTouchKeys[i]));
+    for (std::size_t i = 0; i < kRequiredTouchKeys; ++i) {
+        if (!present_keys_[i])
+            return tl::unexpected(fmt::format("a touch lacks the key '{}'", kTouchKeys[i]));
     }
     return touch_;
 }
 
-bool goes_up(const Touch& touch) {
-    return touch.to_mm > from_along_axis_mm(touch);
+bool is_upward(const Touch& touch) {
+    return touch.to_mm > start_on_axis_mm(touch);
 }
 
 double contact_mm(const Touch& touch) {
-    return touch.surface_mm + (goes_up(touch) ? -touch.probe_radius_mm : touch.probe_radius_mm);
+    return touch.surface_mm + (is_upward(touch) ? -touch.probe_radius_mm : touch.probe_radius_mm);
 }
 
-std::optional<std::string> touch_fault(const Touch& touch) {
+std::optional<std::string> touch_error(const Touch& touch) {
     if (touch.axis < 'X' || touch.axis > 'Z') return "a touch is along X, Y or Z";
     for (const double value :
          {touch.from_mm[0], touch.from_mm[1], touch.from_mm[2], touch.to_mm, touch.surface_mm}) {
-        if (!(std::abs(value) <= kGreatest_mm))
+        if (!(std::abs(value) <= kMaxPosition_mm))
             return fmt::format("the places of a touch must lie between -1e6 and 1e6; one is {}", value);
     }
-    if (!(touch.feed_mm_min > 0 && touch.feed_mm_min <= kGreatestFeed_mm_min))
+    if (!(touch.feed_mm_min > 0 && touch.feed_mm_min <= kMaxFeed_mm_min))
         return fmt::format("'feed_mm_min' must be greater than 0 and at most 1e9; it is {}",
                            touch.feed_mm_min);
-    if (!(touch.probe_radius_mm >= 0 && touch.probe_radius_mm <= kGreatest_mm))
+    if (!(touch.probe_radius_mm >= 0 && touch.probe_radius_mm <= kMaxPosition_mm))
         return fmt::format("'probe_radius_mm' must be 0 or greater and at most 1e6; it is {}",
                            touch.probe_radius_mm);
     if (touch.axis == 'Z' && touch.probe_radius_mm != 0)
         return "'probe_radius_mm' is of touches along X and Y; along Z the length of the tool says where it "
                "ends";
-    const double from = from_along_axis_mm(touch);
+    const double from = start_on_axis_mm(touch);
     const double contact = contact_mm(touch);
-    const auto [least, most] = std::minmax(from, touch.to_mm);
-    if (!(contact > least && contact < most)) {
+    const auto [min, max] = std::minmax(from, touch.to_mm);
+    if (!(contact > min && contact < max)) {
         return fmt::format(
             "along {} the touch goes from {} to {}, and would meet the surface at {}, which must "
             "lie between",

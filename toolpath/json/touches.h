@@ -17,10 +17,10 @@ class TouchDraft {
   public:
     /// Kind of value of a key.
     enum class ValueKind { text, number, vector };
-    static ValueKind kind_of(TouchKey key);
+    static ValueKind value_kind(TouchKey key);
 
     /// Marks the key as present; returns true if it was present before.
-    bool mark(TouchKey key);
+    bool mark_present(TouchKey key);
     tl::expected<void, std::string> set_text(TouchKey key, std::string_view value);
     tl::expected<void, std::string> set_number(TouchKey key, double value);
     /// Sets a vector, which needs its exact number of values.
@@ -30,15 +30,15 @@ class TouchDraft {
     tl::expected<Touch, std::string> finish() const;
 
   private:
-    std::vector<bool> seen_ = std::vector<bool>(kTouchKeys.size(), false);
+    std::vector<bool> present_keys_ = std::vector<bool>(kTouchKeys.size(), false);
     Touch touch_;
 };
 
 /// Returns the error in the values of a touch.
-std::optional<std::string> touch_fault(const Touch& touch);
+std::optional<std::string> touch_error(const Touch& touch);
 
 /// Returns true if the path of a touch leads towards larger values of its axis.
-bool goes_up(const Touch& touch);
+bool is_upward(const Touch& touch);
 
 /// Returns the expected axis value at the end of the touch: the surface, less the radius of the ball.
 double contact_mm(const Touch& touch);

@@ -15,8 +15,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kLeastArc_mm = 1e-6;
-constexpr double kGreatestArcTurn_deg = 360e3;
+constexpr double kMinArc_mm = 1e-6;
+constexpr double kMaxArcTurn_deg = 360e3;
 
 // Returns the angle from one radius to another about `normal`, in [0, 2 pi).
 double angle_between(const Vector3d& from, const Vector3d& to, const Vector3d& normal) {
@@ -24,15 +24,16 @@ double angle_between(const Vector3d& from, const Vector3d& to, const Vector3d& n
     return angle < 0 ? angle + kTurn_rad : angle;
 }
 
-tl::expected<ArcShape, std::string> through(const Vector3d& start, const Vector3d& via, const Vector3d& end) {
+tl::expected<ArcShape, std::string> arc_through(const Vector3d& start, const Vector3d& via,
+                                                const Vector3d& end) {
     const Vector3d chord = end - start;
     const Vector3d to_via = via - start;
-    if (chord.norm() < kLeastArc_mm) {
+    if (chord.norm() < kMinArc_mm) {
         return tl::unexpected<std::string>(
             "an arc through 'via_mm' must end elsewhere than it starts; give a full circle by 'center_mm'");
     }
     const Vector3d cross = chord.cross(to_via);
-    if (cross.norm() < kLeastArc_mm * chord.norm()) {
+    if (cross.norm() < kMinArc_mm * chord.norm()) {
         return tl::unexpected<std::string>(
             "the via point lies on the line through start and end, which makes no arc; use a linear motion");
     }
@@ -49,12 +50,12 @@ tl::expected<ArcShape, std::string> through(const Vector3d& start, const Vector3
     return arc;
 }
 
-tl::expected<ArcShape, std::string> about(const Vector3d& start, const CenterArc& given,
-                                          const Vector3d& end) {
+tl::expected<ArcShape, std::string> arc_about_center(const Vector3d& start, const CenterArc& given,
+                                                     const Vector3d& end) {
     ArcShape arc;
     const Vector3d normal = to_eigen(given.normal);
     if (!(normal.norm() > 0)) return tl::unexpected<std::string>("the 'normal' of an arc must not be 0 0 0");
-    if (!(given.turn_deg > 0 && given.turn_deg <= kGreatestArcTurn_deg)) {
+    if (!(given.turn_deg > 0 && given.turn_deg <= kMaxArcTurn_deg)) {
         return tl::unexpected<std::string>(fmt::format(
             "'turn_deg' must be above 0 and at most 360000; it is {}. The sense is that of 'normal'",
             given.turn_deg));
@@ -67,7 +68,7 @@ tl::expected<ArcShape, std::string> about(const Vector3d& start, const CenterArc
     const Vector3d last = end - arc.center - arc.normal * arc.rise_mm;
     arc.end_radius_mm = last.norm();
     arc.turn_rad = given.turn_deg * kRadPerDeg;
-    if (arc.radius_mm() < kLeastArc_mm) return tl::unexpected<std::string>("the arc starts at its centre");
+    if (arc.radius_mm() < kMinArc_mm) return tl::unexpected<std::string>("the arc starts at its centre");
     if (std::abs(arc.end_radius_mm - arc.radius_mm()) > kArcTolerance_mm) {
         return tl::unexpected<std::string>(
             fmt::format("the arc starts {:.6g} mm from its centre and ends {:.6g} mm from it",
@@ -95,8 +96,9 @@ Vector3d ArcShape::at(double share) const {
 tl::expected<ArcShape, std::string> arc_shape(const Vector& start_mm, const Point& end) {
     const Vector3d start = to_eigen(start_mm);
     const Vector3d last = to_eigen(end.position_mm);
-    if (const auto* via = std::get_if<ViaPoint>(&end.arc)) return through(start, to_eigen(via->via_mm), last);
-    return about(start, std::get<CenterArc>(end.arc), last);
+    if (const auto* via = std::get_if<ViaPoint>(&end.arc))
+        return arc_through(start, to_eigen(via->via_mm), last);
+    return arc_about_center(start, std::get<CenterArc>(end.arc), last);
 }
 
 double ArcShape::radius_mm() const {

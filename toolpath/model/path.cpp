@@ -10,21 +10,21 @@ std::string frame_name(std::string_view text) {
     return std::string(text.substr(has_code ? 1 : 0));
 }
 
-std::string title_of(const MachinePoint& point) {
+std::string point_title(const MachinePoint& point) {
     const char* const kind = point.kind == MachinePoint::Kind::fixed ? "fixed" : "reference";
-    return point.called.empty() ? fmt::format("the {} point {}", kind, point.number)
-                                : fmt::format("the {} point '{}'", kind, point.called);
+    return point.alias.empty() ? fmt::format("the {} point {}", kind, point.number)
+                               : fmt::format("the {} point '{}'", kind, point.alias);
 }
 
-const std::vector<std::string>& actions_of(const Target& target) {
-    static const std::vector<std::string> kNone;
+const std::vector<std::string>& target_actions(const Target& target) {
+    static const std::vector<std::string> kNoActions;
     if (const auto* point = std::get_if<Point>(&target)) return point->actions;
-    const auto* place = std::get_if<MachinePoint>(&target);
-    return place != nullptr ? place->actions : kNone;
+    const auto* machine_point = std::get_if<MachinePoint>(&target);
+    return machine_point != nullptr ? machine_point->actions : kNoActions;
 }
 
-const WorkFrame& frame_of(const Program& program, const SubPath& use) {
-    return use.frame.name.empty() ? program.paths[use.path].frame : use.frame;
+const WorkFrame& sub_path_frame(const Program& program, const SubPath& sub_path_call) {
+    return sub_path_call.frame.name.empty() ? program.paths[sub_path_call.path].frame : sub_path_call.frame;
 }
 
 }  // namespace gsim::path

@@ -78,7 +78,7 @@ struct Point {
 };
 
 /// Max number of a tool or an offset.
-inline constexpr int kGreatestToolNumber = 99'999'999;
+inline constexpr int kMaxToolNumber = 99'999'999;
 
 /// Straight path along one axis, until the tool touches something. A program uses it to find the position of
 /// a work coordinate system along that axis.
@@ -134,7 +134,7 @@ struct MachinePoint {
     std::string name = {};  ///< For people.
     Kind kind = Kind::fixed;
     int number = 0;  ///< Above 0, of a reference point 1 to 4; or 0: its name in the machine data counts.
-    std::string called = {};                ///< That name, in any case.
+    std::string alias = {};                 ///< That name, in any case.
     double dwell_s = 0;                     ///< On arrival, before the actions.
     std::vector<std::string> actions = {};  ///< On arrival, in this order.
     /// Machine coordinates by axis letter, mm or deg. No path file has them: a caller with the machine data
@@ -145,9 +145,9 @@ struct MachinePoint {
 };
 
 /// Max number of a fixed point in the machine data.
-inline constexpr int kGreatestFixedPoint = 99'999;
+inline constexpr int kMaxFixedPoint = 99'999;
 /// Number of reference points.
-inline constexpr int kReferencePoints = 4;
+inline constexpr int kReferencePointCount = 4;
 
 using Target = std::variant<Point, SubPath, MachinePoint>;
 
@@ -191,12 +191,12 @@ struct Program {
 std::string frame_name(std::string_view text);
 
 /// Returns the name of a machine point in messages: "the fixed point 'CLAMP1'", "the reference point 2".
-std::string title_of(const MachinePoint& point);
+std::string point_title(const MachinePoint& point);
 
 /// Returns the actions on arrival at a target; empty for a sub-path.
-const std::vector<std::string>& actions_of(const Target& target);
+const std::vector<std::string>& target_actions(const Target& target);
 
 /// Returns the frame of a sub-path, if the use or the path itself names one; otherwise that of the user.
-const WorkFrame& frame_of(const Program& program, const SubPath& use);
+const WorkFrame& sub_path_frame(const Program& program, const SubPath& sub_path_call);
 
 }  // namespace gsim::path

@@ -27,10 +27,10 @@ void State::merge(const State& other) {
     work_offset.merge(other.work_offset);
     frame.merge(other.frame);
     tool.merge(other.tool);
-    jet_on.merge(other.jet_on);
+    process_on.merge(other.process_on);
     abrasive_on.merge(other.abrasive_on);
     at_machine_point.merge(other.at_machine_point);
-    running.merge(other.running);
+    active_modes.merge(other.active_modes);
 }
 
 void State::pass(const Point& point) {
@@ -41,7 +41,7 @@ void State::pass(const Point& point) {
     set(feed_deg_min, point.feed_deg_min);
     if (!point.work_offset.empty()) work_offset = Inherited<std::string>(point.work_offset);
     at_machine_point = Inherited<bool>(false);
-    act(point.actions);
+    apply_actions(point.actions);
 }
 
 // Makes the tool's position in the work unknown, and its tilt too if rotary axes have turned.
@@ -49,16 +49,16 @@ void State::pass(const MachinePoint& point) {
     position_mm = Inherited<Vector>::unknown();
     if (turns_tool(point)) orientation = Inherited<Orientation>::unknown();
     at_machine_point = Inherited<bool>(true);
-    act(point.actions);
+    apply_actions(point.actions);
 }
 
-void State::act(const std::vector<std::string>& actions) {
+void State::apply_actions(const std::vector<std::string>& actions) {
     for (const std::string& action : actions) {
-        if (action == "waterjet_on") jet_on = Inherited<bool>(true);
-        if (action == "waterjet_off") jet_on = Inherited<bool>(false);
+        if (action == "waterjet_on") process_on = Inherited<bool>(true);
+        if (action == "waterjet_off") process_on = Inherited<bool>(false);
         if (action == "abrasive_on") abrasive_on = Inherited<bool>(true);
         if (action == "abrasive_off") abrasive_on = Inherited<bool>(false);
-        running.pass(action);
+        active_modes.pass(action);
     }
 }
 
@@ -71,7 +71,7 @@ States::States(const Program& program)
     visit(program.root, seen);
     std::reverse(order_.begin(), order_.end());
     State start;
-    start.jet_on = Inherited<bool>(false);
+    start.process_on = Inherited<bool>(false);
     start.abrasive_on = Inherited<bool>(false);
     start.at_machine_point = Inherited<bool>(false);
     start.frame = Inherited<std::string>(program.paths[program.root].frame.name);
@@ -104,9 +104,9 @@ void States::visit(std::size_t path, std::vector<bool>& seen) {
     order_.push_back(path);
 }
 
-void States::enter(const SubPath& use, std::size_t user, State state) {
-    const std::size_t path = use.path;
-    const std::string& frame = frame_of(program_, use).name;
+void States::enter(const SubPath& sub_path_call, std::size_t user, State state) {
+    const std::size_t path = sub_path_call.path;
+    const std::string& frame = sub_path_frame(program_, sub_path_call).name;
     if (!frame.empty()) state.frame = Inherited<std::string>(frame);
     if (frame.empty()) {
         frames_[path].insert(frames_[user].begin(), frames_[user].end());
@@ -137,10 +137,10 @@ void States::pass(State& state, const Target& target) const {
     state.feed_mm_rev.set(change.feed_mm_rev);
     state.work_offset.set(change.work_offset);
     state.tool.set(change.tool);
-    state.jet_on.set(change.jet_on);
+    state.process_on.set(change.process_on);
     state.abrasive_on.set(change.abrasive_on);
     state.at_machine_point.set(change.at_machine_point);
-    state.running.set(change.running);
+    state.active_modes.set(change.active_modes);
 }
 
 }  // namespace gsim::path

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "toolpath/json/inherited.h"
-#include "toolpath/model/running.h"
+#include "toolpath/model/active_modes.h"
 #include "toolpath/model/validate.h"
 
 namespace gsim::path {
@@ -20,9 +20,9 @@ struct State {
     Inherited<std::string> work_offset;
     Inherited<std::string> frame;  ///< Frame of the current path, as paths and their uses name it.
     Inherited<Tool> tool;          ///< In the spindle, as paths name it.
-    Inherited<bool> jet_on, abrasive_on;
+    Inherited<bool> process_on, abrasive_on;
     Inherited<bool> at_machine_point;  ///< The machine has come to its position by a MachinePoint.
-    Running running;
+    ActiveModes active_modes;
 
     void merge(const State& other);
     /// Applies a point, its actions included.
@@ -31,7 +31,7 @@ struct State {
     bool operator==(const State&) const = default;
 
   private:
-    void act(const std::vector<std::string>& actions);
+    void apply_actions(const std::vector<std::string>& actions);
 };
 
 /// State at the start of each path, over all its uses, and the state after it.
@@ -50,11 +50,11 @@ class States {
     /// Updates the state to that after any target.
     void pass(State& state, const Target& target) const;
     /// Returns the paths that the root leads to, each after its users.
-    const std::vector<std::size_t>& users_first() const { return order_; }
+    const std::vector<std::size_t>& topological_order() const { return order_; }
 
   private:
     void visit(std::size_t path, std::vector<bool>& seen);
-    void enter(const SubPath& use, std::size_t user, State state);
+    void enter(const SubPath& sub_path_call, std::size_t user, State state);
 
     const Program& program_;
     std::vector<std::optional<State>> entries_;

@@ -11,53 +11,54 @@ namespace gsim::path {
 
 namespace {
 
-using FeedFault = tl::unexpected<std::string>;
+using FeedError = tl::unexpected<std::string>;
 
 /// Path that a feed comes from; nullopt: from the path that uses this one.
 using Source = std::optional<std::size_t>;
 
 /// Search for motions that inherit a feed from a path with changing feeds, while their own stay.
-class Heirs {
+class FeedDependents {
   public:
-    Heirs(const Program& program, std::size_t changed)
+    FeedDependents(const Program& program, std::size_t changed)
         : program_(program),
-          changed_(changed),
-          takes_(program.paths.size(), false),
-          leaves_(program.paths.size()) {}
+          changed_path_(changed),
+          inherits_feed_(program.paths.size(), false),
+          final_feed_path_(program.paths.size()) {}
 
     /// Returns the path that has such a motion; nullopt if no path has one.
     std::optional<std::size_t> find() {
         const States states(program_);
-        const std::vector<std::size_t>& order = states.users_first();
-        for (auto path = order.rbegin(); path != order.rend(); ++path) go_through(*path);
-        return heir_;
+        const std::vector<std::size_t>& order = states.topological_order();
+        for (auto path = order.rbegin(); path != order.rend(); ++path) visit_path(*path);
+        return dependent_;
     }
 
   private:
     /// Expects that the paths used by this one have been visited.
-    void go_through(std::size_t path) {
+    void visit_path(std::size_t path) {
         Source now;
         for (const Target& target : program_.paths[path].targets) {
-            if (const auto* use = std::get_if<SubPath>(&target)) {
-                enter(path, *use, now);
+            if (const auto* sub_path_call = std::get_if<SubPath>(&target)) {
+                enter(path, *sub_path_call, now);
             } else if (const auto* point = std::get_if<Point>(&target)) {
                 if (point->feed_mm_min) now = path;
-                if (needs_feed(*point)) take(path, now);
+                if (needs_feed(*point)) add_feed(path, now);
             }
         }
-        leaves_[path] = now;
+        final_feed_path_[path] = now;
     }
 
-    void enter(std::size_t path, const SubPath& use, Source& now) {
-        if (takes_[use.path]) take(now ? use.path : path, now);
-        if (leaves_[use.path]) now = leaves_[use.path];
-        if (takes_[use.path] && use.repeats > 1) take(now ? use.path : path, now);
+    void enter(std::size_t path, const SubPath& sub_path_call, Source& now) {
+        if (inherits_feed_[sub_path_call.path]) add_feed(now ? sub_path_call.path : path, now);
+        if (final_feed_path_[sub_path_call.path]) now = final_feed_path_[sub_path_call.path];
+        if (inherits_feed_[sub_path_call.path] && sub_path_call.repeats > 1)
+            add_feed(now ? sub_path_call.path : path, now);
     }
 
     /// Records that a motion of the path uses a feed from there.
-    void take(std::size_t path, const Source& from) {
-        if (!from) takes_[path] = true;
-        if (from == changed_ && path != changed_ && !heir_) heir_ = path;
+    void add_feed(std::size_t path, const Source& from) {
+        if (!from) inherits_feed_[path] = true;
+        if (from == changed_path_ && path != changed_path_ && !dependent_) dependent_ = path;
     }
 
     static bool needs_feed(const Point& point) {
@@ -66,10 +67,10 @@ class Heirs {
     }
 
     const Program& program_;
-    std::size_t changed_;
-    std::vector<bool> takes_;     // a feed of the path that uses it
-    std::vector<Source> leaves_;  // the feed after it
-    std::optional<std::size_t> heir_;
+    std::size_t changed_path_;
+    std::vector<bool> inherits_feed_;      // a feed of the path that uses it
+    std::vector<Source> final_feed_path_;  // the feed after it
+    std::optional<std::size_t> dependent_;
 };
 
 /// Returns how many points got another feed.
@@ -93,7 +94,7 @@ std::optional<std::size_t> find_path(const Program& program, const std::string& 
     return std::nullopt;
 }
 
-std::string unknown_path(const Program& program, const std::string& name) {
+std::string unknown_path_message(const Program& program, const std::string& name) {
     std::vector<std::string_view> names;
     for (const Path& path : program.paths) names.emplace_back(path.name);
     const auto nearest = text::nearest_name(name, names);
@@ -107,19 +108,19 @@ tl::expected<void, std::string> change_feeds(Program& program, const FeedChange&
     std::size_t changed = 0;
     if (change.path.empty()) {
         for (Path& path : program.paths) changed += change_feeds(path, change);
-        if (changed == 0) return FeedFault("no point of the path has a feed");
+        if (changed == 0) return FeedError("no point of the path has a feed");
         return {};
     }
     const auto path = find_path(program, change.path);
-    if (!path) return FeedFault(unknown_path(program, change.path));
-    if (const auto heir = Heirs(program, *path).find()) {
-        return FeedFault(
+    if (!path) return FeedError(unknown_path_message(program, change.path));
+    if (const auto dependent = FeedDependents(program, *path).find()) {
+        return FeedError(
             fmt::format("the feeds of '{}' cannot be changed alone: '{}' takes one over, and should have "
                         "its own",
-                        change.path, program.paths[*heir].name));
+                        change.path, program.paths[*dependent].name));
     }
     if (change_feeds(program.paths[*path], change) == 0)
-        return FeedFault(fmt::format("no point of '{}' has a feed", change.path));
+        return FeedError(fmt::format("no point of '{}' has a feed", change.path));
     return {};
 }
 

@@ -13,21 +13,22 @@ namespace gsim::path {
 
 namespace {
 
-using OrderFault = tl::unexpected<Fault>;
+using OrderError = tl::unexpected<Error>;
 
 /// Returns the first point of a path, also of sub-paths that it begins with; null if it begins with no point.
 const Point* first_point(const Program& program, std::size_t path) {
     const std::vector<Target>& targets = program.paths[path].targets;
     if (targets.empty()) return nullptr;
-    if (const auto* use = std::get_if<SubPath>(&targets.front())) return first_point(program, use->path);
+    if (const auto* sub_path_call = std::get_if<SubPath>(&targets.front()))
+        return first_point(program, sub_path_call->path);
     return std::get_if<Point>(&targets.front());
 }
 
 /// Returns true if a path itself sets the feed of its first cut.
-bool has_own_feed(const Program& program, std::size_t path, bool& known) {
+bool has_explicit_feed(const Program& program, std::size_t path, bool& known) {
     for (const Target& target : program.paths[path].targets) {
-        if (const auto* use = std::get_if<SubPath>(&target)) {
-            if (!has_own_feed(program, use->path, known)) return false;
+        if (const auto* sub_path_call = std::get_if<SubPath>(&target)) {
+            if (!has_explicit_feed(program, sub_path_call->path, known)) return false;
         } else if (const auto* point = std::get_if<Point>(&target)) {
             known = known || point->feed_mm_min.has_value();
             const bool cuts = point->motion == MotionType::linear || point->motion == MotionType::circular;
@@ -39,23 +40,23 @@ bool has_own_feed(const Program& program, std::size_t path, bool& known) {
 }
 
 /// Returns true if the action has no lasting effect, or one that States compares.
-bool leaves_nothing(const std::string& action) {
+bool is_non_modal(const std::string& action) {
     constexpr std::array<std::string_view, 8> kWords{
         "stop", "optional_stop", "message ", "print ", "debug ", "log ", "rest", "exact_stop_once"};
-    constexpr std::array<std::string_view, 8> kCompared{"waterjet_", "abrasive_", "spindle_", "speed ",
-                                                        "flood_on",  "mist_on",   "coolant_", "tool_change"};
-    const auto is_it = [&](std::string_view word) {
+    constexpr std::array<std::string_view, 8> kComparedActions{
+        "waterjet_", "abrasive_", "spindle_", "speed ", "flood_on", "mist_on", "coolant_", "tool_change"};
+    const auto matches_name = [&](std::string_view word) {
         return action == word || (word.ends_with(' ') && action.starts_with(word));
     };
-    const auto begins = [&](std::string_view word) { return action.starts_with(word); };
-    return std::any_of(kWords.begin(), kWords.end(), is_it) ||
-           std::any_of(kCompared.begin(), kCompared.end(), begins);
+    const auto has_prefix = [&](std::string_view word) { return action.starts_with(word); };
+    return std::any_of(kWords.begin(), kWords.end(), matches_name) ||
+           std::any_of(kComparedActions.begin(), kComparedActions.end(), has_prefix);
 }
 
 /// Returns the effect of a target that lasts after the path, and is not compared.
-std::optional<std::string> fault_of_target(const Target& target) {
-    for (const std::string& action : actions_of(target)) {
-        if (!leaves_nothing(action)) return fmt::format("'{}' may hold on, so that the order counts", action);
+std::optional<std::string> modal_error(const Target& target) {
+    for (const std::string& action : target_actions(target)) {
+        if (!is_non_modal(action)) return fmt::format("'{}' may hold on, so that the order counts", action);
     }
     const auto* point = std::get_if<Point>(&target);
     if (point == nullptr) return std::nullopt;
@@ -64,10 +65,10 @@ std::optional<std::string> fault_of_target(const Target& target) {
     return std::nullopt;
 }
 
-std::optional<Fault> find_what_holds_on(const Program& program) {
+std::optional<Error> find_modal_action(const Program& program) {
     for (std::size_t path = 0; path < program.paths.size(); ++path) {
         for (std::size_t i = 0; i < program.paths[path].targets.size(); ++i) {
-            if (auto fault = fault_of_target(program.paths[path].targets[i])) return Fault{{path, i}, *fault};
+            if (auto error = modal_error(program.paths[path].targets[i])) return Error{{path, i}, *error};
         }
     }
     return std::nullopt;
@@ -85,34 +86,35 @@ bool is_whole(const std::optional<Orientation>& orientation, const MachineSpace&
 }
 
 /// Returns true if the same is running: a device that was never turned on is off.
-bool runs_alike(const Inherited<std::string>& one, const Inherited<std::string>& other) {
+bool is_equivalent(const Inherited<std::string>& one, const Inherited<std::string>& other) {
     const auto is_off = [](const Inherited<std::string>& each) {
         return !each.differs() && (!each.value() || each.value()->ends_with("_off"));
     };
     return one == other || (is_off(one) && is_off(other));
 }
 
-bool runs_alike(const Running& one, const Running& other) {
-    const bool spindle = runs_alike(one.spindle, other.spindle);
-    const bool stands = spindle && runs_alike(one.spindle, Inherited<std::string>());
-    return spindle && (stands || one.speed == other.speed) && runs_alike(one.flood, other.flood) &&
-           runs_alike(one.mist, other.mist);
+bool is_equivalent(const ActiveModes& one, const ActiveModes& other) {
+    const bool spindle = is_equivalent(one.spindle, other.spindle);
+    const bool spindle_unchanged = spindle && is_equivalent(one.spindle, Inherited<std::string>());
+    return spindle && (spindle_unchanged || one.speed == other.speed) &&
+           is_equivalent(one.flood, other.flood) && is_equivalent(one.mist, other.mist);
 }
 
 /// Compares what a sub-path inherits, except tool position and feed.
-bool begins_alike(const State& one, const State& other) {
-    return one.jet_on == other.jet_on && one.abrasive_on == other.abrasive_on &&
-           runs_alike(one.running, other.running) && one.frame == other.frame && one.tool == other.tool &&
-           one.work_offset == other.work_offset && one.at_machine_point == other.at_machine_point;
+bool starts_equivalent(const State& one, const State& other) {
+    return one.process_on == other.process_on && one.abrasive_on == other.abrasive_on &&
+           is_equivalent(one.active_modes, other.active_modes) && one.frame == other.frame &&
+           one.tool == other.tool && one.work_offset == other.work_offset &&
+           one.at_machine_point == other.at_machine_point;
 }
 
 /// Returns why a target of the root cannot be at another position.
-std::optional<std::string> fault_of_moving(const Program& program, const Target& target,
-                                           const MachineSpace& space) {
-    const auto* use = std::get_if<SubPath>(&target);
-    if (use == nullptr) return "what is put in another order must be sub-paths";
-    const std::string& name = program.paths[use->path].name;
-    const Point* first = first_point(program, use->path);
+std::optional<std::string> reorder_error(const Program& program, const Target& target,
+                                         const MachineSpace& space) {
+    const auto* sub_path_call = std::get_if<SubPath>(&target);
+    if (sub_path_call == nullptr) return "what is put in another order must be sub-paths";
+    const std::string& name = program.paths[sub_path_call->path].name;
+    const Point* first = first_point(program, sub_path_call->path);
     if (first == nullptr || first->motion == MotionType::circular || first->motion == MotionType::none)
         return fmt::format("the sub-path '{}' should begin with a straight motion or a rapid", name);
     if (!is_whole(first->orientation, space))
@@ -121,37 +123,37 @@ std::optional<std::string> fault_of_moving(const Program& program, const Target&
             "axes",
             name);
     bool known = false;
-    if (!has_own_feed(program, use->path, known))
+    if (!has_explicit_feed(program, sub_path_call->path, known))
         return fmt::format("the sub-path '{}' should have a feed of its own before it cuts", name);
     return std::nullopt;
 }
 
 }  // namespace
 
-tl::expected<void, Fault> reorder(Program& program, std::span<const std::size_t> order,
+tl::expected<void, Error> reorder(Program& program, std::span<const std::size_t> order,
                                   const MachineSpace& space) {
     const std::vector<Target> targets = program.paths[program.root].targets;
-    const auto refused = [&](std::optional<std::size_t> target, std::string why) {
-        return OrderFault(Fault{{program.root, target}, std::move(why)});
+    const auto make_error = [&](std::optional<std::size_t> target, std::string reason) {
+        return OrderError(Error{{program.root, target}, std::move(reason)});
     };
     std::vector<std::size_t> all(targets.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     if (!std::is_permutation(order.begin(), order.end(), all.begin(), all.end()))
-        return refused(std::nullopt,
-                       fmt::format("the order should have each of 0 to {} once", targets.size() - 1));
+        return make_error(std::nullopt,
+                          fmt::format("the order should have each of 0 to {} once", targets.size() - 1));
     for (const std::size_t i : all) {
-        if (auto fault = fault_of_moving(program, targets[i], space)) return refused(i, *fault);
+        if (auto error = reorder_error(program, targets[i], space)) return make_error(i, *error);
     }
-    if (auto fault = find_what_holds_on(program)) return OrderFault(*std::move(fault));
+    if (auto error = find_modal_action(program)) return OrderError(*std::move(error));
     const States before(program);
     Program changed = program;
     for (std::size_t i = 0; i < order.size(); ++i) changed.paths[program.root].targets[i] = targets[order[i]];
-    const States behind(changed);
+    const States states_after(changed);
     for (const std::size_t i : all) {
         const std::size_t path = std::get<SubPath>(targets[i]).path;
-        if (!begins_alike(before.entry(path), behind.entry(path)))
-            return refused(i, fmt::format("the sub-path '{}' begins with something else running there",
-                                          program.paths[path].name));
+        if (!starts_equivalent(before.entry(path), states_after.entry(path)))
+            return make_error(i, fmt::format("the sub-path '{}' begins with something else running there",
+                                             program.paths[path].name));
     }
     program = std::move(changed);
     return {};

@@ -4,7 +4,7 @@
 #include <set>
 #include <string>
 
-#include "toolpath/model/running.h"
+#include "toolpath/model/active_modes.h"
 #include "toolpath/model/states.h"
 #include "toolpath/model/validate.h"
 
@@ -15,29 +15,29 @@ class MoveSink;
 /// Writer of the work offsets and tools that paths name, before the first motion and at each change. A path
 /// is in its frame wherever it moves, and returns to it after a sub-path with another one. After its end the
 /// frame of its user is active again. A tool stays until another one is named.
-class SetUp {
+class PathSetup {
   public:
     /// All arguments must outlive this. `stops`: what a tool change stops; `jet`: the program has one.
-    SetUp(const Program& program, const States& states, std::size_t path, const ToolChangeStops& stops,
-          bool jet, MoveSink& sink)
+    PathSetup(const Program& program, const States& states, std::size_t path, const ToolChangeStops& stops,
+              bool jet, MoveSink& sink)
         : program_(program), states_(states), path_(path), stops_(stops), jet_(jet), sink_(sink) {
-        if (path != program.root) in_force_ = states.entry(path).frame.value();
+        if (path != program.root) active_frame_ = states.entry(path).frame.value();
     }
 
     /// Prepares a target of the path; `at` is the state before it, without its tool.
-    std::optional<Fault> before(std::size_t target, const State& at);
+    std::optional<Error> before(std::size_t target, const State& at);
     /// Finishes after the last target of a sub-path.
-    std::optional<Fault> finish(const State& at);
+    std::optional<Error> finish(const State& at);
     /// Returns the frames that the following targets may be in.
     std::set<std::string> frames() const;
 
   private:
-    std::optional<Fault> change(const Inherited<std::string>& frame, const std::optional<Tool>& tool,
+    std::optional<Error> change(const Inherited<std::string>& frame, const std::optional<Tool>& tool,
                                 const State& at);
-    std::optional<Fault> change_tool(const Tool& tool, const State& at);
-    std::optional<Fault> must_be_rapid(const TargetId& id) const;
-    bool ends_elsewhere(const SubPath& use) const;
-    Fault fault(std::string sentence) const { return {{path_, target_}, std::move(sentence)}; }
+    std::optional<Error> change_tool(const Tool& tool, const State& at);
+    std::optional<Error> require_rapid(const TargetId& id) const;
+    bool ends_in_other_frame(const SubPath& sub_path_call) const;
+    Error make_error(std::string message) const { return {{path_, target_}, std::move(message)}; }
 
     const Program& program_;
     const States& states_;
@@ -46,8 +46,8 @@ class SetUp {
     bool jet_;
     MoveSink& sink_;
     std::optional<std::size_t> target_;
-    std::optional<std::string> in_force_;  // nullopt: that of the path's users, which differ; or none yet
-    bool changed_ = false;                 // since the last motion, or that was in another frame
+    std::optional<std::string> active_frame_;  // nullopt: that of the path's users, which differ; or none yet
+    bool needs_rapid_ = false;                 // since the last motion, or that was in another frame
 };
 
 }  // namespace gsim::path

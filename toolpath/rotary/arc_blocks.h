@@ -7,13 +7,13 @@ namespace gsim::path {
 
 /// Returns true if the arc is neither too small nor too large for a program's numbers: a short arc's rounded
 /// end may lie on the wrong side of its rounded start.
-bool is_worth_an_arc(const ArcShape& arc, const MoveOptions& options);
+bool is_representable_arc(const ArcShape& arc, const MoveOptions& options);
 /// Returns how many circles an arc begins, if one block may say so; otherwise 1.
-int turns_in_one(const ArcShape& arc, const MoveOptions& options);
+int turns_per_block(const ArcShape& arc, const MoveOptions& options);
 /// Returns the number of blocks, of one turn at most, for an arc in a plane of the axes.
-int pieces_in_plane(const ArcShape& arc, const MoveOptions& options);
+int planar_block_count(const ArcShape& arc, const MoveOptions& options);
 /// Returns the number of blocks through a third point for an arc; 0 if that point is hardly off the line
 /// between the ends.
-int pieces_through_points(const ArcShape& arc, const MoveOptions& options);
+int three_point_block_count(const ArcShape& arc, const MoveOptions& options);
 
 }  // namespace gsim::path

@@ -11,7 +11,7 @@
 #include <tl/expected.hpp>
 
 #include "toolpath/model/arc_shape.h"
-#include "toolpath/rotary/machine_way.h"
+#include "toolpath/rotary/machine_approach.h"
 #include "toolpath/rotary/rotary_entries.h"
 
 namespace gsim::path {
@@ -22,14 +22,14 @@ struct AxisArc {
     bool counterclockwise = false;  ///< By the right hand about that axis.
     Vector center_offset_mm{};      ///< From the start, along X, Y and Z.
     double turn_rad = 0;            ///< > 0
-    int turns = 1;                  ///< Circles that it begins; one unless MoveOptions::arcs_of_turns.
+    int turns = 1;                  ///< Circles that it begins; one unless MoveOptions::multi_turn_arcs.
     /// X, Y and Z halfway, for an arc in an oblique plane. This point defines the arc; of the above only
     /// turn_rad counts then.
     std::optional<Vector> via_mm = {};
 };
 
 /// Treatment of arcs outside the planes of X, Y and Z.
-enum class ObliqueArcs { lines, through_points, refused };
+enum class ObliqueArcs { lines, through_points, rejected };
 
 /// One move of the machine's axes.
 struct AxisMove {
@@ -51,13 +51,13 @@ class MoveSink {
     virtual void begin(const TargetId& /*where*/) {}
     virtual void move(const AxisMove& move) = 0;
     /// Reports the axis values, though no move has led there.
-    virtual void stand(const AxisValues& /*axes*/) {}
+    virtual void set_position(const AxisValues& /*axes*/) {}
     /// Raises the tool to change something: the tool itself, or the reference of positions.
     virtual void retract() {}
     /// Finds the position of the active work coordinate system by a touch of the tool, which is up.
     virtual void touch(const std::string& /*frame*/, const Touch& /*touch*/) {}
     /// Moves some axes to a position of the machine; the others stay.
-    virtual void go_to(const MachineWay& /*way*/) {}
+    virtual void go_to(const MachineApproach& /*way*/) {}
     /// Selects a work coordinate system by its name; axis values of a recorded path stay those of the
     /// machine.
     virtual void work_offset(const std::string& /*name*/) {}
@@ -67,7 +67,7 @@ class MoveSink {
     virtual void action(const std::string& name) = 0;
     virtual void call(const SubPath& sub_path) = 0;
     /// Reports a remark about what follows.
-    virtual void note(const TargetId& where, std::string_view sentence) = 0;
+    virtual void note(const TargetId& where, std::string_view message) = 0;
 };
 
 struct MoveOptions {
@@ -75,7 +75,7 @@ struct MoveOptions {
     double resolution_mm = 0.001;  ///< Smallest step of a program's numbers.
     ObliqueArcs oblique_arcs = ObliqueArcs::lines;
     bool arcs = true;                        ///< True if arcs may stay arcs.
-    bool arcs_of_turns = false;              ///< True if one may turn by more than a circle.
+    bool multi_turn_arcs = false;            ///< True if one may turn by more than a circle.
     ToolChangeStops tool_change_stops = {};  ///< Devices to restart after a tool change.
     /// Positions of work coordinate systems. For those without a position the ranges of X, Y and Z do not
     /// apply.
@@ -91,7 +91,7 @@ class AxisMoves {
   public:
     /// All arguments must outlive this.
     AxisMoves(const Program& program, const MachineSpace& space, const States& states,
-              const std::vector<PathTurns>& turns, const MoveOptions& options)
+              const std::vector<RotarySchedule>& turns, const MoveOptions& options)
         : program_(program),
           space_(space),
           states_(states),
@@ -101,13 +101,13 @@ class AxisMoves {
           jet_(has_jet(program)) {}
 
     /// Writes all of one path that the root leads to. Sub-paths are calls.
-    tl::expected<void, Fault> run(std::size_t path, MoveSink& sink) const;
+    tl::expected<void, Error> run(std::size_t path, MoveSink& sink) const;
 
   private:
     const Program& program_;
     const MachineSpace& space_;
     const States& states_;
-    const std::vector<PathTurns>& turns_;
+    const std::vector<RotarySchedule>& turns_;
     MoveOptions options_;
     std::vector<std::optional<AxisValues>> entries_;  // rotary axis values at the start of each path
     bool jet_;

@@ -19,17 +19,17 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using machine::AxisKind;
 
-constexpr double kUncoupled_mm = 1e-9;
-constexpr double kSlack = 1e-6;  // mm or deg that an axis may be beyond its range by rounding
+constexpr double kCouplingTolerance_mm = 1e-9;
+constexpr double kRangeTolerance = 1e-6;  // mm or deg that an axis may be beyond its range by rounding
 
 // Clears rounding errors of zero, which would show as -0.000.
-double cleaned(double value) {
+double snap_to_zero(double value) {
     return std::abs(value) < 1e-10 ? 0.0 : value;
 }
 
 // Returns that rotation, turned by the smallest angle, so that Z points in a direction of length 1. Eigen's
 // FromTwoVectors() is avoided, because it takes three seconds to compile.
-Eigen::Matrix3d turned_to_axis(const Eigen::Matrix3d& rotation, const Vector3d& direction) {
+Eigen::Matrix3d rotate_to_axis(const Eigen::Matrix3d& rotation, const Vector3d& direction) {
     const Vector3d z = rotation.col(2);
     const Vector3d across = z.cross(direction);
     const double sine = across.norm();
@@ -64,7 +64,7 @@ tl::expected<MachineSpace, std::string> MachineSpace::make(const machine::Machin
             machine.name));
     }
     space.kinematics_ = machine::make_kinematics(machine);
-    space.study();
+    space.analyze();
     if (std::abs(space.to_linear_.determinant()) < 0.5 || !space.to_linear_.allFinite()) {
         return tl::unexpected(fmt::format(
             "X, Y and Z of the machine '{}' do not move the tool in three directions", machine.name));
@@ -73,28 +73,28 @@ tl::expected<MachineSpace, std::string> MachineSpace::make(const machine::Machin
 }
 
 // Relies on the TCP being an affine function of the linear axes, for any values of the rotary ones.
-void MachineSpace::study() {
+void MachineSpace::analyze() {
     const auto affine = [this](const AxisValues& rotary, Vector3d& origin) {
         AxisValues at = with_rotary(rotary);
-        origin = tip(at);
+        origin = tcp(at);
         Matrix3d directions;
         for (std::size_t i = 0; i < 3; ++i) {
             AxisValues moved = at;
             moved[static_cast<Eigen::Index>(linear_[i])] += 1;
-            directions.col(static_cast<Eigen::Index>(i)) = tip(moved) - origin;
+            directions.col(static_cast<Eigen::Index>(i)) = tcp(moved) - origin;
         }
         return Matrix3d(directions.inverse());
     };
     AxisValues rotary = AxisValues::Zero(static_cast<Eigen::Index>(rotary_.size()));
-    to_linear_ = affine(rotary, tip_at_zero_);
-    coupled_ = false;
+    to_linear_ = affine(rotary, tcp_at_zero_);
+    is_coupled_ = false;
     for (const double angle : {31.0, 77.0, -53.0}) {
         for (Eigen::Index i = 0; i < rotary.size(); ++i) {
             rotary[i] = angle + 11.0 * static_cast<double>(i);
             Vector3d origin;
             const Matrix3d turned = affine(rotary, origin);
-            coupled_ = coupled_ || (origin - tip_at_zero_).norm() > kUncoupled_mm ||
-                       (turned - to_linear_).norm() > kUncoupled_mm;
+            is_coupled_ = is_coupled_ || (origin - tcp_at_zero_).norm() > kCouplingTolerance_mm ||
+                          (turned - to_linear_).norm() > kCouplingTolerance_mm;
         }
     }
 }
@@ -107,7 +107,7 @@ rrs::JointPos MachineSpace::joints(const AxisValues& axes) const {
     return joints;
 }
 
-Vector3d MachineSpace::tip(const AxisValues& axes) const {
+Vector3d MachineSpace::tcp(const AxisValues& axes) const {
     return kinematics_->forward(joints(axes)).translation();
 }
 
@@ -141,23 +141,23 @@ AxisValues MachineSpace::with_rotary(const AxisValues& rotary) const {
     return values;
 }
 
-AxisValues MachineSpace::axes(const Vector3d& tip_mm, const AxisValues& rotary) const {
+AxisValues MachineSpace::axes(const Vector3d& tcp_mm, const AxisValues& rotary) const {
     AxisValues values = with_rotary(rotary);
     Vector3d linear;
-    if (!coupled_) {
-        linear = to_linear_ * (tip_mm - tip_at_zero_);
+    if (!is_coupled_) {
+        linear = to_linear_ * (tcp_mm - tcp_at_zero_);
     } else {
-        const Vector3d origin = tip(values);
+        const Vector3d origin = tcp(values);
         Matrix3d directions;
         for (std::size_t i = 0; i < 3; ++i) {
             AxisValues moved = values;
             moved[static_cast<Eigen::Index>(linear_[i])] += 1;
-            directions.col(static_cast<Eigen::Index>(i)) = tip(moved) - origin;
+            directions.col(static_cast<Eigen::Index>(i)) = tcp(moved) - origin;
         }
-        linear = directions.inverse() * (tip_mm - origin);
+        linear = directions.inverse() * (tcp_mm - origin);
     }
     for (std::size_t i = 0; i < 3; ++i) {
-        values[static_cast<Eigen::Index>(linear_[i])] = cleaned(linear[static_cast<Eigen::Index>(i)]);
+        values[static_cast<Eigen::Index>(linear_[i])] = snap_to_zero(linear[static_cast<Eigen::Index>(i)]);
     }
     return values;
 }
@@ -170,25 +170,25 @@ Vector3d MachineSpace::linear(const AxisValues& axes) const {
 // Keeps the rotation about the tool axis as in `from`, as far as possible, if the orientation is only an
 // axis. Another rotation, which the inverse kinematics may reach exactly, would draw the axes away from
 // nearby values.
-rrs::CartPos MachineSpace::pose_for(const Vector3d& tip_mm, const Orientation& orientation,
-                                    const rrs::JointPos& from) const {
+rrs::CartPos MachineSpace::tool_pose(const Vector3d& tcp_mm, const Orientation& orientation,
+                                     const rrs::JointPos& from) const {
     rrs::CartPos pose;
     if (const auto* axis = std::get_if<ToolAxis>(&orientation)) {
         pose.linear() =
-            turned_to_axis(kinematics_->forward(from).linear(), to_eigen(axis->direction).normalized());
+            rotate_to_axis(kinematics_->forward(from).linear(), to_eigen(axis->direction).normalized());
     } else {
         const auto& rpy = std::get<RollPitchYaw>(orientation);
         pose = kinematics::pose_from_rpy(
             {0, 0, 0, rpy.roll_deg * kRadPerDeg, rpy.pitch_deg * kRadPerDeg, rpy.yaw_deg * kRadPerDeg});
     }
-    pose.translation() = tip_mm;
+    pose.translation() = tcp_mm;
     return pose;
 }
 
-tl::expected<std::vector<AxisValues>, std::string> MachineSpace::rotary_for(const Vector& tip_mm,
-                                                                            const Orientation& orientation,
-                                                                            const AxisValues& near) const {
-    const Vector3d tip = to_eigen(tip_mm);
+tl::expected<std::vector<AxisValues>, std::string> MachineSpace::solve_rotary(const Vector& tcp_mm,
+                                                                              const Orientation& orientation,
+                                                                              const AxisValues& near) const {
+    const Vector3d tcp = to_eigen(tcp_mm);
     std::vector<AxisValues> starts;
     starts.reserve(3);
     starts.push_back(near);
@@ -197,29 +197,29 @@ tl::expected<std::vector<AxisValues>, std::string> MachineSpace::rotary_for(cons
         starts.push_back(pair(-near[0], near[1] + 180));
     }
     std::vector<AxisValues> found;
-    std::string fault;
+    std::string error;
     for (const AxisValues& start : starts) {
-        const rrs::JointPos from = joints(axes(tip, start));
-        const auto solution = kinematics_->inverse(pose_for(tip, orientation, from), from);
+        const rrs::JointPos from = joints(axes(tcp, start));
+        const auto solution = kinematics_->inverse(tool_pose(tcp, orientation, from), from);
         if (!solution) {
-            if (fault.empty()) fault = solution.error();
+            if (error.empty()) error = solution.error();
             continue;
         }
         AxisValues values(static_cast<Eigen::Index>(rotary_.size()));
         for (std::size_t i = 0; i < rotary_.size(); ++i) {
-            values[static_cast<Eigen::Index>(i)] = cleaned(
+            values[static_cast<Eigen::Index>(i)] = snap_to_zero(
                 machine::axis_value(rotary_axis(i), (*solution)[static_cast<Eigen::Index>(rotary_[i])]));
         }
         found.push_back(values);
     }
-    if (found.empty()) return tl::unexpected(fault);
+    if (found.empty()) return tl::unexpected(error);
     return found;
 }
 
-std::string MachineSpace::range_fault(const AxisValues& axes) const {
+std::string MachineSpace::axis_range_error(const AxisValues& axes) const {
     for (Eigen::Index i = 0; i < axes.size(); ++i) {
         const machine::Axis& axis = machine_->axes[static_cast<std::size_t>(i)];
-        if (axes[i] >= axis.min - kSlack && axes[i] <= axis.max + kSlack) continue;
+        if (axes[i] >= axis.min - kRangeTolerance && axes[i] <= axis.max + kRangeTolerance) continue;
         return fmt::format("out of reach: {} {:.6g} is outside {:.6g} to {:.6g}", axis.letter,
                            text::unsigned_zero(axes[i]), text::unsigned_zero(axis.min),
                            text::unsigned_zero(axis.max));
@@ -227,26 +227,26 @@ std::string MachineSpace::range_fault(const AxisValues& axes) const {
     return {};
 }
 
-std::string MachineSpace::range_fault(AxisValues axes, const std::optional<Vector>& origin_mm) const {
+std::string MachineSpace::axis_range_error(AxisValues axes, const std::optional<Vector>& origin_mm) const {
     const AxisValues at_home = home();
     for (std::size_t i = 0; i < linear_.size(); ++i) {
         const auto axis = static_cast<Eigen::Index>(linear_[i]);
         axes[axis] = origin_mm ? axes[axis] + (*origin_mm)[i] : at_home[axis];
     }
-    return range_fault(axes);
+    return axis_range_error(axes);
 }
 
-std::string MachineSpace::range_fault(const std::map<char, double>& axes) const {
+std::string MachineSpace::axis_range_error(const std::map<char, double>& axes) const {
     AxisValues values = home();
     for (const auto& [letter, value] : axes) {
         if (const auto axis = machine_->find(letter)) values[static_cast<Eigen::Index>(*axis)] = value;
     }
-    return range_fault(values);
+    return axis_range_error(values);
 }
 
-std::optional<double> MachineSpace::top_mm() const {
-    const double top_mm = machine_->axes[linear_[2]].max;
-    return std::isfinite(top_mm) ? std::optional(top_mm) : std::nullopt;
+std::optional<double> MachineSpace::max_z_mm() const {
+    const double max_z_mm = machine_->axes[linear_[2]].max;
+    return std::isfinite(max_z_mm) ? std::optional(max_z_mm) : std::nullopt;
 }
 
 }  // namespace gsim::path

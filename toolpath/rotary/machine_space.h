@@ -30,11 +30,11 @@ class MachineSpace {
     AxisValues home() const;
 
     /// Returns true if turning a rotary axis moves the linear ones while the TCP stays.
-    bool coupled() const { return coupled_; }
-    /// Returns all axis values with the TCP at `tip_mm` and these rotary values.
-    AxisValues axes(const Eigen::Vector3d& tip_mm, const AxisValues& rotary) const;
+    bool is_coupled() const { return is_coupled_; }
+    /// Returns all axis values with the TCP at `tcp_mm` and these rotary values.
+    AxisValues axes(const Eigen::Vector3d& tcp_mm, const AxisValues& rotary) const;
     /// Returns the TCP at these values, in the work frame.
-    Eigen::Vector3d tip(const AxisValues& axes) const;
+    Eigen::Vector3d tcp(const AxisValues& axes) const;
     /// Returns joint values, mm or rad.
     rrs::JointPos joints(const AxisValues& axes) const;
     /// Returns the upward direction of the tool axis, a unit vector.
@@ -45,33 +45,33 @@ class MachineSpace {
     /// Returns rotary values for a tool axis or a full orientation with the TCP there. These are the results
     /// of the inverse kinematics near `near` and near its mirror images (turning axis half a turn further,
     /// tilt in the other direction). Full turns are as they come. The error is a message.
-    tl::expected<std::vector<AxisValues>, std::string> rotary_for(const Vector& tip_mm,
-                                                                  const Orientation& orientation,
-                                                                  const AxisValues& near) const;
+    tl::expected<std::vector<AxisValues>, std::string> solve_rotary(const Vector& tcp_mm,
+                                                                    const Orientation& orientation,
+                                                                    const AxisValues& near) const;
 
     /// Returns a message about an axis out of its range; empty if all are within.
-    std::string range_fault(const AxisValues& axes) const;
+    std::string axis_range_error(const AxisValues& axes) const;
     /// Returns the same for values that are counted from another origin of X, Y and Z; without it those of X,
     /// Y and Z are not checked.
-    std::string range_fault(AxisValues axes, const std::optional<Vector>& origin_mm) const;
+    std::string axis_range_error(AxisValues axes, const std::optional<Vector>& origin_mm) const;
     /// Returns the same for machine coordinates of some axes, by letter.
-    std::string range_fault(const std::map<char, double>& axes) const;
+    std::string axis_range_error(const std::map<char, double>& axes) const;
     /// Returns the end of Z above the work; nullopt if it has none.
-    std::optional<double> top_mm() const;
+    std::optional<double> max_z_mm() const;
 
   private:
     explicit MachineSpace(const machine::Machine& machine) : machine_(&machine) {}
-    rrs::CartPos pose_for(const Eigen::Vector3d& tip_mm, const Orientation& orientation,
-                          const rrs::JointPos& from) const;
+    rrs::CartPos tool_pose(const Eigen::Vector3d& tcp_mm, const Orientation& orientation,
+                           const rrs::JointPos& from) const;
     AxisValues with_rotary(const AxisValues& rotary) const;
-    void study();
+    void analyze();
 
     const machine::Machine* machine_;
     std::shared_ptr<const kinematics::Kinematics> kinematics_;
     std::array<std::size_t, 3> linear_{};
     std::vector<std::size_t> rotary_;
-    bool coupled_ = true;
-    Eigen::Vector3d tip_at_zero_ = Eigen::Vector3d::Zero();    // with the linear axes at 0
+    bool is_coupled_ = true;
+    Eigen::Vector3d tcp_at_zero_ = Eigen::Vector3d::Zero();    // with the linear axes at 0
     Eigen::Matrix3d to_linear_ = Eigen::Matrix3d::Identity();  // from TCP travel to X, Y and Z
 };
 

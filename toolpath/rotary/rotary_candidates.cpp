@@ -9,17 +9,17 @@ namespace gsim::path {
 
 namespace {
 
-constexpr double kSameStance_deg = 1e-7;
+constexpr double kConfigurationTolerance_deg = 1e-7;
 constexpr double kRangeSlack_deg = 1e-6;
-constexpr double kManyTurns_deg = 3600;  // beyond that, an axis counts as endless
-constexpr std::size_t kMostCandidates = 32;
+constexpr double kEndlessRange_deg = 3600;  // beyond that, an axis counts as endless
+constexpr std::size_t kMaxCandidates = 32;
 
 bool is_same(const AxisValues& a, const AxisValues& b) {
-    return a.size() == 0 || (a - b).cwiseAbs().maxCoeff() < kSameStance_deg;
+    return a.size() == 0 || (a - b).cwiseAbs().maxCoeff() < kConfigurationTolerance_deg;
 }
 
-void add_new(std::vector<AxisValues>& list, const AxisValues& values) {
-    if (list.size() >= kMostCandidates) return;
+void add_unique(std::vector<AxisValues>& list, const AxisValues& values) {
+    if (list.size() >= kMaxCandidates) return;
     const auto same = [&](const AxisValues& each) { return is_same(each, values); };
     if (std::none_of(list.begin(), list.end(), same)) list.push_back(values);
 }
@@ -28,7 +28,7 @@ void add_new(std::vector<AxisValues>& list, const AxisValues& values) {
 // axis, the one nearest to `near`.
 std::vector<double> in_range(const machine::Axis& axis, double value, double near) {
     std::vector<double> found;
-    if (axis.max - axis.min > kManyTurns_deg) {
+    if (axis.max - axis.min > kEndlessRange_deg) {
         found.push_back(value + 360 * std::round((near - value) / 360));
         return found;
     }
@@ -71,65 +71,65 @@ double turn_between(const AxisValues& from, const AxisValues& to) {
     return from.size() == 0 ? 0.0 : (to - from).cwiseAbs().sum();
 }
 
-double least_turn_between(const AxisValues& from, const AxisValues& to) {
+double min_turn_between(const AxisValues& from, const AxisValues& to) {
     double sum = 0;
     for (Eigen::Index i = 0; i < from.size(); ++i) sum += std::abs(std::remainder(to[i] - from[i], 360.0));
     return sum;
 }
 
-void add_whole_turns(const MachineSpace& space, const AxisValues& values, const AxisValues& near,
-                     std::vector<AxisValues>& out) {
-    std::vector<AxisValues> partial{values};
+void add_full_turns(const MachineSpace& space, const AxisValues& values, const AxisValues& near,
+                    std::vector<AxisValues>& out) {
+    std::vector<AxisValues> partial_solutions{values};
     for (std::size_t axis = 0; axis < space.rotary_count(); ++axis) {
         const auto i = static_cast<Eigen::Index>(axis);
         std::vector<AxisValues> next;
-        for (const AxisValues& each : partial) {
+        for (const AxisValues& each : partial_solutions) {
             for (const double turned : in_range(space.rotary_axis(axis), each[i], near[i])) {
                 next.push_back(each);
                 next.back()[i] = turned;
             }
         }
-        partial = std::move(next);
+        partial_solutions = std::move(next);
     }
-    for (const AxisValues& each : partial) add_new(out, each);
+    for (const AxisValues& each : partial_solutions) add_unique(out, each);
 }
 
 tl::expected<std::vector<AxisValues>, std::string> rotary_candidates(const MachineSpace& space,
-                                                                     const Vector& tip_mm,
+                                                                     const Vector& tcp_mm,
                                                                      const Orientation& orientation,
                                                                      const std::vector<AxisValues>& before,
-                                                                     bool as_given) {
+                                                                     bool is_literal) {
     std::vector<AxisValues> found;
-    std::vector<AxisValues> looked_at;
-    std::optional<AxisValues> beyond;
+    std::vector<AxisValues> checked_bodies;
+    std::optional<AxisValues> unreachable;
     for (const AxisValues& near : before) {
         // Full turns of the previous values lead to the same solutions; an endless axis follows each.
-        const auto same_turn = [&](const AxisValues& each) {
-            return least_turn_between(each, near) < kSameStance_deg;
+        const auto is_same_turn = [&](const AxisValues& each) {
+            return min_turn_between(each, near) < kConfigurationTolerance_deg;
         };
-        const bool known = std::any_of(looked_at.begin(), looked_at.end(), same_turn);
-        if (known && !as_given && !std::holds_alternative<RotaryAxes>(orientation)) continue;
-        looked_at.push_back(near);
+        const bool known = std::any_of(checked_bodies.begin(), checked_bodies.end(), is_same_turn);
+        if (known && !is_literal && !std::holds_alternative<RotaryAxes>(orientation)) continue;
+        checked_bodies.push_back(near);
         std::vector<AxisValues> solutions;
         if (const auto* given = std::get_if<RotaryAxes>(&orientation)) {
             const auto values = given_values(space, *given, near);
             if (!values) return tl::unexpected(values.error());
-            if (as_given) {
-                add_new(found, *values);
+            if (is_literal) {
+                add_unique(found, *values);
                 continue;
             }
             solutions.push_back(*values);
         } else {
-            auto solved = space.rotary_for(tip_mm, orientation, near);
+            auto solved = space.solve_rotary(tcp_mm, orientation, near);
             if (!solved) return tl::unexpected(solved.error());
             solutions = std::move(*solved);
         }
         for (const AxisValues& each : solutions) {
-            add_whole_turns(space, each, near, found);
-            if (!beyond) beyond = each;
+            add_full_turns(space, each, near, found);
+            if (!unreachable) unreachable = each;
         }
     }
-    if (found.empty() && beyond) return tl::unexpected(out_of_range(space, *beyond));
+    if (found.empty() && unreachable) return tl::unexpected(out_of_range(space, *unreachable));
     return found;
 }
 

@@ -12,20 +12,20 @@ namespace gsim::path {
 /// Returns the cost between two rotary positions: how far all axes turn from one to the other, deg.
 double turn_between(const AxisValues& from, const AxisValues& to);
 /// Returns the same modulo full turns of each axis.
-double least_turn_between(const AxisValues& from, const AxisValues& to);
+double min_turn_between(const AxisValues& from, const AxisValues& to);
 
 /// Adds values that differ from `values` in full turns and lie in the axes' ranges, unless they are present;
 /// for an endless axis, the ones nearest to `near`.
-void add_whole_turns(const MachineSpace& space, const AxisValues& values, const AxisValues& near,
-                     std::vector<AxisValues>& out);
+void add_full_turns(const MachineSpace& space, const AxisValues& values, const AxisValues& near,
+                    std::vector<AxisValues>& out);
 
 /// Returns all rotary values within the axes' ranges that give a point's orientation, as seen from the
-/// possible axis values before it (at least one). `as_given`: rotary_deg is taken literally. The error is a
+/// possible axis values before it (at least one). `is_literal`: rotary_deg is taken literally. The error is a
 /// message.
 tl::expected<std::vector<AxisValues>, std::string> rotary_candidates(const MachineSpace& space,
-                                                                     const Vector& tip_mm,
+                                                                     const Vector& tcp_mm,
                                                                      const Orientation& orientation,
                                                                      const std::vector<AxisValues>& before,
-                                                                     bool as_given);
+                                                                     bool is_literal);
 
 }  // namespace gsim::path

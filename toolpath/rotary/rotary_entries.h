@@ -10,6 +10,6 @@ namespace gsim::path {
 /// Returns the rotary axis values at the start of each path; nullopt if they are unknown (the root), or if
 /// the uses of the path leave different ones.
 std::vector<std::optional<AxisValues>> rotary_entries(const Program& program, const States& states,
-                                                      const std::vector<PathTurns>& turns);
+                                                      const std::vector<RotarySchedule>& turns);
 
 }  // namespace gsim::path

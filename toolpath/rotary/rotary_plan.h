@@ -10,13 +10,13 @@
 namespace gsim::path {
 
 /// Rotary axis values on one path.
-class PathTurns {
+class RotarySchedule {
   public:
-    explicit PathTurns(std::size_t rotary_count = 0) : count_(rotary_count) {}
+    explicit RotarySchedule(std::size_t rotary_count = 0) : count_(rotary_count) {}
 
     /// Returns true if the axes are at values of this path after a target. Otherwise they are as before it:
     /// so far only fixed or reference points came, which name no rotary axis.
-    bool knows(std::size_t target) const { return target >= unknown; }
+    bool is_known(std::size_t target) const { return target >= unknown; }
     /// Returns the rotary values on arrival at a target that it knows; for a sub-path, after it.
     AxisValues at(std::size_t target) const;
     /// Returns the values to which the axes turn after a target, if they have to before they move on.
@@ -41,16 +41,17 @@ class PathTurns {
 };
 
 struct RotaryOptions {
-    bool as_given =
+    bool is_literal =
         false;  ///< rotary_deg gives axis positions, not an orientation that full turns may lead to.
 };
 
 /// Chooses from all rotary values that give each point's orientation within the axes' ranges: those that turn
 /// least over the complete path (dynamic programming over the points). While the tool cuts, axes take the
 /// short turn. If their ranges do not allow it, the tool stops and the axes unwind, as seldom as possible.
-/// Each path is planned by itself, because all its users share it. Returns one PathTurns for each path.
-tl::expected<std::vector<PathTurns>, Fault> plan_rotary(const Program& program, const MachineSpace& space,
-                                                        const States& states, const RotaryOptions& options);
+/// Each path is planned by itself, because all its users share it. Returns one RotarySchedule for each path.
+tl::expected<std::vector<RotarySchedule>, Error> plan_rotary(const Program& program,
+                                                             const MachineSpace& space, const States& states,
+                                                             const RotaryOptions& options);
 
 /// Returns true if a point is reached while the tool cuts: its motion is at feed, and the waterjet is on or
 /// the program has none.

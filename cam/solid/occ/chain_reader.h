@@ -12,7 +12,7 @@ namespace gsim::solid {
 
 /// Returns the edges requested by their numbers, in chains, and other edges of their bodies that a jet could
 /// hit. `bodies` are those of the file; the caller computes their bounding box. The error is a message.
-tl::expected<WallContours, std::string> chains_of(const ShapeFile& file, const Bodies& bodies,
-                                                  const ContourOptions& options);
+tl::expected<WallContours, std::string> extract_chains(const ShapeFile& file, const Bodies& bodies,
+                                                       const ContourOptions& options);
 
 }  // namespace gsim::solid

@@ -10,6 +10,7 @@
 namespace gsim::solid {
 
 /// Returns the contours of the bodies of a file, as the options select them. The error is a message.
-tl::expected<WallContours, std::string> contours_of(const ShapeFile& file, const ContourOptions& options);
+tl::expected<WallContours, std::string> extract_contours(const ShapeFile& file,
+                                                         const ContourOptions& options);
 
 }  // namespace gsim::solid

@@ -17,12 +17,12 @@ namespace gsim::solid {
 
 namespace {
 
-constexpr double kOffPlane_mm = 1e-4;
+constexpr double kPlanarityTolerance_mm = 1e-4;
 
 }  // namespace
 
-std::string kind_of(const TopoDS_Face& face) {
-    if (plane_of(face)) return "plane";
+std::string surface_kind(const TopoDS_Face& face) {
+    if (face_plane(face)) return "plane";
     switch (BRepAdaptor_Surface(face, false).GetType()) {
         case GeomAbs_Cylinder: return "cylindrical";
         case GeomAbs_Cone: return "conical";
@@ -32,7 +32,7 @@ std::string kind_of(const TopoDS_Face& face) {
     }
 }
 
-gp_Pnt place_of(const TopoDS_Face& face) {
+gp_Pnt face_point(const TopoDS_Face& face) {
     for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
         const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
         if (BRep_Tool::Degenerated(edge)) continue;
@@ -42,30 +42,31 @@ gp_Pnt place_of(const TopoDS_Face& face) {
     return {};
 }
 
-std::string shown(const TopoDS_Face& face, const ShapeFile& file) {
+std::string display_text(const TopoDS_Face& face, const ShapeFile& file) {
     const std::string label = file.label(face);
-    return fmt::format("the {} face{}{} at {}", kind_of(face), label.empty() ? "" : " ", label,
-                       shown(place_of(face)));
+    return fmt::format("the {} face{}{} at {}", surface_kind(face), label.empty() ? "" : " ", label,
+                       display_text(face_point(face)));
 }
 
 std::optional<gp_Dir> outward_normal(const TopoDS_Face& face, double u, double v) {
     gp_Pnt point;
-    gp_Vec along_u, along_v;
-    BRepAdaptor_Surface(face, false).D1(u, v, point, along_u, along_v);
-    gp_Vec normal = along_u.Crossed(along_v);
-    if (normal.Magnitude() <= 1e-12 * along_u.Magnitude() * along_v.Magnitude()) return std::nullopt;
+    gp_Vec u_derivative, v_derivative;
+    BRepAdaptor_Surface(face, false).D1(u, v, point, u_derivative, v_derivative);
+    gp_Vec normal = u_derivative.Crossed(v_derivative);
+    if (normal.Magnitude() <= 1e-12 * u_derivative.Magnitude() * v_derivative.Magnitude())
+        return std::nullopt;
     if (face.Orientation() == TopAbs_REVERSED) normal.Reverse();
     return gp_Dir(normal);
 }
 
-std::optional<gp_Pln> plane_of(const TopoDS_Face& face) {
+std::optional<gp_Pln> face_plane(const TopoDS_Face& face) {
     double u_low = 0, u_high = 0, v_low = 0, v_high = 0;
-    const GeomLib_IsPlanarSurface planar(BRep_Tool::Surface(face), kOffPlane_mm);
-    if (!planar.IsPlanar()) return std::nullopt;
+    const GeomLib_IsPlanarSurface planarity_check(BRep_Tool::Surface(face), kPlanarityTolerance_mm);
+    if (!planarity_check.IsPlanar()) return std::nullopt;
     BRepTools::UVBounds(face, u_low, u_high, v_low, v_high);
     const auto normal = outward_normal(face, (u_low + u_high) / 2, (v_low + v_high) / 2);
     if (!normal) return std::nullopt;
-    return gp_Pln(planar.Plan().Location(), *normal);
+    return gp_Pln(planarity_check.Plan().Location(), *normal);
 }
 
 }  // namespace gsim::solid

@@ -11,17 +11,17 @@
 namespace gsim::solid {
 
 /// Returns "conical" or the like.
-std::string kind_of(const TopoDS_Face& face);
+std::string surface_kind(const TopoDS_Face& face);
 /// Returns the middle of one of its edges.
-gp_Pnt place_of(const TopoDS_Face& face);
+gp_Pnt face_point(const TopoDS_Face& face);
 /// Returns "the conical face #57 at (1, 2, 3)".
-std::string shown(const TopoDS_Face& face, const ShapeFile& file);
+std::string display_text(const TopoDS_Face& face, const ShapeFile& file);
 
 /// Returns the normal of a face that points out of its body; nothing if it has none.
 std::optional<gp_Dir> outward_normal(const TopoDS_Face& face, double u, double v);
 
 /// Returns the plane of a plane face, including a plane written as a spline surface, with an axis that points
 /// out of its body.
-std::optional<gp_Pln> plane_of(const TopoDS_Face& face);
+std::optional<gp_Pln> face_plane(const TopoDS_Face& face);
 
 }  // namespace gsim::solid

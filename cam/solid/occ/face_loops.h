@@ -14,6 +14,6 @@ struct FaceLoop {
 
 /// Returns the loops of a face. A face that is closed in itself, such as that of a cone, has a seam, which is
 /// left out. So a slot that crosses the seam is one loop, and so are both ends.
-std::vector<FaceLoop> loops_of(const TopoDS_Face& face);
+std::vector<FaceLoop> face_loops(const TopoDS_Face& face);
 
 }  // namespace gsim::solid

@@ -18,90 +18,93 @@ namespace gsim::solid {
 
 namespace {
 
-using Fault = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
-constexpr int kProbesOfCurve = 9;  // points of a curve that define its position
+constexpr int kSamplesPerCurve = 9;  // points of a curve that define its position
 
-struct Probe {
+struct CurveSample {
     gp_Pnt point;
     std::size_t edge = 0;
 };
 
-std::vector<Probe> probes_of(std::span<const TopoDS_Edge> edges) {
-    std::vector<Probe> probes;
-    probes.reserve(edges.size() * kProbesOfCurve);
+std::vector<CurveSample> curve_samples(std::span<const TopoDS_Edge> edges) {
+    std::vector<CurveSample> samples;
+    samples.reserve(edges.size() * kSamplesPerCurve);
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const BRepAdaptor_Curve curve(edges[i]);
         const double from = curve.FirstParameter();
-        const double step = (curve.LastParameter() - from) / (kProbesOfCurve - 1);
+        const double step = (curve.LastParameter() - from) / (kSamplesPerCurve - 1);
         if (!std::isfinite(from) || !std::isfinite(step)) continue;
-        for (int k = 0; k < kProbesOfCurve; ++k) probes.push_back({curve.Value(from + k * step), i});
+        for (int k = 0; k < kSamplesPerCurve; ++k) samples.push_back({curve.Value(from + k * step), i});
     }
-    return probes;
+    return samples;
 }
 
 // Returns the normal of the plane with the least sum of squares of distances; along Z if several planes fit.
-gp_Dir normal_of(const std::vector<Probe>& probes, const Eigen::Vector3d& middle) {
-    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    for (const Probe& probe : probes) {
-        const Eigen::Vector3d off =
+gp_Dir normal_of(const std::vector<CurveSample>& samples, const Eigen::Vector3d& middle) {
+    Eigen::Matrix3d standard_deviation = Eigen::Matrix3d::Zero();
+    for (const CurveSample& probe : samples) {
+        const Eigen::Vector3d offset =
             Eigen::Vector3d(probe.point.X(), probe.point.Y(), probe.point.Z()) - middle;
-        spread += off * off.transpose();
+        standard_deviation += offset * offset.transpose();
     }
-    if (spread(2, 2) <= kSameHeight_mm * kSameHeight_mm) return {0, 0, 1};
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+    if (standard_deviation(2, 2) <= kHeightTolerance_mm * kHeightTolerance_mm) return {0, 0, 1};
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(standard_deviation);
     Eigen::Vector3d normal = solver.eigenvectors().col(0);
-    constexpr double kSame = 1e-9;
-    const double sign =
-        std::abs(normal.z()) > kSame ? normal.z() : (std::abs(normal.y()) > kSame ? normal.y() : normal.x());
+    constexpr double kEqualTolerance = 1e-9;
+    const double sign = std::abs(normal.z()) > kEqualTolerance
+                            ? normal.z()
+                            : (std::abs(normal.y()) > kEqualTolerance ? normal.y() : normal.x());
     if (sign < 0) normal = -normal;
     return {normal.x(), normal.y(), normal.z()};
 }
 
-PlateFrame frame_of(const std::vector<Probe>& probes, bool flip) {
+PlateFrame fit_plate_frame(const std::vector<CurveSample>& samples, bool flip) {
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-    for (const Probe& probe : probes)
+    for (const CurveSample& probe : samples)
         middle += Eigen::Vector3d(probe.point.X(), probe.point.Y(), probe.point.Z());
-    middle /= static_cast<double>(probes.size());
-    const gp_Dir up = normal_of(probes, middle);
+    middle /= static_cast<double>(samples.size());
+    const gp_Dir up = normal_of(samples, middle);
     return {gp_Pnt(middle.x(), middle.y(), middle.z()), flip ? up.Reversed() : up};
 }
 
 // Returns the file's name of an edge, or its number among the drawn edges.
-std::string name_of(const ShapeFile& file, const TopoDS_Edge& edge, std::size_t number) {
+std::string edge_name(const ShapeFile& file, const TopoDS_Edge& edge, std::size_t number) {
     const std::string label = file.label(edge);
     return label.empty() ? fmt::format("{}", number + 1) : label;
 }
 
 }  // namespace
 
-tl::expected<Plate, std::string> plate_of_curves(std::span<const TopoDS_Edge> edges, const ShapeFile& file,
-                                                 const PlateOptions& options) {
-    const std::vector<Probe> probes = probes_of(edges);
-    if (probes.empty()) return Fault("its curves have no ends");
-    const PlateFrame frame = frame_of(probes, options.flip);
-    for (const Probe& probe : probes) {
-        const double off_mm = std::abs(frame.height_mm(probe.point));
-        if (off_mm <= kSameHeight_mm) continue;
-        return Fault(fmt::format("the curves do not lie in one plane: curve {} at {} is {:.4g} mm off",
-                                 name_of(file, edges[probe.edge], probe.edge), shown(probe.point), off_mm));
+tl::expected<Plate, std::string> plate_from_curves(std::span<const TopoDS_Edge> edges, const ShapeFile& file,
+                                                   const PlateOptions& options) {
+    const std::vector<CurveSample> samples = curve_samples(edges);
+    if (samples.empty()) return Unexpected("its curves have no ends");
+    const PlateFrame frame = fit_plate_frame(samples, options.flip);
+    for (const CurveSample& probe : samples) {
+        const double deviation_mm = std::abs(frame.height_mm(probe.point));
+        if (deviation_mm <= kHeightTolerance_mm) continue;
+        return Unexpected(fmt::format("the curves do not lie in one plane: curve {} at {} is {:.4g} mm off",
+                                      edge_name(file, edges[probe.edge], probe.edge),
+                                      display_text(probe.point), deviation_mm));
     }
     Plate plate;
     OutlinePen pen(frame, options.tolerance_mm, plate.drawing);
     for (std::size_t i = 0; i < edges.size(); ++i) {
         const BRepAdaptor_Curve curve(edges[i]);
-        const std::string name = name_of(file, edges[i], i);
-        auto drawn = pen.draw(curve, curve.FirstParameter(), curve.LastParameter(), name, 0);
-        if (!drawn) return Fault(drawn.error());
+        const std::string name = edge_name(file, edges[i], i);
+        auto result = pen.draw(curve, curve.FirstParameter(), curve.LastParameter(), name, 0);
+        if (!result) return Unexpected(result.error());
     }
     return plate;
 }
 
-tl::expected<Plate, std::string> plate_of_faces(std::span<const TopoDS_Face> faces, const ShapeFile& file,
-                                                const PlateOptions& options) {
+tl::expected<Plate, std::string> plate_from_faces(std::span<const TopoDS_Face> faces, const ShapeFile& file,
+                                                  const PlateOptions& options) {
     for (const TopoDS_Face& face : faces) {
-        if (!plane_of(face))
-            return Fault(fmt::format("{} belongs to no closed body and is not plane", shown(face, file)));
+        if (!face_plane(face))
+            return Unexpected(
+                fmt::format("{} belongs to no closed body and is not plane", display_text(face, file)));
     }
     // An edge of two faces is inside the surface.
     TopTools_DataMapOfShapeInteger uses;
@@ -118,7 +121,7 @@ tl::expected<Plate, std::string> plate_of_faces(std::span<const TopoDS_Face> fac
     for (const TopoDS_Edge& edge : found) {
         if (uses(edge) == 1) outer.push_back(edge);
     }
-    return plate_of_curves(outer, file, options);
+    return plate_from_curves(outer, file, options);
 }
 
 }  // namespace gsim::solid

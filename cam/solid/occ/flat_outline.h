@@ -13,11 +13,11 @@
 namespace gsim::solid {
 
 /// Returns the outlines of surfaces that lie in one plane. The error is a message.
-tl::expected<Plate, std::string> plate_of_faces(std::span<const TopoDS_Face> faces, const ShapeFile& file,
-                                                const PlateOptions& options);
+tl::expected<Plate, std::string> plate_from_faces(std::span<const TopoDS_Face> faces, const ShapeFile& file,
+                                                  const PlateOptions& options);
 
 /// Returns curves that lie in one plane. The error is a message.
-tl::expected<Plate, std::string> plate_of_curves(std::span<const TopoDS_Edge> edges, const ShapeFile& file,
-                                                 const PlateOptions& options);
+tl::expected<Plate, std::string> plate_from_curves(std::span<const TopoDS_Edge> edges, const ShapeFile& file,
+                                                   const PlateOptions& options);
 
 }  // namespace gsim::solid

@@ -32,7 +32,7 @@ namespace {
 
 using namespace gsim::solid;
 
-using Answer = tl::expected<PacketWriter, std::string>;
+using Reply = tl::expected<PacketWriter, std::string>;
 
 constexpr rlim_t kMaxCpu_s = 600;
 constexpr rlim_t kMaxMemory_bytes = rlim_t{12} << 30U;
@@ -51,37 +51,37 @@ void limit_resources() {
 
 // Returns the descriptor for the packet. Only the packet may be written to standard output, but OpenCASCADE
 // prints its remarks about a file there.
-int silence() {
+int redirect_output() {
     const int output = ::dup(STDOUT_FILENO);
-    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
-    ::dup2(nowhere, STDOUT_FILENO);
-    ::dup2(nowhere, STDERR_FILENO);
+    const int null_device = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    ::dup2(null_device, STDOUT_FILENO);
+    ::dup2(null_device, STDERR_FILENO);
     return output;
 }
 
-Answer mesh_answer(const std::string& file, double tolerance_mm) {
+Reply mesh_reply(const std::string& file, double tolerance_mm) {
     const auto shapes = ShapeFile::read(file);
     if (!shapes) return tl::unexpected(shapes.error());
     const auto mesh = tessellate(shapes->shape(), tolerance_mm);
     if (!mesh) return tl::unexpected(mesh.error());
     PacketWriter packet;
-    packet.put_flag(true);
-    put_mesh(packet, *mesh);
+    packet.write_flag(true);
+    pack_mesh(packet, *mesh);
     return packet;
 }
 
-Answer plate_answer(const std::string& file, const PlateOptions& options) {
+Reply plate_reply(const std::string& file, const PlateOptions& options) {
     const auto shapes = ShapeFile::read(file);
     if (!shapes) return tl::unexpected(shapes.error());
-    const auto plate = plate_of(*shapes, options);
+    const auto plate = extract_plate(*shapes, options);
     if (!plate) return tl::unexpected(plate.error());
     PacketWriter packet;
-    packet.put_flag(true);
-    put_plate(packet, *plate);
+    packet.write_flag(true);
+    pack_plate(packet, *plate);
     return packet;
 }
 
-std::optional<std::array<double, 6>> box_of(const char* text) {
+std::optional<std::array<double, 6>> parse_box(const char* text) {
     std::array<double, 6> box_mm{};
     for (double& value : box_mm) {
         char* end = nullptr;
@@ -92,7 +92,7 @@ std::optional<std::array<double, 6>> box_of(const char* text) {
     return box_mm;
 }
 
-Answer contours_answer(std::span<char* const> arguments) {
+Reply contours_reply(std::span<char* const> arguments) {
     const auto shapes = ShapeFile::read(arguments[2]);
     if (!shapes) return tl::unexpected(shapes.error());
     ContourOptions options;
@@ -100,38 +100,38 @@ Answer contours_answer(std::span<char* const> arguments) {
     options.kind = arguments[4];
     options.side = arguments[5];
     options.along_walls = arguments[6] == std::string_view("walls");
-    options.box_mm = box_of(arguments[7]);
+    options.box_mm = parse_box(arguments[7]);
     for (const std::string_view each : arguments.subspan(8)) {
         const std::size_t colon = each.find(':');
         auto& names = each.substr(0, colon) == "edge" ? options.edges : options.faces;
         names.emplace_back(each.substr(colon + 1));
     }
-    const auto contours = contours_of(*shapes, options);
+    const auto contours = extract_contours(*shapes, options);
     if (!contours) return tl::unexpected(contours.error());
     PacketWriter packet;
-    packet.put_flag(true);
-    put_contours(packet, *contours);
+    packet.write_flag(true);
+    pack_contours(packet, *contours);
     return packet;
 }
 
-Answer answer(std::span<char* const> arguments) {
-    const std::string_view question = arguments[1];
+Reply response(std::span<char* const> arguments) {
+    const std::string_view request = arguments[1];
     const double tolerance_mm = std::strtod(arguments[3], nullptr);
-    if (question == "mesh") return mesh_answer(arguments[2], tolerance_mm);
-    if (question == "contours" && arguments.size() > 7) return contours_answer(arguments);
-    if (question == "plate" && arguments.size() > 5)
-        return plate_answer(arguments[2],
-                            {tolerance_mm, arguments[4] == std::string_view("flip"), arguments[5]});
+    if (request == "mesh") return mesh_reply(arguments[2], tolerance_mm);
+    if (request == "contours" && arguments.size() > 7) return contours_reply(arguments);
+    if (request == "plate" && arguments.size() > 5)
+        return plate_reply(arguments[2],
+                           {tolerance_mm, arguments[4] == std::string_view("flip"), arguments[5]});
     return tl::unexpected(std::string("gsim-solid is of another version than the program that runs it"));
 }
 
-Answer safe_answer(std::span<char* const> arguments) {
+Reply guarded_reply(std::span<char* const> arguments) {
     try {
-        return answer(arguments);
-    } catch (const Standard_Failure& failure) {
-        return tl::unexpected(fmt::format("OpenCASCADE cannot read it: {}", failure.GetMessageString()));
-    } catch (const std::exception& failure) {
-        return tl::unexpected(fmt::format("it cannot be read: {}", failure.what()));
+        return response(arguments);
+    } catch (const Standard_Failure& error) {
+        return tl::unexpected(fmt::format("OpenCASCADE cannot read it: {}", error.GetMessageString()));
+    } catch (const std::exception& error) {
+        return tl::unexpected(fmt::format("it cannot be read: {}", error.what()));
     }
 }
 
@@ -148,20 +148,20 @@ bool write_all(int descriptor, std::string_view bytes) {
 
 int main(int argc, char** argv) {
     if (argc < 4 || ::isatty(STDOUT_FILENO) != 0) {
-        constexpr std::string_view kUsage =
+        constexpr std::string_view kUsageText =
             "gsim-solid reads STEP and IGES files for gsim-run and autopath; it is not made to be called\n";
-        write_all(STDERR_FILENO, kUsage);
+        write_all(STDERR_FILENO, kUsageText);
         return 2;
     }
     limit_resources();
-    const int output = silence();
-    const Answer said = safe_answer({argv, static_cast<std::size_t>(argc)});
-    PacketWriter fault;
-    if (!said) {
-        fault.put_flag(false);
-        fault.put_text(said.error());
+    const int output = redirect_output();
+    const Reply reply = guarded_reply({argv, static_cast<std::size_t>(argc)});
+    PacketWriter error;
+    if (!reply) {
+        error.write_flag(false);
+        error.write_text(reply.error());
     }
-    const bool written = write_all(output, said ? said->bytes() : fault.bytes());
+    const bool written = write_all(output, reply ? reply->bytes() : error.bytes());
     // The response is sent. Shutting OpenCASCADE down would take time and could still fail.
     std::_Exit(written ? 0 : 1);
 }

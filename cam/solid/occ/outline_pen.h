@@ -23,9 +23,11 @@ class OutlinePen {
 
   private:
     std::uint32_t add_entity(const BRepAdaptor_Curve& curve, const std::string& name, double bevel_deg);
-    void draw_circle(const BRepAdaptor_Curve& curve, double from, double to, geometry::Contour& piece) const;
-    void draw_fitted(const BRepAdaptor_Curve& curve, double from, double to, geometry::Contour& piece) const;
-    tl::expected<void, std::string> check(const geometry::Contour& piece) const;
+    void draw_circle(const BRepAdaptor_Curve& curve, double from, double to,
+                     geometry::Contour& drawn_contour) const;
+    void draw_fitted(const BRepAdaptor_Curve& curve, double from, double to,
+                     geometry::Contour& drawn_contour) const;
+    tl::expected<void, std::string> check(const geometry::Contour& drawn_contour) const;
 
     const PlateFrame& frame_;
     double tolerance_mm_;

@@ -13,7 +13,7 @@ namespace gsim::solid {
 
 namespace {
 
-constexpr double kGap_mm = 0.01;  // between the edges of neighbours
+constexpr double kSewingTolerance_mm = 0.01;  // between the edges of neighbours
 
 void add_solid(TopoDS_Solid solid, Bodies& bodies) {
     BRepLib::OrientClosedSolid(solid);
@@ -28,12 +28,12 @@ void add_faces(const TopoDS_Shape& shape, Bodies& bodies) {
 // Searches for closed shells among faces, sewn if their edges meet.
 void sew(Bodies& bodies) {
     if (bodies.faces.empty()) return;
-    BRepBuilderAPI_Sewing sewing(kGap_mm);
+    BRepBuilderAPI_Sewing sewing(kSewingTolerance_mm);
     for (const TopoDS_Face& face : bodies.faces) sewing.Add(face);
     sewing.Perform();
-    const TopoDS_Shape sewn = sewing.SewedShape();
+    const TopoDS_Shape sewn_shape = sewing.SewedShape();
     bodies.faces.clear();
-    for (TopExp_Explorer shells(sewn, TopAbs_SHELL); shells.More(); shells.Next()) {
+    for (TopExp_Explorer shells(sewn_shape, TopAbs_SHELL); shells.More(); shells.Next()) {
         const TopoDS_Shell& shell = TopoDS::Shell(shells.Current());
         if (BRep_Tool::IsClosed(shell)) {
             add_solid(BRepBuilderAPI_MakeSolid(shell).Solid(), bodies);
@@ -41,7 +41,7 @@ void sew(Bodies& bodies) {
             add_faces(shell, bodies);
         }
     }
-    for (TopExp_Explorer faces(sewn, TopAbs_FACE, TopAbs_SHELL); faces.More(); faces.Next())
+    for (TopExp_Explorer faces(sewn_shape, TopAbs_FACE, TopAbs_SHELL); faces.More(); faces.Next())
         bodies.faces.push_back(TopoDS::Face(faces.Current()));
 }
 

@@ -11,6 +11,6 @@ namespace gsim::solid {
 
 /// Returns the outlines of the plate in a file: of its bodies; without bodies, of its flat surfaces; without
 /// those, its curves. The error is a message.
-tl::expected<Plate, std::string> plate_of(const ShapeFile& file, const PlateOptions& options);
+tl::expected<Plate, std::string> extract_plate(const ShapeFile& file, const PlateOptions& options);
 
 }  // namespace gsim::solid

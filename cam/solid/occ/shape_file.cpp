@@ -16,14 +16,14 @@
 #include <fmt/format.h>
 
 #include "base/os/input_file.h"
-#include "cam/solid/occ/file_frame.h"
+#include "cam/solid/occ/file_check.h"
 #include "cam/solid/occ/step_item.h"
 
 namespace gsim::solid {
 
 namespace {
 
-using Fault = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
 constexpr std::size_t kMaxSolidBytes = std::size_t{256} << 20U;  // as in the calling program
 
@@ -42,7 +42,7 @@ tl::expected<void, std::string> check(const Interface_CheckIterator& list,
         const std::string_view what = found->CFail(1);
         // OpenCASCADE reads its texts from files that may not be installed.
         const bool has_text = what.find("Unknown message") == std::string_view::npos;
-        return Fault(fmt::format("{}{}", where, has_text ? what : "this entity is damaged"));
+        return Unexpected(fmt::format("{}{}", where, has_text ? what : "this entity is damaged"));
     }
     return {};
 }
@@ -51,9 +51,9 @@ tl::expected<void, std::string> check(const Interface_CheckIterator& list,
 
 tl::expected<ShapeFile, std::string> ShapeFile::read(const std::string& name) {
     const FileFormat format = format_by_name(name);
-    const auto text = os::read_input(name, os::NamedBy::a_file, kMaxSolidBytes);
-    if (!text) return Fault(text.error());
-    if (auto fault = find_frame_fault(*text, format)) return Fault(std::move(*fault));
+    const auto text = os::read_input(name, os::NameSource::in_file, kMaxSolidBytes);
+    if (!text) return Unexpected(text.error());
+    if (auto error = find_file_error(*text, format)) return Unexpected(std::move(*error));
     ShapeFile file;
     if (format == FileFormat::step) {
         file.reader_ = std::make_unique<STEPControl_Reader>();
@@ -62,20 +62,22 @@ tl::expected<ShapeFile, std::string> ShapeFile::read(const std::string& name) {
     }
     XSControl_Reader& reader = *file.reader_;
     if (reader.ReadFile(name.c_str()) != IFSelect_RetDone || reader.Model().IsNull())
-        return Fault(fmt::format("this is no whole {} file", format == FileFormat::step ? "STEP" : "IGES"));
+        return Unexpected(
+            fmt::format("this is no whole {} file", format == FileFormat::step ? "STEP" : "IGES"));
     const Interface_InterfaceModel& model = *reader.Model();
-    if (auto good = check(reader.WS()->ModelCheckList(), model); !good) return Fault(good.error());
+    if (auto checked = check(reader.WS()->ModelCheckList(), model); !checked)
+        return Unexpected(checked.error());
     reader.TransferRoots();
-    if (auto good = check(reader.WS()->TransferReader()->LastCheckList(), model); !good)
-        return Fault(good.error());
-    if (reader.NbShapes() < 1) return Fault("there is no body, surface or curve in it");
+    if (auto checked = check(reader.WS()->TransferReader()->LastCheckList(), model); !checked)
+        return Unexpected(checked.error());
+    if (reader.NbShapes() < 1) return Unexpected("there is no body, surface or curve in it");
     file.shape_ = reader.OneShape();
-    file.list_entities();
+    file.index_entities();
     return file;
 }
 
 // Listed once, because OpenCASCADE would search through all of them for each shape.
-void ShapeFile::list_entities() {
+void ShapeFile::index_entities() {
     const Handle(Transfer_TransientProcess) transfer = reader_->WS()->TransferReader()->TransientProcess();
     for (int i = 1; i <= transfer->NbMapped(); ++i) {
         const TopoDS_Shape shape = TransferBRep::ShapeResult(transfer->MapItem(i));
@@ -85,23 +87,23 @@ void ShapeFile::list_entities() {
 }
 
 // In an assembly a shape of the file has other positions, perhaps several.
-const int* ShapeFile::number_of(const TopoDS_Shape& shape) const {
+const int* ShapeFile::entity_number(const TopoDS_Shape& shape) const {
     const int* number = entities_.Seek(shape);
     return number != nullptr ? number : entities_.Seek(shape.Located(TopLoc_Location()));
 }
 
 std::string ShapeFile::label(const TopoDS_Shape& shape) const {
-    const int* number = number_of(shape);
+    const int* number = entity_number(shape);
     if (number == nullptr) return {};
     return reader_->Model()->StringLabel(reader_->Model()->Value(*number))->ToCString();
 }
 
-bool ShapeFile::goes_by(const TopoDS_Shape& shape, const std::string& name) const {
-    const int* number = number_of(shape);
+bool ShapeFile::matches_name(const TopoDS_Shape& shape, const std::string& name) const {
+    const int* number = entity_number(shape);
     if (number == nullptr || name.empty()) return false;
     if (label(shape) == name) return true;
     const auto item = Handle(StepRepr_RepresentationItem)::DownCast(reader_->Model()->Value(*number));
-    return !item.IsNull() && solid::goes_by(reader_->WS(), item, name);
+    return !item.IsNull() && solid::matches_name(reader_->WS(), item, name);
 }
 
 }  // namespace gsim::solid

@@ -22,13 +22,13 @@ class ShapeFile {
     std::string label(const TopoDS_Shape& shape) const;
     /// Returns true if `name` is a shape's label, its name in the file, the name of its layer, or its colour
     /// (STEP).
-    bool goes_by(const TopoDS_Shape& shape, const std::string& name) const;
+    bool matches_name(const TopoDS_Shape& shape, const std::string& name) const;
 
   private:
     ShapeFile() = default;
-    void list_entities();
+    void index_entities();
     /// Returns the number in the model; null: it is not known.
-    const int* number_of(const TopoDS_Shape& shape) const;
+    const int* entity_number(const TopoDS_Shape& shape) const;
 
     std::unique_ptr<XSControl_Reader> reader_;
     TopoDS_Shape shape_;

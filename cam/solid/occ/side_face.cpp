@@ -19,15 +19,15 @@ namespace gsim::solid {
 
 namespace {
 
-using Fault = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
-constexpr double kOffTheFace_mm = 0.01;  // how far the jet may leave the face
-constexpr double kGreatestBevel_deg = 60;
+constexpr double kFaceTolerance_mm = 0.01;  // how far the jet may leave the face
+constexpr double kMaxBevel_deg = 60;
 constexpr double kBevelStep_deg = 0.5;
 constexpr int kMaxDepth = 8;  // of halving an edge
-constexpr double kUpright_deg = 1e-4;
+constexpr double kVerticalTolerance_deg = 1e-4;
 // Positions along an edge at which the jet is tested; a face may have no normal at its ends.
-constexpr std::array kTriedShares{0.02, 0.2, 0.35, 0.5, 0.65, 0.8, 0.98};
+constexpr std::array kSampleShares{0.02, 0.2, 0.35, 0.5, 0.65, 0.8, 0.98};
 
 // The face below one edge of the upper side.
 class Side {
@@ -37,50 +37,51 @@ class Side {
           frame_(frame),
           thickness_mm_(thickness_mm),
           curve_(edge),
-          on_face_(edge, face),
-          plane_(plane_of(face).has_value()),
+          face_curve_(edge, face),
+          plane_(face_plane(face).has_value()),
           surface_(new ShapeAnalysis_Surface(BRep_Tool::Surface(face))) {}
 
-    tl::expected<std::vector<BevelStretch>, std::string> run() {
-        if (!goes_through()) return Fault("does not go through the plate from its upper to its lower side");
+    tl::expected<std::vector<BevelInterval>, std::string> run() {
+        if (!is_through_cut())
+            return Unexpected("does not go through the plate from its upper to its lower side");
         const double from = curve_.FirstParameter();
         const double to = curve_.LastParameter();
-        for (const double share : kTriedShares) {
+        for (const double share : kSampleShares) {
             const double at = from + share * (to - from);
             const auto bevel = bevel_deg(at);
-            if (!bevel) return Fault("has no normal at its upper edge");
-            if (std::abs(*bevel) > kGreatestBevel_deg) {
-                return Fault(fmt::format("leans by {:.1f} deg; a jet can lean by {} deg", std::abs(*bevel),
-                                         kGreatestBevel_deg));
+            if (!bevel) return Unexpected("has no normal at its upper edge");
+            if (std::abs(*bevel) > kMaxBevel_deg) {
+                return Unexpected(fmt::format("leans by {:.1f} deg; a jet can lean by {} deg",
+                                              std::abs(*bevel), kMaxBevel_deg));
             }
-            if (!is_straight(at)) return Fault("is not straight from the upper to the lower side");
+            if (!is_straight(at)) return Unexpected("is not straight from the upper to the lower side");
         }
         // The ends themselves may have no normal.
         const double margin = 1e-3 * (to - from);
         divide(from, to, bevel_deg(from + margin).value_or(0), bevel_deg(to - margin).value_or(0), 0);
-        return std::move(stretches_);
+        return std::move(intervals_);
     }
 
   private:
     std::optional<gp_Dir> normal(double parameter) const {
-        const gp_Pnt2d at = on_face_.Value(parameter);
+        const gp_Pnt2d at = face_curve_.Value(parameter);
         return outward_normal(face_, at.X(), at.Y());
     }
 
     std::optional<double> bevel_deg(double parameter) const {
-        const auto outward = normal(parameter);
-        if (!outward) return std::nullopt;
-        const double rise = std::clamp(outward->Dot(frame_.up()), -1.0, 1.0);
+        const auto outward_direction = normal(parameter);
+        if (!outward_direction) return std::nullopt;
+        const double rise = std::clamp(outward_direction->Dot(frame_.up()), -1.0, 1.0);
         const double bevel = -std::asin(rise) * kDegPerRad;
-        return std::abs(bevel) < kUpright_deg ? 0 : bevel;
+        return std::abs(bevel) < kVerticalTolerance_deg ? 0 : bevel;
     }
 
-    bool is_at(const gp_Pnt& point, double height_mm) const {
-        return std::abs(frame_.height_mm(point) - height_mm) <= kSameHeight_mm;
+    bool is_at_height(const gp_Pnt& point, double height_mm) const {
+        return std::abs(frame_.height_mm(point) - height_mm) <= kHeightTolerance_mm;
     }
 
     // Returns true if each edge lies in the upper or in the lower side, or leads from one to the other.
-    bool goes_through() const {
+    bool is_through_cut() const {
         bool reaches = false;
         for (TopExp_Explorer edges(face_, TopAbs_EDGE); edges.More(); edges.Next()) {
             const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
@@ -89,8 +90,8 @@ class Side {
             const double from = curve.FirstParameter();
             const double to = curve.LastParameter();
             const auto is_all_at = [&](double height_mm) {
-                return std::all_of(kTriedShares.begin(), kTriedShares.end(), [&](double share) {
-                    return is_at(curve.Value(from + share * (to - from)), height_mm);
+                return std::all_of(kSampleShares.begin(), kSampleShares.end(), [&](double share) {
+                    return is_at_height(curve.Value(from + share * (to - from)), height_mm);
                 });
             };
             if (is_all_at(0)) continue;
@@ -100,9 +101,9 @@ class Side {
             }
             const gp_Pnt first = curve.Value(from);
             const gp_Pnt last = curve.Value(to);
-            const bool down = is_at(first, 0) && is_at(last, -thickness_mm_);
-            const bool upwards = is_at(last, 0) && is_at(first, -thickness_mm_);
-            if (!down && !upwards) return false;
+            const bool downward = is_at_height(first, 0) && is_at_height(last, -thickness_mm_);
+            const bool upwards = is_at_height(last, 0) && is_at_height(first, -thickness_mm_);
+            if (!downward && !upwards) return false;
         }
         return reaches;
     }
@@ -112,18 +113,18 @@ class Side {
     bool is_straight(double parameter) const {
         if (plane_) return true;
         const gp_Vec up(frame_.up());
-        const gp_Vec outward(*normal(parameter));
-        const gp_Vec level = outward - outward.Dot(up) * up;
-        const gp_Vec down = -up + outward.Dot(up) / level.SquareMagnitude() * level;
+        const gp_Vec outward_direction(*normal(parameter));
+        const gp_Vec level = outward_direction - outward_direction.Dot(up) * up;
+        const gp_Vec downward = -up + outward_direction.Dot(up) / level.SquareMagnitude() * level;
         const gp_Pnt start = curve_.Value(parameter);
-        return std::all_of(kTriedShares.begin(), kTriedShares.end(), [&](double share) {
-            const gp_Pnt there = start.Translated(share * thickness_mm_ * down);
-            const gp_Pnt2d nearest = surface_->ValueOfUV(there, kOffTheFace_mm / 10);
-            return surface_->Gap() <= kOffTheFace_mm || is_at_end(nearest);
+        return std::all_of(kSampleShares.begin(), kSampleShares.end(), [&](double share) {
+            const gp_Pnt jet_point = start.Translated(share * thickness_mm_ * downward);
+            const gp_Pnt2d nearest = surface_->ValueOfUV(jet_point, kFaceTolerance_mm / 10);
+            return surface_->Gap() <= kFaceTolerance_mm || is_at_boundary(nearest);
         });
     }
 
-    bool is_at_end(const gp_Pnt2d& point) const {
+    bool is_at_boundary(const gp_Pnt2d& point) const {
         double u_low = 0, u_high = 0, v_low = 0, v_high = 0;
         surface_->Bounds(u_low, u_high, v_low, v_high);
         const auto is_end = [](double value, double low, double high) {
@@ -133,31 +134,31 @@ class Side {
         return is_end(point.X(), u_low, u_high) || is_end(point.Y(), v_low, v_high);
     }
 
-    void divide(double from, double to, double first_deg, double last_deg, int depth) {
+    void divide(double from, double to, double first_bevel_deg, double last_bevel_deg, int depth) {
         const double middle = (from + to) / 2;
-        const double bevel = bevel_deg(middle).value_or(first_deg);
-        const double change = std::max(std::abs(first_deg - bevel), std::abs(last_deg - bevel));
+        const double bevel = bevel_deg(middle).value_or(first_bevel_deg);
+        const double change = std::max(std::abs(first_bevel_deg - bevel), std::abs(last_bevel_deg - bevel));
         if (depth >= kMaxDepth || change <= kBevelStep_deg / 2) {
-            stretches_.push_back({from, to, bevel});
+            intervals_.push_back({from, to, bevel});
             return;
         }
-        divide(from, middle, first_deg, bevel, depth + 1);
-        divide(middle, to, bevel, last_deg, depth + 1);
+        divide(from, middle, first_bevel_deg, bevel, depth + 1);
+        divide(middle, to, bevel, last_bevel_deg, depth + 1);
     }
 
     const TopoDS_Face& face_;
     const PlateFrame& frame_;
     double thickness_mm_;
     BRepAdaptor_Curve curve_;
-    BRepAdaptor_Curve2d on_face_;
+    BRepAdaptor_Curve2d face_curve_;
     bool plane_;
     Handle(ShapeAnalysis_Surface) surface_;
-    std::vector<BevelStretch> stretches_;
+    std::vector<BevelInterval> intervals_;
 };
 
 }  // namespace
 
-tl::expected<std::vector<BevelStretch>, std::string> bevels_along(const TopoDS_Edge& edge,
+tl::expected<std::vector<BevelInterval>, std::string> edge_bevels(const TopoDS_Edge& edge,
                                                                   const TopoDS_Face& side,
                                                                   const PlateFrame& frame,
                                                                   double thickness_mm) {

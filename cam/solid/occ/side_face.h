@@ -12,7 +12,7 @@
 namespace gsim::solid {
 
 /// A section of an edge of the upper side, and the tilt of the side face below it.
-struct BevelStretch {
+struct BevelInterval {
     double from = 0, to = 0;  ///< Parameters of the edge's curve.
     double bevel_deg = 0;     ///< Above 0 the part is smaller below.
 };
@@ -20,7 +20,7 @@ struct BevelStretch {
 /// Returns sections of an edge in the order of its parameters; within each the tilt changes by at most half a
 /// degree. The error means that a straight jet cannot cut the face through the full plate in one pass. It is
 /// the end of a message that begins with the face's name.
-tl::expected<std::vector<BevelStretch>, std::string> bevels_along(const TopoDS_Edge& edge,
+tl::expected<std::vector<BevelInterval>, std::string> edge_bevels(const TopoDS_Edge& edge,
                                                                   const TopoDS_Face& side,
                                                                   const PlateFrame& frame,
                                                                   double thickness_mm);

@@ -33,14 +33,14 @@ class SolidOutline {
     tl::expected<void, std::string> add(const TopoDS_Solid& solid);
 
   private:
-    using Done = tl::expected<void, std::string>;
+    using VoidResult = tl::expected<void, std::string>;
     using Neighbours = TopTools_IndexedDataMapOfShapeListOfShape;
 
-    Done sort_faces(const TopoDS_Solid& solid);
-    Done find_thickness();
-    Done draw_face(const TopoDS_Face& face, const Neighbours& faces_at);
-    Done draw_edge(const TopoDS_Edge& edge, const TopoDS_Face& side);
-    Done refuse(const TopoDS_Face& face, const std::string& what) const;
+    VoidResult sort_faces(const TopoDS_Solid& solid);
+    VoidResult find_thickness();
+    VoidResult draw_face(const TopoDS_Face& face, const Neighbours& edge_faces);
+    VoidResult draw_edge(const TopoDS_Edge& edge, const TopoDS_Face& side);
+    VoidResult reject(const TopoDS_Face& face, const std::string& what) const;
 
     const ShapeFile& file_;
     const PlateFrame& frame_;

@@ -18,7 +18,7 @@ namespace gsim::solid {
 
 namespace {
 
-bool is_text(const Handle(TCollection_HAsciiString) & text, const std::string& name) {
+bool equals_text(const Handle(TCollection_HAsciiString) & text, const std::string& name) {
     return !text.IsNull() && name == text->ToCString();
 }
 
@@ -32,7 +32,7 @@ bool has_item(const Handle(StepVisual_PresentationLayerAssignment) & layer,
 
 bool is_colour(const Handle(StepVisual_Colour) & colour, const std::string& name) {
     if (const auto known = Handle(StepVisual_DraughtingPreDefinedColour)::DownCast(colour); !known.IsNull())
-        return is_text(known->GetPreDefinedItem()->Name(), name);
+        return equals_text(known->GetPreDefinedItem()->Name(), name);
     const auto mixed = Handle(StepVisual_ColourRgb)::DownCast(colour);
     if (mixed.IsNull()) return false;
     const auto byte = [](double share) { return std::lround(255 * share); };
@@ -43,21 +43,21 @@ bool has_colour(const STEPConstruct_Styles& styles, const Handle(StepVisual_Styl
                 const std::string& name) {
     Handle(StepVisual_Colour) surface, boundary, curve, rendering;
     double transparency = 0;
-    bool component = false;
-    styles.GetColors(style, surface, boundary, curve, rendering, transparency, component);
+    bool is_component = false;
+    styles.GetColors(style, surface, boundary, curve, rendering, transparency, is_component);
     return is_colour(surface, name);
 }
 
 }  // namespace
 
-bool goes_by(const Handle(XSControl_WorkSession) & session, const Handle(StepRepr_RepresentationItem) & item,
-             const std::string& name) {
-    if (is_text(item->Name(), name)) return true;
+bool matches_name(const Handle(XSControl_WorkSession) & session,
+                  const Handle(StepRepr_RepresentationItem) & item, const std::string& name) {
+    if (equals_text(item->Name(), name)) return true;
     const Handle(Interface_InterfaceModel) model = session->Model();
     const STEPConstruct_Styles styles(session);
     for (int i = 1; i <= model->NbEntities(); ++i) {
         const auto layer = Handle(StepVisual_PresentationLayerAssignment)::DownCast(model->Value(i));
-        if (!layer.IsNull() && is_text(layer->Name(), name) && has_item(layer, item)) return true;
+        if (!layer.IsNull() && equals_text(layer->Name(), name) && has_item(layer, item)) return true;
         const auto style = Handle(StepVisual_StyledItem)::DownCast(model->Value(i));
         if (!style.IsNull() && style->Item() == item && has_colour(styles, style, name)) return true;
     }

@@ -16,24 +16,24 @@ namespace gsim::solid {
 
 namespace {
 
-using Fault = tl::unexpected<std::string>;
+using Unexpected = tl::unexpected<std::string>;
 
-constexpr double kMaxTurn_rad = 0.5;  // between neighbours: small round faces keep their form
+constexpr double kMaxAngularDeflection_rad = 0.5;  // between neighbours: small round faces keep their form
 
 // A builder that joins the triangles of faces; vertices of an edge are the same in both adjacent faces.
 class MeshBuilder {
   public:
     tl::expected<void, std::string> add(const TopoDS_Face& face) {
-        TopLoc_Location place;
-        const Handle(Poly_Triangulation) part = BRep_Tool::Triangulation(face, place);
-        if (part.IsNull()) return Fault("a face of it could not be divided into triangles");
+        TopLoc_Location position;
+        const Handle(Poly_Triangulation) part = BRep_Tool::Triangulation(face, position);
+        if (part.IsNull()) return Unexpected("a face of it could not be divided into triangles");
         if (mesh_.triangles.size() + static_cast<std::size_t>(part->NbTriangles()) > kMaxTriangles)
-            return Fault(
+            return Unexpected(
                 fmt::format("more than {} triangles; a larger tolerance makes fewer", kMaxTriangles));
-        const gp_Trsf& placed = place.Transformation();
+        const gp_Trsf& placed = position.Transformation();
         std::vector<std::uint32_t> numbers(static_cast<std::size_t>(part->NbNodes()));
         for (int i = 1; i <= part->NbNodes(); ++i)
-            numbers[static_cast<std::size_t>(i - 1)] = number_of(part->Node(i).Transformed(placed));
+            numbers[static_cast<std::size_t>(i - 1)] = vertex_index(part->Node(i).Transformed(placed));
         const bool reversed = (face.Orientation() == TopAbs_REVERSED) != placed.IsNegative();
         for (int i = 1; i <= part->NbTriangles(); ++i) {
             int a = 0, b = 0, c = 0;
@@ -50,7 +50,7 @@ class MeshBuilder {
     Mesh mesh() && { return std::move(mesh_); }
 
   private:
-    std::uint32_t number_of(const gp_Pnt& point) {
+    std::uint32_t vertex_index(const gp_Pnt& point) {
         const std::array<double, 3> at{point.X(), point.Y(), point.Z()};
         const auto [found, is_new] =
             numbers_.try_emplace(at, static_cast<std::uint32_t>(mesh_.vertices_mm.size()));
@@ -65,17 +65,18 @@ class MeshBuilder {
 }  // namespace
 
 tl::expected<Mesh, std::string> tessellate(const TopoDS_Shape& shape, double tolerance_mm) {
-    const BRepMesh_IncrementalMesh divided(shape, tolerance_mm, false, kMaxTurn_rad, false);
+    const BRepMesh_IncrementalMesh mesher(shape, tolerance_mm, false, kMaxAngularDeflection_rad, false);
     MeshBuilder builder;
     for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
-        if (auto added = builder.add(TopoDS::Face(faces.Current())); !added) return Fault(added.error());
+        if (auto result = builder.add(TopoDS::Face(faces.Current())); !result)
+            return Unexpected(result.error());
     }
     Mesh mesh = std::move(builder).mesh();
     for (const auto& vertex : mesh.vertices_mm) {
         if (!std::all_of(vertex.begin(), vertex.end(), [](double x) { return std::isfinite(x); }))
-            return Fault("it has places that are infinitely far");
+            return Unexpected("it has places that are infinitely far");
     }
-    if (mesh.triangles.empty()) return Fault("there is no surface in it");
+    if (mesh.triangles.empty()) return Unexpected("there is no surface in it");
     return mesh;
 }
 

@@ -21,26 +21,26 @@ namespace {
 
 using No = tl::unexpected<std::string>;
 
-constexpr double kTurnStep_rad = 2 * kRadPerDeg;  // of directions, from one point to the next
+constexpr double kMaxTurnStep_rad = 2 * kRadPerDeg;  // of directions, from one point to the next
 constexpr int kMaxHalvings = 14;
-constexpr int kFirstParts = 2;
-constexpr double kSmooth = 0.9998;   // cosine of the angle at which two faces are one, 1 deg
-constexpr double kBeside_mm = 0.05;  // distance off the wall for the search of obstacles after it
-constexpr double kBlind_mm = 0.05;
+constexpr int kInitialParts = 2;
+constexpr double kSmoothCosine = 0.9998;  // cosine of the angle at which two faces are one, 1 deg
+constexpr double kProbeOffset_mm = 0.05;  // distance off the wall for the search of obstacles after it
+constexpr double kBlindTolerance_mm = 0.05;
 
-Triple triple_of(const gp_XYZ& vector) {
+Vec3 to_vec3(const gp_XYZ& vector) {
     return {vector.X(), vector.Y(), vector.Z()};
 }
 
-gp_Vec occ_vector(const Triple& triple) {
-    return {triple[0], triple[1], triple[2]};
+gp_Vec to_gp_vec(const Vec3& vec) {
+    return {vec[0], vec[1], vec[2]};
 }
 
-gp_Pnt point_of(const Triple& triple) {
-    return {triple[0], triple[1], triple[2]};
+gp_Pnt to_gp_pnt(const Vec3& vec) {
+    return {vec[0], vec[1], vec[2]};
 }
 
-std::string label_of(const ShapeFile& file, const TopoDS_Shape& shape) {
+std::string label_suffix(const ShapeFile& file, const TopoDS_Shape& shape) {
     const std::string label = file.label(shape);
     return label.empty() ? "" : " " + label;
 }
@@ -51,7 +51,7 @@ class EdgeSampler {
     EdgeSampler(const TopoDS_Edge& edge, const TopoDS_Face& face, const TopoDS_Face& wall,
                 const ContourOptions& options)
         : curve_(edge),
-          on_face_(edge, face),
+          face_curve_(edge, face),
           face_(face),
           wall_(edge, wall, options.kind == "edges"),
           options_(options) {}
@@ -63,13 +63,13 @@ class EdgeSampler {
         const double to = curve_.LastParameter();
         WallPoint first = at(from, true);
         points_.push_back(first);
-        for (int i = 1; i <= kFirstParts && fault_.empty(); ++i) {
-            const double begin = from + (i - 1) * (to - from) / kFirstParts;
-            const double end = from + i * (to - from) / kFirstParts;
-            const WallPoint next = at(end, i == kFirstParts);
+        for (int i = 1; i <= kInitialParts && error_.empty(); ++i) {
+            const double begin = from + (i - 1) * (to - from) / kInitialParts;
+            const double end = from + i * (to - from) / kInitialParts;
+            const WallPoint next = at(end, i == kInitialParts);
             divide(begin, points_.back(), end, next, 0);
         }
-        if (!fault_.empty()) return tl::unexpected(fault_);
+        if (!error_.empty()) return tl::unexpected(error_);
         return std::move(points_);
     }
 
@@ -81,51 +81,53 @@ class EdgeSampler {
         const double margin = 1e-6 * (to - from);
         const double inside = is_end ? std::clamp(parameter, from + margin, to - margin) : parameter;
         WallPoint point;
-        gp_Pnt place;
+        gp_Pnt position;
         gp_Vec tangent;
-        curve_.D1(inside, place, tangent);
-        point.position_mm = triple_of(curve_.Value(parameter).XYZ());
-        const gp_Pnt2d on_face = on_face_.Value(inside);
-        const auto normal = outward_normal(face_, on_face.X(), on_face.Y());
+        curve_.D1(inside, position, tangent);
+        point.position_mm = to_vec3(curve_.Value(parameter).XYZ());
+        const gp_Pnt2d face_parameters = face_curve_.Value(inside);
+        const auto normal = outward_normal(face_, face_parameters.X(), face_parameters.Y());
         const auto wall_normal = wall_.normal(inside);
         if (!normal || !wall_normal || tangent.Magnitude() <= 1e-12) {
-            fault_ = fmt::format("has no normal at {}", shown(place));
+            error_ = fmt::format("has no normal at {}", display_text(position));
             return point;
         }
-        point.normal = triple_of(normal->XYZ());
-        point.wall_normal = triple_of(wall_normal->XYZ());
-        point.tangent = triple_of(tangent.Normalized().XYZ());
+        point.normal = to_vec3(normal->XYZ());
+        point.wall_normal = to_vec3(wall_normal->XYZ());
+        point.tangent = to_vec3(tangent.Normalized().XYZ());
         const auto line = wall_.line(inside);
         if (line) {
-            point.along_wall = triple_of(line->direction.XYZ());
+            point.along_wall = to_vec3(line->direction.XYZ());
             point.depth_mm = line->depth_mm;
-            point.far_normal = triple_of(line->far_normal.XYZ());
+            point.exit_normal = to_vec3(line->exit_normal.XYZ());
         } else if (options_.along_walls) {
-            fault_ = fmt::format("is not straight along the jet at {}", shown(place));
+            error_ = fmt::format("is not straight along the jet at {}", display_text(position));
         }
         return point;
     }
 
-    bool is_close(const WallPoint& a, const WallPoint& middle, const WallPoint& b) const {
-        const gp_Vec chord = occ_vector(b.position_mm) - occ_vector(a.position_mm);
-        const gp_Vec off = occ_vector(middle.position_mm) - occ_vector(a.position_mm);
+    bool is_fine_enough(const WallPoint& a, const WallPoint& middle, const WallPoint& b) const {
+        const gp_Vec chord = to_gp_vec(b.position_mm) - to_gp_vec(a.position_mm);
+        const gp_Vec offset = to_gp_vec(middle.position_mm) - to_gp_vec(a.position_mm);
         const double length = chord.Magnitude();
-        const double off_mm = length > 1e-9 ? off.Crossed(chord).Magnitude() / length : off.Magnitude();
-        if (off_mm > options_.tolerance_mm / 4) return false;
-        const auto turns = [&](Triple WallPoint::*direction) {
-            const gp_Vec first = occ_vector(a.*direction);
-            const gp_Vec last = occ_vector(b.*direction);
-            return first.Crossed(last).Magnitude() > kTurnStep_rad || first.Dot(last) < 0;
+        const double deviation_mm =
+            length > 1e-9 ? offset.Crossed(chord).Magnitude() / length : offset.Magnitude();
+        if (deviation_mm > options_.tolerance_mm / 4) return false;
+        const auto turns_too_much = [&](Vec3 WallPoint::*direction) {
+            const gp_Vec first = to_gp_vec(a.*direction);
+            const gp_Vec last = to_gp_vec(b.*direction);
+            return first.Crossed(last).Magnitude() > kMaxTurnStep_rad || first.Dot(last) < 0;
         };
-        return !turns(&WallPoint::tangent) && !turns(&WallPoint::normal) && !turns(&WallPoint::wall_normal) &&
-               !turns(&WallPoint::along_wall) && !turns(&WallPoint::far_normal);
+        return !turns_too_much(&WallPoint::tangent) && !turns_too_much(&WallPoint::normal) &&
+               !turns_too_much(&WallPoint::wall_normal) && !turns_too_much(&WallPoint::along_wall) &&
+               !turns_too_much(&WallPoint::exit_normal);
     }
 
     void divide(double from, const WallPoint& first, double to, const WallPoint& last, int depth) {
-        if (!fault_.empty()) return;
+        if (!error_.empty()) return;
         const double middle = (from + to) / 2;
         const WallPoint between = at(middle, false);
-        if (depth >= kMaxHalvings || is_close(first, between, last)) {
+        if (depth >= kMaxHalvings || is_fine_enough(first, between, last)) {
             points_.push_back(last);
             return;
         }
@@ -134,12 +136,12 @@ class EdgeSampler {
     }
 
     BRepAdaptor_Curve curve_;
-    BRepAdaptor_Curve2d on_face_;
+    BRepAdaptor_Curve2d face_curve_;
     const TopoDS_Face& face_;
     Wall wall_;
     const ContourOptions& options_;
     std::vector<WallPoint> points_;
-    std::string fault_;
+    std::string error_;
 };
 
 // Returns true if two faces are tangent in the middle of their edge.
@@ -151,10 +153,10 @@ bool is_smooth(const TopoDS_Edge& edge, const TopoDS_Face& face, const TopoDS_Fa
     };
     const auto first = normal_of(face);
     const auto second = normal_of(other);
-    return first && second && first->Dot(*second) > kSmooth;
+    return first && second && first->Dot(*second) > kSmoothCosine;
 }
 
-void turn_round(WallEdge& edge) {
+void reverse_edge(WallEdge& edge) {
     std::reverse(edge.points.begin(), edge.points.end());
     for (WallPoint& point : edge.points) {
         for (double& value : point.tangent) value = -value;
@@ -162,13 +164,13 @@ void turn_round(WallEdge& edge) {
 }
 
 // Returns a value above 0 if the wall's outside is to the right of the path.
-double waste_to_the_right(const WallPoint& point) {
-    return occ_vector(point.tangent).Crossed(occ_vector(point.normal)).Dot(occ_vector(point.wall_normal));
+double waste_side(const WallPoint& point) {
+    return to_gp_vec(point.tangent).Crossed(to_gp_vec(point.normal)).Dot(to_gp_vec(point.wall_normal));
 }
 
 }  // namespace
 
-double ContourWalk::behind_mm(const WallEdge& edge) const {
+double ContourTracer::next_surface_mm(const WallEdge& edge) const {
     IntCurvesFace_ShapeIntersector hits;
     hits.Load(solid_, 1e-6);
     double nearest = 0;
@@ -176,12 +178,12 @@ double ContourWalk::behind_mm(const WallEdge& edge) const {
         const auto at = static_cast<std::size_t>(share * static_cast<double>(edge.points.size()));
         const WallPoint& a = edge.points[std::min(at, edge.points.size() - 2)];
         const WallPoint& b = edge.points[std::min(at, edge.points.size() - 2) + 1];
-        const gp_Vec direction = (occ_vector(a.along_wall) + occ_vector(b.along_wall)) / 2;
+        const gp_Vec direction = (to_gp_vec(a.along_wall) + to_gp_vec(b.along_wall)) / 2;
         if (direction.Magnitude() < 0.5) continue;
-        const gp_Vec middle = (occ_vector(a.position_mm) + occ_vector(b.position_mm)) / 2;
-        const gp_Pnt start(middle.XYZ() + kBeside_mm * occ_vector(a.wall_normal).XYZ());
+        const gp_Vec middle = (to_gp_vec(a.position_mm) + to_gp_vec(b.position_mm)) / 2;
+        const gp_Pnt start(middle.XYZ() + kProbeOffset_mm * to_gp_vec(a.wall_normal).XYZ());
         // Not PerformNearest: OpenCASCADE 7.6 deletes its array as if it were a single number.
-        hits.Perform(gp_Lin(start, gp_Dir(direction)), kBeside_mm, 1e6);
+        hits.Perform(gp_Lin(start, gp_Dir(direction)), kProbeOffset_mm, 1e6);
         if (!hits.IsDone()) continue;
         for (int index = 1; index <= hits.NbPnt(); ++index) {
             const double hit = hits.WParameter(index);
@@ -191,74 +193,76 @@ double ContourWalk::behind_mm(const WallEdge& edge) const {
     return nearest;
 }
 
-tl::expected<WallEdge, std::string> ContourWalk::edge_of(const TopoDS_Edge& edge,
-                                                         const TopoDS_Face& face) const {
+tl::expected<WallEdge, std::string> ContourTracer::make_wall_edge(const TopoDS_Edge& edge,
+                                                                  const TopoDS_Face& face) const {
     TopoDS_Face other;
-    for (const TopoDS_Shape& each : faces_of_.FindFromKey(edge)) {
+    for (const TopoDS_Shape& each : edge_faces_.FindFromKey(edge)) {
         if (!each.IsSame(face)) other = TopoDS::Face(each);
     }
     if (other.IsNull()) return No("closes upon itself in a seam");
     if (is_smooth(edge, face, other))
-        return No(fmt::format("goes over smoothly into {}", shown(other, file_)));
+        return No(fmt::format("goes over smoothly into {}", display_text(other, file_)));
     auto points = EdgeSampler(edge, face, other, options_).run();
-    if (!points) return No(fmt::format("has {} below it, which {}", shown(other, file_), points.error()));
+    if (!points)
+        return No(fmt::format("has {} below it, which {}", display_text(other, file_), points.error()));
     WallEdge found;
     found.label = file_.label(edge);
-    found.name =
-        fmt::format("edge{} of the {} face{}", label_of(file_, edge), kind_of(other), label_of(file_, other));
+    found.name = fmt::format("edge{} of the {} face{}", label_suffix(file_, edge), surface_kind(other),
+                             label_suffix(file_, other));
     found.points = *std::move(points);
     const WallPoint& middle = found.points[found.points.size() / 2];
-    const gp_Vec normal = occ_vector(middle.normal);
-    if (normal.Dot(occ_vector(middle.along_wall)) > 0)
-        return No(fmt::format("is the foot of {}, which stands up there", shown(other, file_)));
-    if (edge.Orientation() == TopAbs_REVERSED) turn_round(found);
-    found.behind_mm = behind_mm(found);
+    const gp_Vec normal = to_gp_vec(middle.normal);
+    if (normal.Dot(to_gp_vec(middle.along_wall)) > 0)
+        return No(fmt::format("is the foot of {}, which stands up there", display_text(other, file_)));
+    if (edge.Orientation() == TopAbs_REVERSED) reverse_edge(found);
+    found.next_surface_mm = next_surface_mm(found);
     return found;
 }
 
-tl::expected<WallContour, std::string> ContourWalk::walk(const TopoDS_Face& face,
-                                                         const FaceLoop& loop) const {
+tl::expected<WallContour, std::string> ContourTracer::walk(const TopoDS_Face& face,
+                                                           const FaceLoop& loop) const {
     WallContour contour;
-    contour.face = shown(face, file_);
+    contour.face = display_text(face, file_);
     contour.is_hole = loop.is_hole;
     double right = 0;
     for (const TopoDS_Edge& edge : loop.edges) {
-        auto found = edge_of(edge, face);
+        auto found = make_wall_edge(edge, face);
         if (!found) return tl::unexpected(found.error());
-        for (const WallPoint& point : found->points) right += waste_to_the_right(point);
+        for (const WallPoint& point : found->points) right += waste_side(point);
         contour.edges.push_back(*std::move(found));
     }
     if (right < 0) {
         std::reverse(contour.edges.begin(), contour.edges.end());
-        for (WallEdge& edge : contour.edges) turn_round(edge);
+        for (WallEdge& edge : contour.edges) reverse_edge(edge);
     }
-    if (auto blind = find_blind(contour)) return No(*std::move(blind));
+    if (auto blind = find_blind_wall(contour)) return No(*std::move(blind));
     return contour;
 }
 
-std::optional<std::string> ContourWalk::find_blind(const WallContour& contour) {
+std::optional<std::string> ContourTracer::find_blind_wall(const WallContour& contour) {
     const auto blind = std::find_if(contour.edges.begin(), contour.edges.end(), [](const WallEdge& edge) {
-        return edge.behind_mm > 0 && edge.behind_mm <= edge.points.front().depth_mm + kBlind_mm;
+        return edge.next_surface_mm > 0 &&
+               edge.next_surface_mm <= edge.points.front().depth_mm + kBlindTolerance_mm;
     });
     if (blind == contour.edges.end()) return std::nullopt;
     return fmt::format("does not go through: below {} at {} there is material {:.4g} mm down", blind->name,
-                       shown(point_of(blind->points.front().position_mm)), blind->behind_mm);
+                       display_text(to_gp_pnt(blind->points.front().position_mm)), blind->next_surface_mm);
 }
 
-tl::expected<EdgeAlone, std::string> ContourWalk::walk_along(const TopoDS_Edge& edge,
-                                                             const TopoDS_Face& face) const {
+tl::expected<ChainEdge, std::string> ContourTracer::trace_edge(const TopoDS_Edge& edge,
+                                                               const TopoDS_Face& face) const {
     const TopoDS_Edge forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
-    auto found = edge_of(forward, face);
+    auto found = make_wall_edge(forward, face);
     if (!found) return No(found.error());
-    EdgeAlone alone{*std::move(found), {}, {}};
-    TopExp::Vertices(forward, alone.begin, alone.end);
+    ChainEdge chain_edge{*std::move(found), {}, {}};
+    TopExp::Vertices(forward, chain_edge.begin, chain_edge.end);
     double right = 0;
-    for (const WallPoint& point : alone.edge.points) right += waste_to_the_right(point);
+    for (const WallPoint& point : chain_edge.edge.points) right += waste_side(point);
     if (right < 0) {
-        turn_round(alone.edge);
-        std::swap(alone.begin, alone.end);
+        reverse_edge(chain_edge.edge);
+        std::swap(chain_edge.begin, chain_edge.end);
     }
-    return alone;
+    return chain_edge;
 }
 
 }  // namespace gsim::solid

@@ -16,36 +16,37 @@
 namespace gsim::solid {
 
 /// Min alignment of a face with a side so that a jet enters from there, -1 to 1.
-inline constexpr double kLeastLook = 0.01;
+inline constexpr double kMinFacing = 0.01;
 
-using FacesOfEdges = TopTools_IndexedDataMapOfShapeListOfShape;
+using EdgeFaceMap = TopTools_IndexedDataMapOfShapeListOfShape;
 
 /// An edge between a face that a jet enters and the wall below, with material to the left of its path.
-struct EdgeAlone {
+struct ChainEdge {
     WallEdge edge;
     TopoDS_Vertex begin, end;  ///< Ends of its path.
 };
 
 /// A walk round a loop of a face's edges, or along one of them, with the walls across them. Errors explain
 /// why a jet cannot cut this contour, as the end of a message.
-class ContourWalk {
+class ContourTracer {
   public:
-    ContourWalk(const ShapeFile& file, const TopoDS_Solid& solid, const FacesOfEdges& faces_of,
-                const ContourOptions& options)
-        : file_(file), solid_(solid), faces_of_(faces_of), options_(options) {}
+    ContourTracer(const ShapeFile& file, const TopoDS_Solid& solid, const EdgeFaceMap& edge_faces,
+                  const ContourOptions& options)
+        : file_(file), solid_(solid), edge_faces_(edge_faces), options_(options) {}
 
     tl::expected<WallContour, std::string> walk(const TopoDS_Face& face, const FaceLoop& loop) const;
-    tl::expected<EdgeAlone, std::string> walk_along(const TopoDS_Edge& edge, const TopoDS_Face& face) const;
+    tl::expected<ChainEdge, std::string> trace_edge(const TopoDS_Edge& edge, const TopoDS_Face& face) const;
     /// Returns nothing if all walls pass through.
-    static std::optional<std::string> find_blind(const WallContour& contour);
+    static std::optional<std::string> find_blind_wall(const WallContour& contour);
 
   private:
-    tl::expected<WallEdge, std::string> edge_of(const TopoDS_Edge& edge, const TopoDS_Face& face) const;
-    double behind_mm(const WallEdge& edge) const;
+    tl::expected<WallEdge, std::string> make_wall_edge(const TopoDS_Edge& edge,
+                                                       const TopoDS_Face& face) const;
+    double next_surface_mm(const WallEdge& edge) const;
 
     const ShapeFile& file_;
     const TopoDS_Solid& solid_;
-    const FacesOfEdges& faces_of_;
+    const EdgeFaceMap& edge_faces_;
     const ContourOptions& options_;
 };
 

@@ -2,10 +2,10 @@
 
 #include <utility>
 
+#include "engine/src/conversions.h"
 #include "engine/src/drawing/surface_input.h"
-#include "engine/src/guarded.h"
+#include "engine/src/guard_exceptions.h"
 #include "engine/src/host_names.h"
-#include "engine/src/values.h"
 
 namespace gsim::engine {
 
@@ -13,38 +13,38 @@ namespace {
 
 using text::DiagnosticKind;
 
-std::vector<std::array<double, 3>> line_of(const solid::WallContour& contour) {
-    std::vector<std::array<double, 3>> line_mm;
+std::vector<std::array<double, 3>> contour_points(const solid::WallContour& contour) {
+    std::vector<std::array<double, 3>> polyline_mm;
     for (const solid::WallEdge& edge : contour.edges) {
         // The end of an edge is the beginning of the next.
-        if (!line_mm.empty()) line_mm.pop_back();
-        for (const solid::WallPoint& point : edge.points) line_mm.push_back(point.position_mm);
+        if (!polyline_mm.empty()) polyline_mm.pop_back();
+        for (const solid::WallPoint& point : edge.points) polyline_mm.push_back(point.position_mm);
     }
-    return line_mm;
+    return polyline_mm;
 }
 
 ListedContour listed(const solid::WallContour& contour) {
-    const script::ContourFacts facts = facts_of(contour);
+    const script::ContourDescription facts = contour_facts(contour);
     ListedContour each{.face = facts.face,
                        .is_hole = facts.is_hole,
                        .is_open = facts.is_open,
                        .length_mm = facts.length_mm,
                        .depth_mm = facts.depth_mm,
-                       .lean_deg = facts.lean_deg,
-                       .line_mm = line_of(contour)};
+                       .tilt_deg = facts.tilt_deg,
+                       .polyline_mm = contour_points(contour)};
     for (const solid::WallEdge& edge : contour.edges) each.edges.push_back(edge.label);
     return each;
 }
 
 }  // namespace
 
-tl::expected<ContourList, Failure> list_contours(const Host& host, const std::string& part,
-                                                 const ContourChoice& choice) {
-    return guarded([&]() -> tl::expected<ContourList, Failure> {
-        const auto file = find_name(host, NameKind::sample, part);
-        if (!file) return tl::unexpected(failure_of(DiagnosticKind::input_file, file.error()));
-        auto read = read_part_contours(host, *file, choice);
-        if (!read) return tl::unexpected(failure_of(DiagnosticKind::input_file, read.error(), part));
+tl::expected<ContourList, Error> list_contours(const Host& host, const std::string& part,
+                                               const ContourSelection& selection) {
+    return guard_exceptions([&]() -> tl::expected<ContourList, Error> {
+        const auto file = resolve_name(host, NameKind::sample, part);
+        if (!file) return tl::unexpected(make_error(DiagnosticKind::input_file, file.error()));
+        auto read = read_part_contours(host, *file, selection);
+        if (!read) return tl::unexpected(make_error(DiagnosticKind::input_file, read.error(), part));
         ContourList list{.notes = std::move(read->notes)};
         for (const solid::WallContour& contour : read->contours) list.contours.push_back(listed(contour));
         return list;

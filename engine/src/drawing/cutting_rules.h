@@ -16,18 +16,18 @@ tl::expected<waterjet::Materials, std::string> read_materials_input(const Host& 
                                                                     const std::string& name);
 
 /// The cutting parameters, by a material or by values alone.
-struct SettledCutting {
+struct ResolvedCutting {
     cutting::CutRules rules;
     std::optional<waterjet::CuttingPlan> plan = {};  ///< By a material.
 };
 
-/// Settles the parameters. `materials`: none if no material is requested; `plate_mm`: thickness of the flat
-/// part, 0: not known. The error is a message.
-tl::expected<SettledCutting, std::string> settle_cutting(const CuttingChoice& choice,
-                                                         const std::optional<waterjet::Materials>& materials,
-                                                         double plate_mm);
+/// Settles the parameters. `materials`: none if no material is requested; `plate_thickness_mm`: thickness of
+/// the flat part, 0: not known. The error is a message.
+tl::expected<ResolvedCutting, std::string> resolve_cutting_options(
+    const CuttingOptions& options, const std::optional<waterjet::Materials>& materials,
+    double plate_thickness_mm);
 
 /// Returns a message if the material has another thickness than the flat part; nothing if it has the same.
-std::optional<std::string> other_thickness(const CuttingChoice& choice, double plate_mm);
+std::optional<std::string> thickness_mismatch(const CuttingOptions& options, double plate_thickness_mm);
 
 }  // namespace gsim::engine

@@ -11,7 +11,7 @@ namespace gsim::engine {
 
 namespace {
 
-geometry::Contour contour_of(const Plate::Outline& outline) {
+geometry::Contour to_contour(const Plate::Outline& outline) {
     geometry::Contour contour;
     contour.closed = outline.closed;
     contour.vertices.reserve(outline.vertices.size());
@@ -21,20 +21,21 @@ geometry::Contour contour_of(const Plate::Outline& outline) {
     return contour;
 }
 
-solid::Plate inner_plate(Plate given) {
+solid::Plate to_solid_plate(Plate given) {
     solid::Plate plate;
     plate.thickness_mm = given.thickness_mm;
     for (Plate::Source& source : given.sources)
         plate.drawing.entities.push_back(
             {std::move(source.kind), std::move(source.name), source.line, source.bevel_deg});
-    for (const Plate::Outline& outline : given.outlines) plate.drawing.pieces.push_back(contour_of(outline));
+    for (const Plate::Outline& outline : given.outlines)
+        plate.drawing.drawn_contours.push_back(to_contour(outline));
     plate.drawing.notes = std::move(given.notes);
     return plate;
 }
 
 tl::expected<solid::Plate, std::string> read_solid(const Host& host, const std::string& file,
-                                                   const DrawingChoice& choice) {
-    if (choice.unit_mm != 0 || !choice.layers.empty())
+                                                   const DrawingOptions& drawing_options) {
+    if (drawing_options.unit_mm != 0 || !drawing_options.layers.empty())
         return tl::unexpected(
             std::string("--unit and --layer are for drawings; a STEP or IGES file says its unit"));
     if (!host.read_plate) {
@@ -42,19 +43,22 @@ tl::expected<solid::Plate, std::string> read_solid(const Host& host, const std::
             fmt::format("{}: STEP and IGES files are not read here; DXF and SVG files are", file));
     }
     return host
-        .read_plate(file, {.tolerance_mm = choice.curve_tolerance_mm, .flip = choice.flip, .up = choice.up})
-        .map(inner_plate);
+        .read_plate(file, {.tolerance_mm = drawing_options.curve_tolerance_mm,
+                           .flip = drawing_options.flip,
+                           .up = drawing_options.up})
+        .map(to_solid_plate);
 }
 
 }  // namespace
 
 tl::expected<solid::Plate, std::string> read_drawing_input(const Host& host, const std::string& file,
-                                                           const DrawingChoice& choice) {
-    if (solid::is_solid_file(file)) return read_solid(host, file, choice);
-    if (choice.flip || !choice.up.empty())
+                                                           const DrawingOptions& drawing_options) {
+    if (solid::is_solid_file(file)) return read_solid(host, file, drawing_options);
+    if (drawing_options.flip || !drawing_options.up.empty())
         return tl::unexpected(std::string("--up and --flip are for STEP and IGES files"));
-    const drawing::ReadOptions options{choice.curve_tolerance_mm, choice.unit_mm, choice.layers};
-    return drawing::read_drawing(file, options, os::NamedBy::command_line, host.files.inner())
+    const drawing::ReadOptions options{drawing_options.curve_tolerance_mm, drawing_options.unit_mm,
+                                       drawing_options.layers};
+    return drawing::read_drawing(file, options, os::NameSource::command_line, host.files.impl())
         .map([](drawing::Drawing read) {
             return solid::Plate{std::move(read), 0};
         });

@@ -12,6 +12,6 @@ namespace gsim::engine {
 /// Reads a drawing, or a flat part through the host. The error is a message: why it cannot be read, or which
 /// option is not for such a file.
 tl::expected<solid::Plate, std::string> read_drawing_input(const Host& host, const std::string& file,
-                                                           const DrawingChoice& choice);
+                                                           const DrawingOptions& drawing_options);
 
 }  // namespace gsim::engine

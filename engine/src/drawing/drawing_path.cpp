@@ -8,13 +8,13 @@
 
 #include "cam/cutting/autopath.h"
 #include "cam/waterjet/job_report.h"
+#include "engine/src/conversions.h"
+#include "engine/src/drawing/cutting_cell.h"
 #include "engine/src/drawing/cutting_rules.h"
-#include "engine/src/drawing/cutting_site.h"
 #include "engine/src/drawing/drawing_input.h"
 #include "engine/src/drawing/surface_input.h"
-#include "engine/src/guarded.h"
+#include "engine/src/guard_exceptions.h"
 #include "engine/src/host_names.h"
-#include "engine/src/values.h"
 #include "geometry/mesh/mesh.h"
 #include "toolpath/json/json_writer.h"
 
@@ -24,7 +24,7 @@ using text::DiagnosticKind;
 
 namespace {
 
-cutting::AutopathOptions options_of(const DrawingRequest& request) {
+cutting::AutopathOptions make_options(const DrawingRequest& request) {
     cutting::AutopathOptions options;
     options.gap_mm = request.reading.gap_mm;
     options.lead_mm = request.ways.lead_mm;
@@ -35,21 +35,21 @@ cutting::AutopathOptions options_of(const DrawingRequest& request) {
     return options;
 }
 
-CuttingFigures figures_of(const cutting::CutSummary& summary) {
+CuttingMetrics to_metrics(const cutting::CutSummary& summary) {
     return {.outlines = summary.outlines,
             .pierces = summary.pierces,
             .without_leads = summary.without_leads,
             .cut_mm = summary.cut_mm,
             .travel_mm = summary.travel_mm,
             .cut_s = summary.cut_s,
-            .slower_s = summary.slower_s,
-            .turning_s = summary.turning_s,
-            .straightening_s = summary.straightening_s,
-            .moving_pierces = summary.moving_pierces};
+            .slowdown_s = summary.slowdown_s,
+            .reorientation_s = summary.reorientation_s,
+            .taper_compensation_s = summary.taper_compensation_s,
+            .dynamic_pierces = summary.dynamic_pierces};
 }
 
 // Returns the max depth that the jet has to cut, at the deepest walls.
-double greatest_depth_mm(const solid::WallContours& part) {
+double max_depth_mm(const solid::WallContours& part) {
     double depth_mm = 0;
     for (const solid::WallContour& contour : part.contours) {
         for (const solid::WallEdge& edge : contour.edges) {
@@ -64,116 +64,116 @@ double greatest_depth_mm(const solid::WallContours& part) {
 class DrawingPath::State {
   public:
     State(DrawingRequest request, std::string file, std::optional<waterjet::Materials> materials,
-          std::string script, std::optional<CuttingSite> site)
+          std::string script, std::optional<CuttingCell> cutting_cell)
         : request_(std::move(request)),
           file_(std::move(file)),
           materials_(std::move(materials)),
           script_(std::move(script)),
-          site_(std::move(site)) {}
+          cutting_cell_(std::move(cutting_cell)) {}
 
     const std::string& file() const { return file_; }
-    const CuttingFigures& figures() const { return figures_; }
+    const CuttingMetrics& metrics() const { return metrics_; }
     const path::Program& program() const { return program_; }
 
-    tl::expected<void, Failure> read();
-    tl::expected<void, Failure> read_surface();
-    tl::expected<void, Failure> make(const Tell& tell);
-    std::optional<JobFigures> job() const;
+    tl::expected<void, Error> read();
+    tl::expected<void, Error> read_surface();
+    tl::expected<void, Error> make(const DiagnosticHandler& on_diagnostic);
+    std::optional<JobMetrics> job() const;
     std::string job_report() const;
 
   private:
-    Failure fault_of_drawing(const std::string& sentence) const {
-        Failure failure = failure_of(DiagnosticKind::path, fmt::format("{}: {}", request_.drawing, sentence),
-                                     request_.drawing);
-        failure.in_program = true;
-        return failure;
+    Error drawing_error(const std::string& message) const {
+        Error error = make_error(DiagnosticKind::path, fmt::format("{}: {}", request_.drawing, message),
+                                 request_.drawing);
+        error.in_program = true;
+        return error;
     }
-    tl::expected<void, Failure> settle(double thickness_mm);
+    tl::expected<void, Error> resolve_cutting(double thickness_mm);
     waterjet::JobPrice price() const {
         return waterjet::price_job(*cutting_.plan, materials_->prices,
-                                   {.cut_length_mm = figures_.cut_mm,
-                                    .pierces = figures_.pierces,
-                                    .moving_pierces = figures_.moving_pierces,
-                                    .cut_time_s = figures_.cut_s});
+                                   {.cut_length_mm = metrics_.cut_mm,
+                                    .pierces = metrics_.pierces,
+                                    .dynamic_pierces = metrics_.dynamic_pierces,
+                                    .cut_time_s = metrics_.cut_s});
     }
 
     DrawingRequest request_;
     std::string file_;
     std::optional<waterjet::Materials> materials_;  ///< None without a requested material.
     std::string script_;                            ///< Text of the one that chooses contours.
-    std::optional<CuttingSite> site_;               ///< None: the surroundings are not checked.
+    std::optional<CuttingCell> cutting_cell_;       ///< None: the surroundings are not checked.
     drawing::Drawing drawing_;
     solid::WallContours contours_;  ///< Instead of a drawing, if a surface is requested.
-    SettledCutting cutting_;
+    ResolvedCutting cutting_;
     path::Program program_;
-    CuttingFigures figures_;
+    CuttingMetrics metrics_;
 };
 
 /// Settles the cutting parameters for this thickness.
-tl::expected<void, Failure> DrawingPath::State::settle(double thickness_mm) {
-    auto settled = settle_cutting(request_.cutting, materials_, thickness_mm);
-    if (!settled) return tl::unexpected(failure_of(DiagnosticKind::usage, settled.error()));
-    cutting_ = *std::move(settled);
+tl::expected<void, Error> DrawingPath::State::resolve_cutting(double thickness_mm) {
+    auto resolved = resolve_cutting_options(request_.cutting, materials_, thickness_mm);
+    if (!resolved) return tl::unexpected(make_error(DiagnosticKind::usage, resolved.error()));
+    cutting_ = *std::move(resolved);
     return {};
 }
 
-tl::expected<void, Failure> DrawingPath::State::read_surface() {
-    if (std::string fault = misplaced_with_contours(request_); !fault.empty())
-        return tl::unexpected(failure_of(DiagnosticKind::usage, std::move(fault)));
+tl::expected<void, Error> DrawingPath::State::read_surface() {
+    if (std::string error = find_contour_option_error(request_); !error.empty())
+        return tl::unexpected(make_error(DiagnosticKind::usage, std::move(error)));
     auto contours = read_surface_input(request_.host, file_, request_);
     if (!contours)
-        return tl::unexpected(failure_of(DiagnosticKind::input_file, contours.error(), request_.drawing));
+        return tl::unexpected(make_error(DiagnosticKind::input_file, contours.error(), request_.drawing));
     contours_ = *std::move(contours);
     if (!request_.surface->choose.empty()) {
-        auto chosen = choose_contours(script_, request_.surface->choose, contours_);
-        if (!chosen) {
-            Failure failure = failure_of(DiagnosticKind::path, chosen.error());
-            failure.in_program = true;
-            return tl::unexpected(std::move(failure));
+        auto selected = choose_contours(script_, request_.surface->choose, contours_);
+        if (!selected) {
+            Error error = make_error(DiagnosticKind::path, selected.error());
+            error.in_program = true;
+            return tl::unexpected(std::move(error));
         }
     }
-    return settle(greatest_depth_mm(contours_));
+    return resolve_cutting(max_depth_mm(contours_));
 }
 
-tl::expected<void, Failure> DrawingPath::State::read() {
+tl::expected<void, Error> DrawingPath::State::read() {
     if (request_.surface) return read_surface();
     auto plate = read_drawing_input(request_.host, file_, request_.reading);
     if (!plate)
-        return tl::unexpected(failure_of(DiagnosticKind::input_file, plate.error(), request_.drawing));
+        return tl::unexpected(make_error(DiagnosticKind::input_file, plate.error(), request_.drawing));
     drawing_ = std::move(plate->drawing);
-    if (auto note = other_thickness(request_.cutting, plate->thickness_mm))
+    if (auto note = thickness_mismatch(request_.cutting, plate->thickness_mm))
         drawing_.notes.push_back(*std::move(note));
-    return settle(plate->thickness_mm);
+    return resolve_cutting(plate->thickness_mm);
 }
 
-tl::expected<void, Failure> DrawingPath::State::make(const Tell& tell) {
-    auto made = request_.surface
-                    ? surface::surface_path(contours_, cutting_.rules, surface_options(request_))
-                    : cutting::autopath(std::move(drawing_), cutting_.rules, options_of(request_));
-    if (!made) return tl::unexpected(fault_of_drawing(made.error()));
-    const auto note = [&](const std::string& sentence) {
-        if (!tell) return;
-        tell({.severity = Severity::note,
-              .code = std::string(text::code_of(DiagnosticKind::path)),
-              .file = request_.drawing,
-              .text = sentence});
+tl::expected<void, Error> DrawingPath::State::make(const DiagnosticHandler& on_diagnostic) {
+    auto result = request_.surface
+                      ? surface::surface_path(contours_, cutting_.rules, surface_options(request_))
+                      : cutting::autopath(std::move(drawing_), cutting_.rules, make_options(request_));
+    if (!result) return tl::unexpected(drawing_error(result.error()));
+    const auto note = [&](const std::string& message) {
+        if (!on_diagnostic) return;
+        on_diagnostic({.severity = Severity::note,
+                       .code = std::string(text::diagnostic_code(DiagnosticKind::path)),
+                       .file = request_.drawing,
+                       .text = message});
     };
-    for (const std::string& sentence : made->notes) note(sentence);
-    figures_ = figures_of(made->summary);
-    if (site_) {
-        for (const std::string& sentence : site_->notes()) note(sentence);
-        if (auto clear = site_->clear_ways(*made, figures_); !clear)
-            return tl::unexpected(fault_of_drawing(clear.error()));
+    for (const std::string& message : result->notes) note(message);
+    metrics_ = to_metrics(result->summary);
+    if (cutting_cell_) {
+        for (const std::string& message : cutting_cell_->notes()) note(message);
+        if (auto clear = cutting_cell_->avoid_collisions(*result, metrics_); !clear)
+            return tl::unexpected(drawing_error(clear.error()));
     }
-    program_ = std::move(made->program);
+    program_ = std::move(result->program);
     return {};
 }
 
-std::optional<JobFigures> DrawingPath::State::job() const {
+std::optional<JobMetrics> DrawingPath::State::job() const {
     if (!cutting_.plan) return std::nullopt;
     const waterjet::CuttingPlan& plan = *cutting_.plan;
     const waterjet::JobPrice price = this->price();
-    return JobFigures{.thickness_mm = plan.thickness_mm,
+    return JobMetrics{.thickness_mm = plan.thickness_mm,
                       .quality = plan.quality,
                       .speed_mm_min = plan.cutting_speed_mm_min,
                       .kerf_mm = plan.kerf_mm,
@@ -188,41 +188,42 @@ std::optional<JobFigures> DrawingPath::State::job() const {
 
 std::string DrawingPath::State::job_report() const {
     if (!cutting_.plan) return {};
-    const waterjet::AccuracyTimes times{.slower_s = figures_.slower_s,
-                                        .straightening_s = request_.cutting.straighten
-                                                               ? std::optional(figures_.straightening_s)
-                                                               : std::nullopt};
+    const waterjet::AccuracyTimes times{
+        .slowdown_s = metrics_.slowdown_s,
+        .taper_compensation_s = request_.cutting.taper_compensation
+                                    ? std::optional(metrics_.taper_compensation_s)
+                                    : std::nullopt};
     return waterjet::job_report_text({*cutting_.plan, price(), times, materials_->prices.currency});
 }
 
-tl::expected<DrawingPath, Failure> DrawingPath::open(DrawingRequest request) {
-    return guarded([&]() -> tl::expected<DrawingPath, Failure> {
-        auto file = find_name(request.host, NameKind::sample, request.drawing);
-        if (!file) return tl::unexpected(failure_of(DiagnosticKind::input_file, file.error()));
+tl::expected<DrawingPath, Error> DrawingPath::open(DrawingRequest request) {
+    return guard_exceptions([&]() -> tl::expected<DrawingPath, Error> {
+        auto file = resolve_name(request.host, NameKind::sample, request.drawing);
+        if (!file) return tl::unexpected(make_error(DiagnosticKind::input_file, file.error()));
         std::optional<waterjet::Materials> materials;
-        if (const CuttingChoice& cutting = request.cutting; !cutting.material.empty()) {
+        if (const CuttingOptions& cutting = request.cutting; !cutting.material.empty()) {
             auto read = read_materials_input(request.host, cutting.materials);
             if (!read) {
                 return tl::unexpected(
-                    failure_of(DiagnosticKind::input_file, read.error(), cutting.materials));
+                    make_error(DiagnosticKind::input_file, read.error(), cutting.materials));
             }
             materials = *std::move(read);
         }
         std::string script;
         if (request.surface && !request.surface->choose.empty()) {
             const std::string& name = request.surface->choose;
-            auto text = request.host.files.inner().read_text(name, os::NamedBy::command_line);
-            if (!text) return tl::unexpected(failure_of(DiagnosticKind::input_file, text.error(), name));
+            auto text = request.host.files.impl().read_text(name, os::NameSource::command_line);
+            if (!text) return tl::unexpected(make_error(DiagnosticKind::input_file, text.error(), name));
             script = *std::move(text);
         }
-        std::optional<CuttingSite> site;
-        if (request.place) {
-            auto read = CuttingSite::read(request.host, *request.place);
+        std::optional<CuttingCell> cutting_cell;
+        if (request.work_cell) {
+            auto read = CuttingCell::read(request.host, *request.work_cell);
             if (!read) return tl::unexpected(read.error());
-            site.emplace(*std::move(read));
+            cutting_cell.emplace(*std::move(read));
         }
         return DrawingPath(std::make_unique<State>(std::move(request), *std::move(file), std::move(materials),
-                                                   std::move(script), std::move(site)));
+                                                   std::move(script), std::move(cutting_cell)));
     });
 }
 
@@ -239,35 +240,35 @@ bool DrawingPath::is_solid() const {
     return solid::is_solid_file(state_->file());
 }
 
-tl::expected<void, Failure> DrawingPath::read() {
-    return guarded([this] { return state_->read(); });
+tl::expected<void, Error> DrawingPath::read() {
+    return guard_exceptions([this] { return state_->read(); });
 }
 
-tl::expected<void, Failure> DrawingPath::make(const Tell& tell) {
-    return guarded([&] { return state_->make(tell); });
+tl::expected<void, Error> DrawingPath::make(const DiagnosticHandler& on_diagnostic) {
+    return guard_exceptions([&] { return state_->make(on_diagnostic); });
 }
 
 void DrawingPath::write(const TextSink& sink) const {
-    path::write_json(state_->program(), [&sink, goes_on = true](std::string_view text) mutable {
-        goes_on = goes_on && sink(text);
+    path::write_json(state_->program(), [&sink, continues = true](std::string_view text) mutable {
+        continues = continues && sink(text);
     });
 }
 
-const CuttingFigures& DrawingPath::figures() const {
-    return state_->figures();
+const CuttingMetrics& DrawingPath::metrics() const {
+    return state_->metrics();
 }
 
 std::string DrawingPath::summary() const {
-    const CuttingFigures& figures = state_->figures();
-    std::string sentence =
+    const CuttingMetrics& metrics = state_->metrics();
+    std::string message =
         fmt::format("{} contours, {} pierces, {:.1f} mm cut in {:.1f} s, {:.1f} mm between the cuts",
-                    figures.outlines, figures.pierces, figures.cut_mm, figures.cut_s, figures.travel_mm);
-    if (figures.ways == 0) return sentence;
-    return sentence + fmt::format("; nothing is touched, and {} of {} ways lead round something",
-                                  figures.ways_round, figures.ways);
+                    metrics.outlines, metrics.pierces, metrics.cut_mm, metrics.cut_s, metrics.travel_mm);
+    if (metrics.ways == 0) return message;
+    return message + fmt::format("; nothing is touched, and {} of {} ways lead round something",
+                                 metrics.rerouted_moves, metrics.ways);
 }
 
-std::optional<JobFigures> DrawingPath::job() const {
+std::optional<JobMetrics> DrawingPath::job() const {
     return state_->job();
 }
 

@@ -8,20 +8,20 @@
 #include "cam/solid/contours.h"
 #include "cam/surface/surface_path.h"
 #include "engine/drawing_path.h"
-#include "runtime/script/paths/contour_choice.h"
+#include "runtime/script/paths/contour_selection.h"
 
 namespace gsim::engine {
 
 /// Returns a message about options in a request for contours that are only for drawings and flat parts;
 /// empty: none.
-std::string misplaced_with_contours(const DrawingRequest& request);
+std::string find_contour_option_error(const DrawingRequest& request);
 
 /// Returns the facts about a contour for scripts and lists.
-script::ContourFacts facts_of(const solid::WallContour& contour);
+script::ContourDescription contour_facts(const solid::WallContour& contour);
 
 /// Reads contours of a part through the host. The error is a message.
 tl::expected<solid::WallContours, std::string> read_part_contours(const Host& host, const std::string& file,
-                                                                  const ContourChoice& choice);
+                                                                  const ContourSelection& selection);
 
 /// Reads those of a request, with its tolerance.
 tl::expected<solid::WallContours, std::string> read_surface_input(const Host& host, const std::string& file,

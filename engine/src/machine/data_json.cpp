@@ -20,11 +20,11 @@ using nlohmann::ordered_json;
 
 namespace {
 
-using Sentence = tl::unexpected<std::string>;
+using UnexpectedMessage = tl::unexpected<std::string>;
 
 ordered_json value_to_json(const DataField& field, const std::string& value) {
     if (field.quantity == Quantity::text) return value;
-    if (field.quantity == Quantity::whole) return machine::parse_number<int>(value).value_or(0);
+    if (field.quantity == Quantity::integer) return machine::parse_number<int>(value).value_or(0);
     const auto number = machine::parse_number<double>(value);
     return number ? ordered_json(*number) : ordered_json();
 }
@@ -36,15 +36,15 @@ class JsonReader {
         : file_name_(std::move(file_name)), axes_(axes), rules_(axes) {}
 
     tl::expected<MachineDataDocument, std::string> read(const ordered_json& json) {
-        if (!json.is_object()) return fault("this is no JSON object with a list for each section");
+        if (!json.is_object()) return error("this is no JSON object with a list for each section");
         for (const auto& [name, entries] : json.items()) {
-            const auto section = machine::section_named(name);
-            if (!section) return fault(fmt::format("'{}' is no section", machine::shown_word(name)));
-            if (!entries.is_array()) return fault(fmt::format("{} is no list", name));
+            const auto section = machine::find_section(name);
+            if (!section) return error(fmt::format("'{}' is no section", machine::printable_word(name)));
+            if (!entries.is_array()) return error(fmt::format("{} is no list", name));
             text_ += fmt::format("{}\n", name);
             for (const ordered_json& entry : entries) {
-                if (auto added = add(rules_.of(*section), entry); !added)
-                    return tl::unexpected(std::move(added.error()));
+                if (auto result = add(rules_.of(*section), entry); !result)
+                    return tl::unexpected(std::move(result.error()));
             }
         }
         auto document = MachineDataDocument::read(text_ + "ENDFILE\n", file_name_, axes_);
@@ -53,24 +53,24 @@ class JsonReader {
     }
 
   private:
-    Sentence fault(std::string_view sentence) const {
-        return Sentence(fmt::format("{}: {}", file_name_, sentence));
+    UnexpectedMessage error(std::string_view message) const {
+        return UnexpectedMessage(fmt::format("{}: {}", file_name_, message));
     }
 
-    Sentence fault(const SectionRules& rules, std::string_view id, std::string_view sentence) const {
-        return fault(fmt::format("{} {}: {}", rules.keyword, machine::shown_word(id), sentence));
+    UnexpectedMessage error(const SectionRules& rules, std::string_view id, std::string_view message) const {
+        return error(fmt::format("{} {}: {}", rules.keyword, machine::printable_word(id), message));
     }
 
     tl::expected<void, std::string> add(const SectionRules& rules, const ordered_json& entry) {
         const auto id = entry.is_object() ? entry.find("id") : entry.end();
         if (!entry.is_object() || id == entry.end() || !(id->is_string() || id->is_number_integer()))
-            return fault(fmt::format("an entry of {} is no object with an \"id\"", rules.keyword));
+            return error(fmt::format("an entry of {} is no object with an \"id\"", rules.keyword));
         DataRow row;
         row.id = id->is_string() ? id->get<std::string>() : id->dump();
         row.values.resize(rules.fields.size());
         for (const auto& [name, value] : entry.items()) {
             if (name == "id") continue;
-            if (auto set = set_value(rules, row, name, value); !set) return fault(rules, row.id, set.error());
+            if (auto set = set_value(rules, row, name, value); !set) return error(rules, row.id, set.error());
         }
         return add_line(rules, row);
     }
@@ -78,26 +78,30 @@ class JsonReader {
     static tl::expected<void, std::string> set_value(const SectionRules& rules, DataRow& row,
                                                      const std::string& name, const ordered_json& value) {
         if (name == "unit" && rules.has_unit) {
-            if (value != "inch" && value != "metric") return Sentence("the unit is \"inch\" or \"metric\"");
+            if (value != "inch" && value != "metric")
+                return UnexpectedMessage("the unit is \"inch\" or \"metric\"");
             row.unit = value == "inch" ? machine::LengthUnit::inch : machine::LengthUnit::metric;
             return {};
         }
         const auto index = rules.find(name);
-        if (!index) return Sentence(fmt::format("{} has no '{}'", rules.keyword, machine::shown_word(name)));
+        if (!index)
+            return UnexpectedMessage(
+                fmt::format("{} has no '{}'", rules.keyword, machine::printable_word(name)));
         const DataField& field = rules.fields[*index];
         std::string& text = row.values[*index];
-        if (value.is_null() && field.may_be_open) {
+        if (value.is_null() && field.may_be_unlimited) {
             text.assign(1, '-');
         } else if (field.quantity == Quantity::text ? value.is_string() : value.is_number()) {
             text = value.is_string()           ? value.get<std::string>()
                    : value.is_number_integer() ? value.dump()
                                                : machine::number_text(value.get<double>());
         } else {
-            return Sentence(
+            return UnexpectedMessage(
                 fmt::format("{} is no {}", name, field.quantity == Quantity::text ? "text" : "number"));
         }
         if (machine::is_data_word(text)) return {};
-        return Sentence(fmt::format("{}: '{}' is not one word", name, machine::shown_word(text)));
+        return UnexpectedMessage(
+            fmt::format("{}: '{}' is not one word", name, machine::printable_word(text)));
     }
 
     tl::expected<void, std::string> add_line(const SectionRules& rules, const DataRow& row) {
@@ -105,17 +109,17 @@ class JsonReader {
         const auto gap = std::find(row.values.begin(), end, "");
         if (std::any_of(gap, end, [](const std::string& value) { return !value.empty(); })) {
             const auto field = static_cast<std::size_t>(gap - row.values.begin());
-            return fault(rules, row.id,
+            return error(rules, row.id,
                          fmt::format("{} is missing, and values stand behind it", rules.fields[field].name));
         }
-        if (!machine::is_data_word(row.id)) return fault(rules, row.id, "the id is not one word");
+        if (!machine::is_data_word(row.id)) return error(rules, row.id, "the id is not one word");
         const std::string line = machine::row_line(rules, row);
         const auto read = machine::read_row(rules, machine::data_words(line));
-        if (!read) return fault(rules, row.id, read.error().sentence);
+        if (!read) return error(rules, row.id, read.error().message);
         if (!keys_.insert(machine::data_key(rules.section, read->row.id)).second)
-            return fault(rules, row.id, "it is given twice");
+            return error(rules, row.id, "it is given twice");
         if (const auto name = machine::name_key(rules, read->row); name && !keys_.insert(*name).second)
-            return fault(rules, row.id, "its NAME is that of another one");
+            return error(rules, row.id, "its NAME is that of another one");
         text_ += fmt::format("{}\n", line);
         return {};
     }
@@ -155,9 +159,10 @@ tl::expected<MachineDataDocument, std::string> data_from_json(std::string_view t
     try {
         return JsonReader(file_name, axes).read(text::parse_json<ordered_json>(text));
     } catch (const ordered_json::parse_error& error) {
-        return Sentence(fmt::format("{}: byte {}: this is no JSON", file_name, error.byte));
+        return UnexpectedMessage(fmt::format("{}: byte {}: this is no JSON", file_name, error.byte));
     } catch (const ordered_json::out_of_range&) {
-        return Sentence(fmt::format("{}: a number in it is too large: 1e308 is about the most", file_name));
+        return UnexpectedMessage(
+            fmt::format("{}: a number in it is too large: 1e308 is about the most", file_name));
     }
 }
 

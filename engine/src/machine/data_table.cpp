@@ -18,13 +18,13 @@ std::string unit_name(machine::LengthUnit unit) {
     return unit == machine::LengthUnit::inch ? "inch" : "metric";
 }
 
-bool is_shown(const SectionRules& rules, std::span<const DataRow> rows, std::size_t field) {
+bool is_visible(const SectionRules& rules, std::span<const DataRow> rows, std::size_t field) {
     return rules.fields[field].required || std::any_of(rows.begin(), rows.end(), [&](const DataRow& row) {
                return !row.values[field].empty();
            });
 }
 
-std::vector<Cells> cells_of(const SectionRules& rules, std::span<const DataRow> rows) {
+std::vector<Cells> table_cells(const SectionRules& rules, std::span<const DataRow> rows) {
     std::vector<Cells> lines(rows.size() + 1);
     const auto add_column = [&](const std::string& head, const auto& value) {
         lines[0].push_back(head);
@@ -32,7 +32,7 @@ std::vector<Cells> cells_of(const SectionRules& rules, std::span<const DataRow> 
     };
     add_column("ID", [](const DataRow& row) { return row.id; });
     for (std::size_t field = 0; field < rules.fields.size(); ++field) {
-        if (is_shown(rules, rows, field))
+        if (is_visible(rules, rows, field))
             add_column(rules.fields[field].name, [&](const DataRow& row) { return row.values[field]; });
     }
     if (rules.has_unit) add_column("UNIT", [](const DataRow& row) { return unit_name(row.unit); });
@@ -42,7 +42,7 @@ std::vector<Cells> cells_of(const SectionRules& rules, std::span<const DataRow> 
 }  // namespace
 
 std::string data_table(const SectionRules& rules, std::span<const DataRow> rows) {
-    const std::vector<Cells> lines = cells_of(rules, rows);
+    const std::vector<Cells> lines = table_cells(rules, rows);
     std::vector<std::size_t> widths(lines[0].size());
     for (const Cells& line : lines) {
         for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());

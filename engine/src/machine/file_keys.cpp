@@ -5,34 +5,34 @@
 #include <utility>
 
 #include "base/text/json.h"
-#include "collision/cell/cell_guide.h"
-#include "machine/schema/key_guide.h"
+#include "collision/cell/cell_schema.h"
+#include "machine/schema/key_schema.h"
 
 namespace gsim::engine {
 
 namespace {
 
-using machine::GuideKey;
-using machine::GuideTable;
 using machine::KeyKind;
+using machine::KeySchema;
 using machine::NumberRange;
+using machine::TableSchema;
 using nlohmann::ordered_json;
 
 constexpr std::array kKinds{"number", "text", "switch", "list", "table"};  // in the order of KeyKind
 
-const char* name_of(KeyKind kind) {
+const char* kind_name(KeyKind kind) {
     return kKinds.at(static_cast<std::size_t>(kind));
 }
 
 void add_range(ordered_json& json, const NumberRange& range) {
-    json[range.above_least ? "above" : "least"] = range.least;
-    json[range.below_greatest ? "below" : "most"] = range.greatest;
+    json[range.exclusive_min ? "above" : "least"] = range.min;
+    json[range.exclusive_max ? "below" : "most"] = range.max;
     auto others = ordered_json::array();
-    if (range.or_zero) others.push_back(0);
-    if (range.or_infinite) others.push_back("inf");
-    if (range.or_infinite && range.least < 0) others.push_back("-inf");
+    if (range.allows_zero) others.push_back(0);
+    if (range.allows_infinite) others.push_back("inf");
+    if (range.allows_infinite && range.min < 0) others.push_back("-inf");
     if (!others.empty()) json["or"] = std::move(others);
-    if (range.whole) json["whole"] = true;
+    if (range.integer_only) json["whole"] = true;
 }
 
 /// A number that is not finite has the same form as in the response to `toml`.
@@ -41,14 +41,13 @@ ordered_json value_json(const std::string& written) {
     return value.is_discarded() ? ordered_json(written) : value;
 }
 
-ordered_json key_json(const GuideKey& key) {
-    ordered_json json{{"name", key.name}, {"kind", name_of(key.kind)}, {"meaning", key.meaning}};
+ordered_json key_json(const KeySchema& key) {
+    ordered_json json{{"name", key.name}, {"kind", kind_name(key.kind)}, {"meaning", key.meaning}};
     const bool numbers =
         key.kind == KeyKind::number || (key.kind == KeyKind::list && key.elements == KeyKind::number);
-    if (const std::string unit = machine::unit_of_key(key.name); numbers && !unit.empty())
-        json["unit"] = unit;
+    if (const std::string unit = machine::key_unit(key.name); numbers && !unit.empty()) json["unit"] = unit;
     if (numbers) add_range(json, key.range);
-    if (key.kind == KeyKind::list) json["elements"] = name_of(key.elements);
+    if (key.kind == KeyKind::list) json["elements"] = kind_name(key.elements);
     if (key.count > 0) json["count"] = key.count;
     if (!key.fallback.empty()) json["default"] = value_json(key.fallback);
     if (!key.choices.empty()) json["choices"] = key.choices;
@@ -58,28 +57,28 @@ ordered_json key_json(const GuideKey& key) {
     return json;
 }
 
-ordered_json table_json(const GuideTable& table) {
+ordered_json table_json(const TableSchema& table) {
     ordered_json json{{"at", table.at}, {"many", table.many}, {"meaning", table.meaning}};
     if (!table.where_key.empty()) json["where"] = {{table.where_key, table.where_value}};
     json["keys"] = ordered_json::array();
-    for (const GuideKey& key : table.keys) json["keys"].push_back(key_json(key));
+    for (const KeySchema& key : table.keys) json["keys"].push_back(key_json(key));
     return json;
 }
 
-std::vector<GuideTable> guide_of(KeyedFile file) {
+std::vector<TableSchema> file_schema(ConfigFileKind file) {
     switch (file) {
-        case KeyedFile::machine: return machine::machine_guide();
-        case KeyedFile::cell: return cell::cell_guide();
-        case KeyedFile::controller: return machine::controller_guide();
+        case ConfigFileKind::machine: return machine::machine_schema();
+        case ConfigFileKind::cell: return cell::cell_schema();
+        case ConfigFileKind::controller: return machine::controller_schema();
     }
     return {};
 }
 
 }  // namespace
 
-std::string file_keys_json(KeyedFile file) {
+std::string file_keys_json(ConfigFileKind file) {
     auto tables = ordered_json::array();
-    for (const GuideTable& table : guide_of(file)) tables.push_back(table_json(table));
+    for (const TableSchema& table : file_schema(file)) tables.push_back(table_json(table));
     return tables.dump();
 }
 

@@ -12,10 +12,10 @@
 #include "analysis/envelope/volume.h"
 #include "base/text/nearest_name.h"
 #include "base/units.h"
-#include "engine/src/guarded.h"
+#include "engine/src/conversions.h"
+#include "engine/src/guard_exceptions.h"
 #include "engine/src/machine/machine_parts.h"
 #include "engine/src/run/run_cell.h"
-#include "engine/src/values.h"
 #include "machine/file/machine_file.h"
 #include "motion/kinematics/pose.h"
 
@@ -25,7 +25,7 @@ using text::DiagnosticKind;
 
 namespace {
 
-FramePose in_frame(const rrs::CartPos& base, const rrs::CartPos& pose) {
+FramePose to_frame_pose(const rrs::CartPos& base, const rrs::CartPos& pose) {
     const kinematics::Rpy rpy = kinematics::rpy_from_pose(base.inverse(Eigen::Isometry) * pose);
     return {{rpy.x_mm, rpy.y_mm, rpy.z_mm},
             {rpy.roll_rad / kRadPerDeg, rpy.pitch_rad / kRadPerDeg, rpy.yaw_rad / kRadPerDeg}};
@@ -35,50 +35,51 @@ FramePose in_frame(const rrs::CartPos& base, const rrs::CartPos& pose) {
 
 class Machine::State {
   public:
-    State(FoundRequest found, MachineInput input) : parts_{std::move(found), std::move(input)} {}
+    State(ResolvedRequest found, MachineInput input) : parts_{std::move(found), std::move(input)} {}
 
     const Parts& parts() const { return parts_; }
     const machine::Machine& machine() const { return parts_.input.machine; }
 
-    tl::expected<void, Failure> read_bodies() {
-        auto cell = read_cell_of_run(cell_choice(parts_.found), machine());
+    tl::expected<void, Error> read_bodies() {
+        auto cell = read_cell_contents(make_cell_source(parts_.found), machine());
         if (!cell)
             return tl::unexpected(
-                failure_of(DiagnosticKind::input_file, cell.error(), parts_.found.request.cell));
+                make_error(DiagnosticKind::input_file, cell.error(), parts_.found.request.cell));
         parts_.bodies = std::make_shared<const cell::Cell>(*std::move(cell));
         return {};
     }
 
-    tl::expected<FramePose, Failure> frame_in_work(const std::string& name) const {
-        const auto refused = [&](const std::string& why) {
-            return tl::unexpected(failure_of(DiagnosticKind::input_file, why, parts_.found.request.cell));
+    tl::expected<FramePose, Error> frame_in_work(const std::string& name) const {
+        const auto unexpected_error = [&](const std::string& reason) {
+            return tl::unexpected(make_error(DiagnosticKind::input_file, reason, parts_.found.request.cell));
         };
-        if (parts_.bodies == nullptr) return refused("the cell has not been read");
+        if (parts_.bodies == nullptr) return unexpected_error("the cell has not been read");
         const cell::FrameTree& frames = parts_.bodies->frames;
         const auto frame = frames.find(name);
         if (!frame) {
             const std::vector<std::string_view> names = frames.names();
             const auto nearest = text::nearest_name(name, names);
-            return refused(fmt::format("the cell has no frame or object '{}'{}", name,
-                                       nearest ? fmt::format("; did you mean '{}'?", *nearest) : ""));
+            return unexpected_error(
+                fmt::format("the cell has no frame or object '{}'{}", name,
+                            nearest ? fmt::format("; did you mean '{}'?", *nearest) : ""));
         }
         const std::size_t work = frames.find("work").value();
         if (frames.link(*frame) != frames.link(work))
-            return refused(fmt::format("'{}' does not go along with the work", name));
-        return in_frame(frames.in_link(work), frames.in_link(*frame));
+            return unexpected_error(fmt::format("'{}' does not go along with the work", name));
+        return to_frame_pose(frames.pose_in_link(work), frames.pose_in_link(*frame));
     }
 
-    tl::expected<MachineCheck, Failure> check() const {
-        const auto bodies = engine::read_bodies(cell_choice(parts_.found), machine());
-        if (!bodies) return tl::unexpected(failure_of(DiagnosticKind::input_file, bodies.error()));
+    tl::expected<MachineCheck, Error> check() const {
+        const auto bodies = engine::read_bodies(make_cell_source(parts_.found), machine());
+        if (!bodies) return tl::unexpected(make_error(DiagnosticKind::input_file, bodies.error()));
         const check::MachineCheck found = check::check_machine(machine(), *bodies);
         return MachineCheck{found.is_clean(), check::to_json(found), check::to_text(found)};
     }
 
-    tl::expected<std::string, Failure> envelope(EnvelopeKind kind) {
+    tl::expected<std::string, Error> envelope(EnvelopeKind kind) {
         if (!chain_) {
             auto chain = envelope::envelope_chain(machine());
-            if (!chain) return tl::unexpected(failure_of(DiagnosticKind::input_file, chain.error()));
+            if (!chain) return tl::unexpected(make_error(DiagnosticKind::input_file, chain.error()));
             chain_ = *std::move(chain);
         }
         if (kind == EnvelopeKind::volume_stl) return envelope::to_stl(volume().surface);
@@ -114,20 +115,20 @@ class Machine::State {
     }
 
     Parts parts_;
-    std::optional<envelope::TipChain> chain_;
+    std::optional<envelope::TcpChain> chain_;
     std::optional<envelope::Volume> volume_;
     std::optional<std::vector<envelope::PairOutline>> outlines_;
 };
 
-tl::expected<Machine, Failure> Machine::read(const Request& request) {
-    return guarded([&]() -> tl::expected<Machine, Failure> {
-        auto found = with_machine_files_found(request);
+tl::expected<Machine, Error> Machine::read(const Request& request) {
+    return guard_exceptions([&]() -> tl::expected<Machine, Error> {
+        auto found = resolve_machine_files(request);
         if (!found)
-            return tl::unexpected(failure_of(DiagnosticKind::input_file, found.error(), request.cell));
+            return tl::unexpected(make_error(DiagnosticKind::input_file, found.error(), request.cell));
         auto input = read_machine_input(request.host, found->request.machine, found->machine_named_by);
         if (!input)
             return tl::unexpected(
-                failure_of(DiagnosticKind::input_file, input.error(), found->request.machine));
+                make_error(DiagnosticKind::input_file, input.error(), found->request.machine));
         return Machine(std::make_unique<State>(*std::move(found), *std::move(input)));
     });
 }
@@ -157,33 +158,33 @@ std::string Machine::file() const {
     return machine::print_machine(state_->machine());
 }
 
-tl::expected<FramePose, Failure> Machine::frame_in_work(const std::string& name) const {
-    return guarded([&] { return state_->frame_in_work(name); });
+tl::expected<FramePose, Error> Machine::frame_in_work(const std::string& name) const {
+    return guard_exceptions([&] { return state_->frame_in_work(name); });
 }
 
-tl::expected<void, Failure> Machine::read_bodies() {
-    return guarded([this] { return state_->read_bodies(); });
+tl::expected<void, Error> Machine::read_bodies() {
+    return guard_exceptions([this] { return state_->read_bodies(); });
 }
 
 const Machine::Parts& Machine::parts() const {
     return state_->parts();
 }
 
-tl::expected<MachineCheck, Failure> Machine::check() const {
-    return guarded([this] { return state_->check(); });
+tl::expected<MachineCheck, Error> Machine::check() const {
+    return guard_exceptions([this] { return state_->check(); });
 }
 
-tl::expected<std::string, Failure> Machine::envelope(EnvelopeKind kind) {
-    return guarded([&] { return state_->envelope(kind); });
+tl::expected<std::string, Error> Machine::envelope(EnvelopeKind kind) {
+    return guard_exceptions([&] { return state_->envelope(kind); });
 }
 
 std::string Machine::envelope_summary() const {
     return state_->envelope_summary();
 }
 
-tl::expected<std::string, Failure> Machine::axes_svg() const {
-    return guarded(
-        [this]() -> tl::expected<std::string, Failure> { return check::axes_svg(state_->machine()); });
+tl::expected<std::string, Error> Machine::axes_svg() const {
+    return guard_exceptions(
+        [this]() -> tl::expected<std::string, Error> { return check::axes_svg(state_->machine()); });
 }
 
 }  // namespace gsim::engine

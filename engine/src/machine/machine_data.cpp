@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 
 #include "base/os/files.h"
-#include "engine/src/guarded.h"
+#include "engine/src/conversions.h"
+#include "engine/src/guard_exceptions.h"
 #include "engine/src/machine/data_json.h"
+#include "engine/src/machine/data_linter.h"
 #include "engine/src/machine/data_sections.h"
-#include "engine/src/machine/data_suspects.h"
 #include "engine/src/machine/data_table.h"
 #include "engine/src/machine/machine_parts.h"
-#include "engine/src/values.h"
 
 namespace gsim::engine {
 
@@ -22,11 +22,11 @@ using text::DiagnosticKind;
 
 namespace {
 
-tl::unexpected<Failure> refused(std::string sentence) {
-    return tl::unexpected(failure_of(DiagnosticKind::input_file, std::move(sentence)));
+tl::unexpected<Error> unexpected_error(std::string message) {
+    return tl::unexpected(make_error(DiagnosticKind::input_file, std::move(message)));
 }
 
-machine::LengthUnit inner_unit(LengthUnit unit) {
+machine::LengthUnit to_machine_unit(LengthUnit unit) {
     return unit == LengthUnit::inch ? machine::LengthUnit::inch : machine::LengthUnit::metric;
 }
 
@@ -34,27 +34,28 @@ std::string json_text(const nlohmann::ordered_json& json) {
     return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
-tl::expected<DataSection, Failure> section_of(const std::string& name) {
-    if (const auto section = machine::section_named(machine::upper_case(name))) return *section;
+tl::expected<DataSection, Error> parse_section(const std::string& name) {
+    if (const auto section = machine::find_section(machine::upper_case(name))) return *section;
     std::string names;
     for (const DataSection section : machine::kDataSections)
         names += fmt::format("{}{}", names.empty() ? "" : ", ", machine::keyword(section));
-    return refused(fmt::format("'{}' is no section; there are {}", machine::shown_word(name), names));
+    return unexpected_error(
+        fmt::format("'{}' is no section; there are {}", machine::printable_word(name), names));
 }
 
-tl::expected<MachineDataDocument::FieldValues, Failure> field_values(std::span<const std::string> changes) {
+tl::expected<MachineDataDocument::FieldValues, Error> field_values(std::span<const std::string> changes) {
     MachineDataDocument::FieldValues values;
     values.reserve(changes.size());
     for (const std::string& change : changes) {
         const std::size_t equals = change.find('=');
         if (equals == std::string::npos)
-            return refused(fmt::format("'{}' is no FIELD=VALUE", machine::shown_word(change)));
+            return unexpected_error(fmt::format("'{}' is no FIELD=VALUE", machine::printable_word(change)));
         values.emplace_back(machine::upper_case(change.substr(0, equals)), change.substr(equals + 1));
     }
     return values;
 }
 
-std::optional<machine::Machine> inner_machine(const Machine* machine) {
+std::optional<machine::Machine> copy_machine_model(const Machine* machine) {
     return machine == nullptr ? std::nullopt : std::optional(machine->parts().input.machine);
 }
 
@@ -68,23 +69,25 @@ std::string entries_json(const MachineDataDocument& document, std::optional<Data
     return json_text(json.value(std::string(machine::keyword(*section)), nlohmann::ordered_json::array()));
 }
 
-std::string entries_text(const MachineDataDocument& document, std::optional<DataSection> asked) {
+std::string entries_text(const MachineDataDocument& document, std::optional<DataSection> requested_section) {
     std::string text;
     for (const DataSection section : machine::kDataSections) {
-        const bool wanted = asked ? section == *asked : !document.rows(section).empty();
-        if (!wanted) continue;
+        const bool is_requested =
+            requested_section ? section == *requested_section : !document.rows(section).empty();
+        if (!is_requested) continue;
         if (!text.empty()) text += '\n';
         text += data_table(document.rules().of(section), document.rows(section));
     }
     return text;
 }
 
-tl::expected<std::string, Failure> value_of(const SectionRules& rules, const machine::DataRow& row,
-                                            const std::string& field, MachineData::Form form) {
+tl::expected<std::string, Error> field_value(const SectionRules& rules, const machine::DataRow& row,
+                                             const std::string& field, MachineData::Format form) {
     const std::string name = machine::upper_case(field);
     const auto index = rules.find(name);
-    if (!index) return refused(fmt::format("{} has no '{}'", rules.keyword, machine::shown_word(field)));
-    if (form == MachineData::Form::text) return fmt::format("{}\n", row.values[*index]);
+    if (!index)
+        return unexpected_error(fmt::format("{} has no '{}'", rules.keyword, machine::printable_word(field)));
+    if (form == MachineData::Format::text) return fmt::format("{}\n", row.values[*index]);
     const nlohmann::ordered_json json = row_to_json(rules, row);
     return json_text(json.contains(name) ? json[name] : nlohmann::ordered_json());
 }
@@ -97,8 +100,8 @@ struct MachineData::State {
     MachineDataDocument document;
 
     /// Returns the result of a change; an error gets the name of the file.
-    tl::expected<void, Failure> changed(const MachineDataDocument::Changed& done) const {
-        if (!done) return refused(fmt::format("{}: {}", name, done.error()));
+    tl::expected<void, Error> changed(const MachineDataDocument::EditResult& done) const {
+        if (!done) return unexpected_error(fmt::format("{}: {}", name, done.error()));
         return {};
     }
 };
@@ -109,46 +112,50 @@ MachineData& MachineData::operator=(MachineData&&) noexcept = default;
 MachineData::~MachineData() = default;
 
 MachineData::MachineData(std::string name, const Machine* machine)
-    : state_(std::make_unique<State>(State{std::move(name), inner_machine(machine), MachineDataDocument()})) {
+    : state_(std::make_unique<State>(
+          State{std::move(name), copy_machine_model(machine), MachineDataDocument()})) {
     state_->document = MachineDataDocument(axes_of(state_->machine));
 }
 
-tl::expected<MachineData, Failure> MachineData::open(const Host& host, const std::string& name,
-                                                     const Machine* machine, const Tell& tell) {
-    return guarded([&]() -> tl::expected<MachineData, Failure> {
-        const os::Files& files = host.files.inner();
+tl::expected<MachineData, Error> MachineData::open(const Host& host, const std::string& name,
+                                                   const Machine* machine,
+                                                   const DiagnosticHandler& on_diagnostic) {
+    return guard_exceptions([&]() -> tl::expected<MachineData, Error> {
+        const os::Files& files = host.files.impl();
         if (files.is_absent(name)) return MachineData(name, machine);
         const auto text = files.read_text(name);
-        if (!text) return tl::unexpected(failure_of(DiagnosticKind::file, text.error()));
-        return read(*text, name, machine, tell);
+        if (!text) return tl::unexpected(make_error(DiagnosticKind::file, text.error()));
+        return read(*text, name, machine, on_diagnostic);
     });
 }
 
-tl::expected<MachineData, Failure> MachineData::read(std::string_view text, std::string name,
-                                                     const Machine* machine, const Tell& tell) {
-    return guarded([&]() -> tl::expected<MachineData, Failure> {
+tl::expected<MachineData, Error> MachineData::read(std::string_view text, std::string name,
+                                                   const Machine* machine,
+                                                   const DiagnosticHandler& on_diagnostic) {
+    return guard_exceptions([&]() -> tl::expected<MachineData, Error> {
         MachineData data(std::move(name), machine);
         State& state = *data.state_;
         auto document = MachineDataDocument::read(text, state.name, axes_of(state.machine));
         if (!document) {
-            for (const std::string& sentence : document.error()) {
-                if (tell) tell(diagnostic_of(text::diagnostic_of(DiagnosticKind::input_file, sentence)));
+            for (const std::string& message : document.error()) {
+                if (on_diagnostic)
+                    on_diagnostic(to_diagnostic(text::to_diagnostic(DiagnosticKind::input_file, message)));
             }
-            Failure failure = failure_of(DiagnosticKind::input_file, document.error().front());
-            failure.in_program = true;
-            return tl::unexpected(std::move(failure));
+            Error error = make_error(DiagnosticKind::input_file, document.error().front());
+            error.in_program = true;
+            return tl::unexpected(std::move(error));
         }
         state.document = *std::move(document);
         return data;
     });
 }
 
-tl::expected<MachineData, Failure> MachineData::from_json(std::string_view json, std::string name,
-                                                          const Machine* machine) {
-    return guarded([&]() -> tl::expected<MachineData, Failure> {
+tl::expected<MachineData, Error> MachineData::from_json(std::string_view json, std::string name,
+                                                        const Machine* machine) {
+    return guard_exceptions([&]() -> tl::expected<MachineData, Error> {
         MachineData data(std::move(name), machine);
         auto document = data_from_json(json, data.state_->name, axes_of(data.state_->machine));
-        if (!document) return refused(document.error());
+        if (!document) return unexpected_error(document.error());
         data.state_->document = *std::move(document);
         return data;
     });
@@ -162,74 +169,75 @@ std::vector<MachineData::Section> MachineData::sections() const {
     return data_sections(state_->document.rules());
 }
 
-tl::expected<std::string, Failure> MachineData::to_json() const {
-    return guarded([this]() -> tl::expected<std::string, Failure> {
+tl::expected<std::string, Error> MachineData::to_json() const {
+    return guard_exceptions([this]() -> tl::expected<std::string, Error> {
         try {
             return data_to_json(state_->document).dump(2) + '\n';
         } catch (const nlohmann::json::type_error&) {
-            return refused(fmt::format("{}: JSON is UTF-8, and a word in this file is not", state_->name));
+            return unexpected_error(
+                fmt::format("{}: JSON is UTF-8, and a word in this file is not", state_->name));
         }
     });
 }
 
-tl::expected<std::string, Failure> MachineData::list(Form form, const std::string& section) const {
-    return guarded([&]() -> tl::expected<std::string, Failure> {
-        std::optional<DataSection> asked;
+tl::expected<std::string, Error> MachineData::list(Format form, const std::string& section) const {
+    return guard_exceptions([&]() -> tl::expected<std::string, Error> {
+        std::optional<DataSection> requested_section;
         if (!section.empty()) {
-            const auto found = section_of(section);
+            const auto found = parse_section(section);
             if (!found) return tl::unexpected(found.error());
-            asked = *found;
+            requested_section = *found;
         }
-        return form == Form::json ? entries_json(state_->document, asked)
-                                  : entries_text(state_->document, asked);
+        return form == Format::json ? entries_json(state_->document, requested_section)
+                                    : entries_text(state_->document, requested_section);
     });
 }
 
-tl::expected<std::string, Failure> MachineData::get(Form form, const std::string& section,
-                                                    const std::string& id, const std::string& field) const {
-    return guarded([&]() -> tl::expected<std::string, Failure> {
-        const auto found = section_of(section);
+tl::expected<std::string, Error> MachineData::get(Format form, const std::string& section,
+                                                  const std::string& id, const std::string& field) const {
+    return guard_exceptions([&]() -> tl::expected<std::string, Error> {
+        const auto found = parse_section(section);
         if (!found) return tl::unexpected(found.error());
         const SectionRules& rules = state_->document.rules().of(*found);
         const auto row = state_->document.find(*found, id);
-        if (!row) return refused(fmt::format("there is no {} {} in the file", rules.keyword, id));
-        if (!field.empty()) return value_of(rules, *row, field, form);
-        return form == Form::json ? json_text(row_to_json(rules, *row)) : data_list(rules, *row);
+        if (!row) return unexpected_error(fmt::format("there is no {} {} in the file", rules.keyword, id));
+        if (!field.empty()) return field_value(rules, *row, field, form);
+        return form == Format::json ? json_text(row_to_json(rules, *row)) : data_list(rules, *row);
     });
 }
 
-std::vector<Diagnostic> MachineData::suspects() const {
-    std::vector<Diagnostic> told;
-    for (const std::string& sentence : data_suspects(state_->document, state_->name, state_->machine))
-        told.push_back(diagnostic_of(text::diagnostic_of(DiagnosticKind::input_file, sentence)));
-    return told;
+std::vector<Diagnostic> MachineData::lint_warnings() const {
+    std::vector<Diagnostic> diagnostics;
+    for (const std::string& message : lint_machine_data(state_->document, state_->name, state_->machine))
+        diagnostics.push_back(to_diagnostic(text::to_diagnostic(DiagnosticKind::input_file, message)));
+    return diagnostics;
 }
 
-tl::expected<void, Failure> MachineData::set(const std::string& section, const std::string& id,
-                                             std::span<const std::string> changes,
-                                             std::optional<LengthUnit> unit) {
-    return guarded([&]() -> tl::expected<void, Failure> {
-        const auto found = section_of(section);
+tl::expected<void, Error> MachineData::set(const std::string& section, const std::string& id,
+                                           std::span<const std::string> changes,
+                                           std::optional<LengthUnit> unit) {
+    return guard_exceptions([&]() -> tl::expected<void, Error> {
+        const auto found = parse_section(section);
         if (!found) return tl::unexpected(found.error());
         const auto values = field_values(changes);
         if (!values) return tl::unexpected(values.error());
-        std::optional<machine::LengthUnit> inner;
-        if (unit) inner = inner_unit(*unit);
-        return state_->changed(state_->document.set(*found, id, *values, inner));
+        std::optional<machine::LengthUnit> impl;
+        if (unit) impl = to_machine_unit(*unit);
+        return state_->changed(state_->document.set(*found, id, *values, impl));
     });
 }
 
-tl::expected<void, Failure> MachineData::reset(const std::string& section, const std::string& id) {
-    return guarded([&] {
-        return section_of(section).and_then(
+tl::expected<void, Error> MachineData::reset(const std::string& section, const std::string& id) {
+    return guard_exceptions([&] {
+        return parse_section(section).and_then(
             [&](DataSection found) { return state_->changed(state_->document.reset(found, id)); });
     });
 }
 
-tl::expected<void, Failure> MachineData::reset_all(const std::string& section) {
-    return guarded([&]() -> tl::expected<void, Failure> {
+tl::expected<void, Error> MachineData::reset_all(const std::string& section) {
+    return guard_exceptions([&]() -> tl::expected<void, Error> {
         if (!section.empty()) {
-            return section_of(section).and_then(
+            return parse_section(section).and_then(
                 [&](DataSection found) { return state_->changed(state_->document.reset_all(found)); });
         }
         MachineDataDocument document = state_->document;
@@ -241,8 +249,8 @@ tl::expected<void, Failure> MachineData::reset_all(const std::string& section) {
     });
 }
 
-tl::expected<void, Failure> MachineData::convert(LengthUnit unit) {
-    return guarded([&] { return state_->changed(state_->document.convert(inner_unit(unit))); });
+tl::expected<void, Error> MachineData::convert(LengthUnit unit) {
+    return guard_exceptions([&] { return state_->changed(state_->document.convert(to_machine_unit(unit))); });
 }
 
 }  // namespace gsim::engine

@@ -12,7 +12,7 @@ namespace gsim::engine {
 
 namespace {
 
-MachineInput from_control(import::Imported imported, const std::string& file) {
+MachineInput from_controller_settings(import::ImportResult imported, const std::string& file) {
     MachineInput input;
     input.machine = std::move(imported.machine);
     if (imported.has_data) input.data = std::move(imported.data);
@@ -28,50 +28,50 @@ MachineInput from_control(import::Imported imported, const std::string& file) {
 // The words that switch the process of a machine must be those of a dialect.
 tl::expected<machine::Machine, std::string> read_machine_file(const std::string& text,
                                                               const std::string& file, const os::Files& files,
-                                                              std::vector<std::string>* faults) {
-    auto machine = machine::read_machine(text, file, files, faults);
+                                                              std::vector<std::string>* errors) {
+    auto machine = machine::read_machine(text, file, files, errors);
     if (!machine || !machine->process) return machine;
-    if (const auto fault = fault_of_process(*machine->process))
-        return tl::unexpected(fmt::format("{}: {}", file, *fault));
+    if (const auto error = check_process(*machine->process))
+        return tl::unexpected(fmt::format("{}: {}", file, *error));
     return machine;
 }
 
 tl::expected<MachineInput, std::string> read_input(const Host& host, const std::string& name,
-                                                   os::NamedBy named_by, std::vector<std::string>* faults) {
+                                                   os::NameSource name_source,
+                                                   std::vector<std::string>* errors) {
     const auto plain = [](machine::Machine machine) { return MachineInput{std::move(machine), {}, {}}; };
     if (name.empty())
         return machine::read_machine(machine::built_in_machine_toml(), "built-in machine").map(plain);
-    const auto file = find_name(host, NameKind::machine, name);
+    const auto file = resolve_name(host, NameKind::machine, name);
     if (!file) return tl::unexpected(file.error());
-    const auto text = host.files.inner().read_text(*file, named_by);  // once: it may be a pipe
+    const auto text = host.files.impl().read_text(*file, name_source);  // once: it may be a pipe
     if (!text) return tl::unexpected(text.error());
-    if (!import::is_control_file(*text, *file))
-        return read_machine_file(*text, *file, host.files.inner(), faults).map(plain);
-    return import::import_machine(*text, *file, host.files.inner()).map([&](import::Imported imported) {
-        return from_control(std::move(imported), *file);
+    if (!import::is_controller_file(*text, *file))
+        return read_machine_file(*text, *file, host.files.impl(), errors).map(plain);
+    return import::import_machine(*text, *file, host.files.impl()).map([&](import::ImportResult imported) {
+        return from_controller_settings(std::move(imported), *file);
     });
 }
 
 }  // namespace
 
 tl::expected<MachineInput, std::string> read_machine_input(const Host& host, const std::string& name,
-                                                           os::NamedBy named_by,
-                                                           std::vector<std::string>* faults) {
-    auto input = read_input(host, name, named_by, faults);
-    if (!input && faults != nullptr && faults->empty()) faults->push_back(input.error());
+                                                           os::NameSource name_source,
+                                                           std::vector<std::string>* errors) {
+    auto input = read_input(host, name, name_source, errors);
+    if (!input && errors != nullptr && errors->empty()) errors->push_back(input.error());
     return input;
 }
 
 tl::expected<machine::ProgramTable, std::string> read_program_input(const Host& host,
                                                                     const std::string& name) {
-    const auto file = find_name(host, NameKind::machine, name);
+    const auto file = resolve_name(host, NameKind::machine, name);
     if (!file) return tl::unexpected(file.error());
-    const auto text = host.files.inner().read_text(*file, os::NamedBy::command_line);
+    const auto text = host.files.impl().read_text(*file, os::NameSource::command_line);
     if (!text) return tl::unexpected(text.error());
-    if (!import::is_control_file(*text, *file)) return machine::read_program_table(*text, *file);
-    return import::import_machine(*text, *file, host.files.inner()).map([](const import::Imported& imported) {
-        return imported.machine.program;
-    });
+    if (!import::is_controller_file(*text, *file)) return machine::read_program_table(*text, *file);
+    return import::import_machine(*text, *file, host.files.impl())
+        .map([](const import::ImportResult& imported) { return imported.machine.program; });
 }
 
 }  // namespace gsim::engine

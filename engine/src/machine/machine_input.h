@@ -24,8 +24,8 @@ struct MachineInput {
 /// Reads it; an empty name is the built-in machine. The error is a message; `faults`, if given, receives all
 /// errors, the first one first.
 tl::expected<MachineInput, std::string> read_machine_input(const Host& host, const std::string& name,
-                                                           os::NamedBy named_by,
-                                                           std::vector<std::string>* faults = nullptr);
+                                                           os::NameSource name_source,
+                                                           std::vector<std::string>* errors = nullptr);
 
 /// Reads only its data about programs: a machine file is not read any further.
 tl::expected<machine::ProgramTable, std::string> read_program_input(const Host& host,

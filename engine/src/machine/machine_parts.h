@@ -9,7 +9,7 @@ namespace gsim::engine {
 
 /// Data shared by runs on a machine.
 struct Machine::Parts {
-    FoundRequest found;  ///< Machine, machine data and cell alone.
+    ResolvedRequest found;  ///< Machine, machine data and cell alone.
     MachineInput input;
     std::shared_ptr<const cell::Cell> bodies = nullptr;  ///< Null: not read.
 };

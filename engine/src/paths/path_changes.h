@@ -8,12 +8,12 @@
 #include "engine/path_translation.h"
 #include "machine/data/machine_data.h"
 #include "machine/model/machine.h"
-#include "toolpath/model/place.h"
+#include "toolpath/model/source_location.h"
 
 namespace gsim::engine {
 
 /// The origin of the numbers of a path.
-struct PathSite {
+struct PathContext {
     const machine::Machine& machine;
     const machine::MachineData* data = nullptr;  ///< Null: work offsets are at the machine's zero.
     const codegen::Post& post;
@@ -21,7 +21,7 @@ struct PathSite {
 
 /// Applies the changes of a request to a path that has been read, with complete frames and points. The error
 /// names the source location in its file.
-tl::expected<void, std::string> change_path(path::PathFile& file, const PathSite& site,
+tl::expected<void, std::string> change_path(path::PathFile& file, const PathContext& context,
                                             const PathChanges& changes);
 
 }  // namespace gsim::engine

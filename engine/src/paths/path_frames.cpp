@@ -17,19 +17,19 @@ using path::Target;
 using path::TargetId;
 using path::WorkFrame;
 
-template <typename Take>
-void for_each_frame(const path::Program& program, const Take& take) {
+template <typename Visitor>
+void for_each_frame(const path::Program& program, const Visitor& visit) {
     for (std::size_t i = 0; i < program.paths.size(); ++i) {
-        take(TargetId{i, {}}, program.paths[i].frame);
+        visit(TargetId{i, {}}, program.paths[i].frame);
         const std::vector<Target>& targets = program.paths[i].targets;
         for (std::size_t target = 0; target < targets.size(); ++target) {
-            const auto* use = std::get_if<SubPath>(&targets[target]);
-            if (use != nullptr) take(TargetId{i, target}, use->frame);
+            const auto* sub_path_call = std::get_if<SubPath>(&targets[target]);
+            if (sub_path_call != nullptr) visit(TargetId{i, target}, sub_path_call->frame);
         }
     }
 }
 
-std::optional<std::string> frame_fault(const WorkFrame& frame, const codegen::Post& post) {
+std::optional<std::string> find_frame_error(const WorkFrame& frame, const codegen::Post& post) {
     const std::vector<std::string>& systems = post.offsets.systems;
     if (frame.name.empty()) return std::nullopt;
     if (systems.empty())
@@ -46,68 +46,68 @@ std::optional<std::string> frame_fault(const WorkFrame& frame, const codegen::Po
 }
 
 // Sets the values of the request in a root that has none.
-std::optional<std::string> give_defaults(path::Program& program, const PathRequest& request,
-                                         const codegen::Post& post) {
-    const bool asked = !request.work_offset.empty() || request.set_offset_mm || request.tool;
-    if (!asked) return std::nullopt;
+std::optional<std::string> apply_defaults(path::Program& program, const PathRequest& request,
+                                          const codegen::Post& post) {
+    const bool is_requested = !request.work_offset.empty() || request.set_offset_mm || request.tool;
+    if (!is_requested) return std::nullopt;
     if (program.is_recorded())
         return "work offsets and tools are of paths that no run has recorded; those of a recorded one are at "
                "its "
                "points";
     path::Path& root = program.paths[program.root];
-    const std::string asked_for = path::frame_name(request.work_offset);
-    if (root.frame.name.empty()) root.frame.name = asked_for;
+    const std::string requested_frame = path::frame_name(request.work_offset);
+    if (root.frame.name.empty()) root.frame.name = requested_frame;
     if (request.set_offset_mm) {
-        if (!asked_for.empty() && root.frame.name != asked_for) {
+        if (!requested_frame.empty() && root.frame.name != requested_frame) {
             return fmt::format("the path names G{} itself, and is not put where G{} is to be set",
-                               root.frame.name, asked_for);
+                               root.frame.name, requested_frame);
         }
         if (root.frame.name.empty() && !post.offsets.systems.empty())
             root.frame.name = post.offsets.systems.front();
         if (!root.frame.set_offset_mm) root.frame.set_offset_mm = request.set_offset_mm;
     }
     if (!root.tool && request.tool) root.tool = path::Tool{*request.tool, *request.tool, std::nullopt};
-    return frame_fault(root.frame, post);
+    return find_frame_error(root.frame, post);
 }
 
 }  // namespace
 
 PathFrames::PathFrames(const path::Program& program) {
     for_each_frame(program, [this](const TargetId& where, const WorkFrame& frame) { add(where, frame); });
-    tools_ = std::any_of(program.paths.begin(), program.paths.end(),
-                         [](const path::Path& path) { return path.tool.has_value(); });
+    has_tools_ = std::any_of(program.paths.begin(), program.paths.end(),
+                             [](const path::Path& path) { return path.tool.has_value(); });
 }
 
 void PathFrames::add(const TargetId& where, const WorkFrame& frame) {
     if (frame.name.empty()) return;
-    std::optional<path::Vector>& place_mm = places_mm_[frame.name];
-    if (frame.set_offset_mm) place_mm = frame.set_offset_mm;
-    const bool is_found =
-        std::any_of(found_.begin(), found_.end(), [&](const Found& each) { return each.name == frame.name; });
+    std::optional<path::Vector>& position_mm = origins_mm_[frame.name];
+    if (frame.set_offset_mm) position_mm = frame.set_offset_mm;
+    const bool is_found = std::any_of(found_.begin(), found_.end(),
+                                      [&](const ProbedFrame& each) { return each.name == frame.name; });
     if (!frame.touches.empty() && !is_found) found_.push_back({frame.name, &frame.touches, where});
 }
 
-std::optional<path::Fault> PathFrames::fault_of_touches(const path::MachineSpace& space) const {
-    for (const Found& frame : found_) {
-        const auto& place_mm = places_mm_.find(frame.name)->second;
-        if (!place_mm) continue;
+std::optional<path::Error> PathFrames::check_touches(const path::MachineSpace& space) const {
+    for (const ProbedFrame& frame : found_) {
+        const auto& position_mm = origins_mm_.find(frame.name)->second;
+        if (!position_mm) continue;
         for (const path::Touch& touch : *frame.touches) {
             std::map<char, double> at;
             for (std::size_t i = 0; i < 3; ++i)
-                at[static_cast<char>('X' + i)] = touch.from_mm[i] + (*place_mm)[i];
-            std::string fault = space.range_fault(at);
+                at[static_cast<char>('X' + i)] = touch.from_mm[i] + (*position_mm)[i];
+            std::string error = space.axis_range_error(at);
             at[touch.axis] += touch.to_mm - touch.from_mm[static_cast<std::size_t>(touch.axis - 'X')];
-            if (fault.empty()) fault = space.range_fault(at);
-            if (!fault.empty()) return path::Fault{frame.where, std::move(fault)};
+            if (error.empty()) error = space.axis_range_error(at);
+            if (!error.empty()) return path::Error{frame.where, std::move(error)};
         }
     }
     return std::nullopt;
 }
 
 // The tool is retracted before each touch, and after the last one.
-void PathFrames::tell_touches(path::MoveSink& sink) const {
+void PathFrames::emit_touches(path::MoveSink& sink) const {
     std::optional<int> tool;
-    for (const Found& frame : found_) {
+    for (const ProbedFrame& frame : found_) {
         for (const path::Touch& touch : *frame.touches) {
             sink.retract();
             if (touch.tool && touch.tool != tool) {
@@ -125,8 +125,8 @@ void PathFrames::tell_touches(path::MoveSink& sink) const {
 
 std::vector<std::string> PathFrames::notes() const {
     std::vector<std::string> names;
-    for (const auto& [name, place_mm] : places_mm_) {
-        if (!place_mm) names.push_back("G" + name);
+    for (const auto& [name, position_mm] : origins_mm_) {
+        if (!position_mm) names.push_back("G" + name);
     }
     if (names.empty()) return {};
     return {fmt::format(
@@ -137,20 +137,20 @@ std::vector<std::string> PathFrames::notes() const {
 tl::expected<void, std::string> complete_frames(path::PathFile& file, const PathRequest& request,
                                                 const codegen::Post& post) {
     path::Program& program = file.program;
-    if (auto fault = give_defaults(program, request, post)) return tl::unexpected(*fault);
-    std::optional<std::string> fault;
+    if (auto error = apply_defaults(program, request, post)) return tl::unexpected(*error);
+    std::optional<std::string> error;
     bool any = false;
     for_each_frame(program, [&](const TargetId& where, const WorkFrame& frame) {
         any = any || !frame.name.empty();
-        const auto found = frame_fault(frame, post);
-        if (found && !fault) fault = file.located(where, *found);
+        const auto found = find_frame_error(frame, post);
+        if (found && !error) error = file.with_location(where, *found);
     });
-    if (fault) return tl::unexpected(*fault);
-    std::string& of_root = program.paths[program.root].frame.name;
-    if (any && of_root.empty()) of_root = post.offsets.systems.front();
+    if (error) return tl::unexpected(*error);
+    std::string& root_frame_name = program.paths[program.root].frame.name;
+    if (any && root_frame_name.empty()) root_frame_name = post.offsets.systems.front();
     // The request may have added values that do not fit the path.
-    if (const auto ill = path::validate(program))
-        return tl::unexpected(file.located(ill->where, ill->sentence));
+    if (const auto validation_error = path::validate(program))
+        return tl::unexpected(file.with_location(validation_error->where, validation_error->message));
     return {};
 }
 

@@ -9,7 +9,7 @@
 
 #include "codegen/post/post.h"
 #include "engine/path_translation.h"
-#include "toolpath/model/place.h"
+#include "toolpath/model/source_location.h"
 #include "toolpath/rotary/axis_moves.h"
 
 namespace gsim::engine {
@@ -21,24 +21,24 @@ class PathFrames {
     explicit PathFrames(const path::Program& program);
 
     /// Returns true if a frame is named; then positions are relative to frames.
-    bool any() const { return !places_mm_.empty(); }
-    bool tools() const { return tools_; }
+    bool any() const { return !origins_mm_.empty(); }
+    bool tools() const { return has_tools_; }
     /// A frame that the program finds by touches.
-    struct Found {
+    struct ProbedFrame {
         std::string name;
         const std::vector<path::Touch>* touches = nullptr;
         path::TargetId where;  ///< Its first mention.
     };
     /// Returns them in the order of the file.
-    const std::vector<Found>& found() const { return found_; }
+    const std::vector<ProbedFrame>& found() const { return found_; }
     /// Returns an error if a touch is beyond the ranges of the axes, as far as that is known: for frames that
     /// the program places before it finds them.
-    std::optional<path::Fault> fault_of_touches(const path::MachineSpace& space) const;
+    std::optional<path::Error> check_touches(const path::MachineSpace& space) const;
     /// Writes the touches that find the frames to a sink, at the beginning of the program.
-    void tell_touches(path::MoveSink& sink) const;
+    void emit_touches(path::MoveSink& sink) const;
     /// Returns the positions of the frames that the program sets.
-    const std::map<std::string, std::optional<path::Vector>, std::less<>>& places_mm() const {
-        return places_mm_;
+    const std::map<std::string, std::optional<path::Vector>, std::less<>>& positions_mm() const {
+        return origins_mm_;
     }
     /// Returns messages for the user about frames with unknown positions.
     std::vector<std::string> notes() const;
@@ -46,9 +46,9 @@ class PathFrames {
   private:
     void add(const path::TargetId& where, const path::WorkFrame& frame);
 
-    std::map<std::string, std::optional<path::Vector>, std::less<>> places_mm_;
-    std::vector<Found> found_;
-    bool tools_ = false;
+    std::map<std::string, std::optional<path::Vector>, std::less<>> origins_mm_;
+    std::vector<ProbedFrame> found_;
+    bool has_tools_ = false;
 };
 
 /// Adds to the root the request's frames and tools that the path lacks. If some paths name a frame, all

@@ -21,19 +21,20 @@ constexpr std::size_t kMostGivenBytes = std::size_t{1} << 30U;
 
 using Read = tl::expected<path::PathFile, PathError>;
 
-PathError unreadable(std::string sentence) {
-    return {.in_path = false, .message = std::move(sentence)};
+PathError unreadable_error(std::string message) {
+    return {.in_path = false, .message = std::move(message)};
 }
 
-Read judged(tl::expected<path::PathFile, std::string> read) {
+Read to_path_error(tl::expected<path::PathFile, std::string> read) {
     return std::move(read).map_error(
-        [](std::string fault) { return PathError{.in_path = true, .message = std::move(fault)}; });
+        [](std::string error) { return PathError{.in_path = true, .message = std::move(error)}; });
 }
 
 // Reads in parts, because a path may be long.
 Read read_system_file(const std::string& name) {
-    const auto file = os::open_input(name, os::NamedBy::command_line);
-    if (!file) return tl::unexpected(unreadable(fmt::format("cannot read '{}': {}", name, file.error())));
+    const auto file = os::open_input(name, os::NameSource::command_line);
+    if (!file)
+        return tl::unexpected(unreadable_error(fmt::format("cannot read '{}': {}", name, file.error())));
     const auto read = [&](char* buffer, std::size_t size) -> tl::expected<std::size_t, std::string> {
         const std::size_t count = std::fread(buffer, 1, size, file->get());
         if (std::ferror(file->get()) == 0) return count;
@@ -47,27 +48,27 @@ Read read_system_file(const std::string& name) {
 
 // After a read error, the part read before is not reported as an erroneous path.
 Read read_path_bytes(const PathRequest::ReadBytes& read, const std::string& name) {
-    std::optional<std::string> fault;
-    const auto until_fault = [&](char* buffer, std::size_t size) -> std::size_t {
-        if (fault) return 0;
+    std::optional<std::string> error;
+    const auto read_until_error = [&](char* buffer, std::size_t size) -> std::size_t {
+        if (error) return 0;
         auto count = read(buffer, size);
         if (count) return *count;
-        fault = std::move(count.error());
+        error = std::move(count.error());
         return 0;
     };
-    auto found = path::read_json(until_fault, name);
-    return fault ? tl::unexpected(unreadable(*std::move(fault))) : judged(std::move(found));
+    auto found = path::read_json(read_until_error, name);
+    return error ? tl::unexpected(unreadable_error(*std::move(error))) : to_path_error(std::move(found));
 }
 
 Read read_path(const os::Files& files, const std::string& name, const script::LuaState::Limits& limits,
                os::CpuLimit* cpu) {
     const bool is_script = std::filesystem::path(name).extension() == ".lua";
-    if (!is_script && files.are_of_system()) return read_system_file(name);
-    const auto text = is_script ? files.read_text(name, os::NamedBy::command_line)
-                                : files.read(name, os::NamedBy::command_line, kMostGivenBytes);
-    if (!text) return tl::unexpected(unreadable(text.error()));
-    return judged(is_script ? script::run_path_script(*text, name, limits, cpu)
-                            : path::read_json(*text, name));
+    if (!is_script && files.are_system_files()) return read_system_file(name);
+    const auto text = is_script ? files.read_text(name, os::NameSource::command_line)
+                                : files.read(name, os::NameSource::command_line, kMostGivenBytes);
+    if (!text) return tl::unexpected(unreadable_error(text.error()));
+    return to_path_error(is_script ? script::run_path_script(*text, name, limits, cpu)
+                                   : path::read_json(*text, name));
 }
 
 }  // namespace gsim::engine

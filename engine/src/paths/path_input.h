@@ -8,7 +8,7 @@
 #include "base/os/files.h"
 #include "engine/path_translation.h"
 #include "runtime/script/lua/lua_state.h"
-#include "toolpath/model/place.h"
+#include "toolpath/model/source_location.h"
 
 namespace gsim::engine {
 

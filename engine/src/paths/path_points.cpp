@@ -6,16 +6,16 @@
 
 #include "base/text/format.h"
 #include "base/text/letter_case.h"
-#include "machine/model/homes.h"
+#include "machine/model/secondary_homes.h"
 
 namespace gsim::engine {
 
 namespace {
 
 using path::MachinePoint;
-using Sentence = std::optional<std::string>;
+using OptionalMessage = std::optional<std::string>;
 
-constexpr std::size_t kMostNamed = 10;
+constexpr std::size_t kMaxListed = 10;
 
 /// A section of the machine data.
 struct Points {
@@ -23,15 +23,15 @@ struct Points {
     const std::map<int, std::string>& names;
 };
 
-Points points_of(const machine::MachineData& data, MachinePoint::Kind kind) {
+Points machine_points(const machine::MachineData& data, MachinePoint::Kind kind) {
     if (kind == MachinePoint::Kind::fixed) return {data.fixed, data.fixed_names};
     return {data.references, data.reference_names};
 }
 
-std::string known_points(const Points& points) {
+std::string list_points(const Points& points) {
     std::vector<std::string> texts;
     for (const auto& [number, values] : points.values) {
-        if (texts.size() == kMostNamed) break;
+        if (texts.size() == kMaxListed) break;
         const auto name = points.names.find(number);
         texts.push_back(name == points.names.end() ? fmt::format("{}", number)
                                                    : fmt::format("{} ({})", number, name->second));
@@ -46,7 +46,7 @@ std::string known_points(const Points& points) {
 const machine::AxisValues* find_point(const Points& points, const MachinePoint& point) {
     int number = point.number;
     for (const auto& [each, name] : points.names) {
-        if (!point.called.empty() && text::lower(name) == text::lower(point.called)) number = each;
+        if (!point.alias.empty() && text::lower(name) == text::lower(point.alias)) number = each;
     }
     const auto found = points.values.find(number);
     return found == points.values.end() ? nullptr : &found->second;
@@ -57,15 +57,15 @@ class Completer {
     Completer(const PointTables& tables, const codegen::Post& post)
         : tables_(tables),
           post_(post),
-          homes_(machine::further_homes(tables.machine,
-                                        tables.data == nullptr ? decltype(homes_)() : tables.data->homes)) {
+          homes_(machine::secondary_homes(tables.machine,
+                                          tables.data == nullptr ? decltype(homes_)() : tables.data->homes)) {
         for (const machine::Axis& axis : tables.machine.axes) homes_[1][axis.letter] = axis.home;
     }
 
-    Sentence complete(MachinePoint& point) {
-        const bool is_home = point.kind == MachinePoint::Kind::reference && point.called.empty();
-        if (auto fault = is_home ? word_for_home(point) : word_for_place(point)) return fault;
-        return is_home ? complete_home(point) : complete_place(point);
+    OptionalMessage complete(MachinePoint& point) {
+        const bool is_home = point.kind == MachinePoint::Kind::reference && point.alias.empty();
+        if (auto error = is_home ? check_home_word(point) : check_point_word(point)) return error;
+        return is_home ? complete_home(point) : complete_point(point);
     }
 
     std::vector<std::string> notes() const {
@@ -77,7 +77,7 @@ class Completer {
     }
 
   private:
-    Sentence complete_home(MachinePoint& point) {
+    OptionalMessage complete_home(MachinePoint& point) {
         const auto home = homes_.find(point.number);
         if (home == homes_.end()) {
             unknown_.insert(point.number);
@@ -87,34 +87,34 @@ class Completer {
         return std::nullopt;
     }
 
-    Sentence complete_place(MachinePoint& point) const {
+    OptionalMessage complete_point(MachinePoint& point) const {
         if (tables_.data == nullptr)
             return fmt::format("nothing says where {} lies; name the machine data by --machine-data",
-                               path::title_of(point));
-        const Points points = points_of(*tables_.data, point.kind);
+                               path::point_title(point));
+        const Points points = machine_points(*tables_.data, point.kind);
         const machine::AxisValues* values = find_point(points, point);
         if (values == nullptr)
-            return fmt::format("{} is not among those of {}; {}", path::title_of(point), tables_.data_name,
-                               known_points(points));
+            return fmt::format("{} is not among those of {}; {}", path::point_title(point), tables_.data_name,
+                               list_points(points));
         point.axes = moved(*values);
         return std::nullopt;
     }
 
-    Sentence word_for_place(const MachinePoint& point) const {
+    OptionalMessage check_point_word(const MachinePoint& point) const {
         if (!post_.offsets.machine.empty()) return std::nullopt;
         return fmt::format(
             "the post '{}' has no word for machine coordinates ([offsets] machine), by which the "
             "machine would go to {}",
-            post_.name, path::title_of(point));
+            post_.name, path::point_title(point));
     }
-    Sentence word_for_home(const MachinePoint& point) const {
+    OptionalMessage check_home_word(const MachinePoint& point) const {
         const std::size_t count = post_.references.go.size();
         if (static_cast<std::size_t>(point.number) <= count) return std::nullopt;
         if (count == 0)
             return fmt::format("the post '{}' has no words for reference points ([reference_points] go)",
                                post_.name);
         return fmt::format("the post '{}' has no word for {} ([reference_points] go); it has 1 to {}",
-                           post_.name, path::title_of(point), count);
+                           post_.name, path::point_title(point), count);
     }
 
     // X, Y, Z and the rotary axes, which paths move.
@@ -146,8 +146,8 @@ tl::expected<std::vector<std::string>, std::string> complete_points(path::PathFi
         for (std::size_t target = 0; target < targets.size(); ++target) {
             auto* point = std::get_if<MachinePoint>(&targets[target]);
             if (point == nullptr) continue;
-            if (const auto fault = completer.complete(*point))
-                return tl::unexpected(file.located({i, target}, *fault));
+            if (const auto error = completer.complete(*point))
+                return tl::unexpected(file.with_location({i, target}, *error));
         }
     }
     return completer.notes();

@@ -8,7 +8,7 @@
 
 #include "codegen/post/post.h"
 #include "machine/data/machine_data.h"
-#include "toolpath/model/place.h"
+#include "toolpath/model/source_location.h"
 
 namespace gsim::engine {
 

@@ -16,15 +16,14 @@
 namespace gsim::engine {
 
 using codegen::GcodeWriter;
-using codegen::Places;
-using path::Fault;
+using codegen::PlaceholderValues;
 
 namespace {
 
-constexpr double kMostTargets = 1e8;  // of a program with its sub-paths written inline
-constexpr int kFirstLabel = 5001;     // of O-words that repeat a call
+constexpr double kMaxTargets = 1e8;  // of a program with its sub-paths written inline
+constexpr int kFirstLabel = 5001;    // of O-words that repeat a call
 
-std::string plain_name(const std::string& name) {
+std::string sanitized_name(const std::string& name) {
     std::string plain;
     for (const char c : name) {
         plain += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
@@ -54,61 +53,62 @@ class PathProgram::Sink : public path::MoveSink {
         // PathCheck has checked everything before.
         path::MergedLines merged(*this, program_.space_, program_.move_options());
         static_cast<void>(
-            moves_.run(path, program_.space_.coupled() ? merged : static_cast<MoveSink&>(*this)));
+            moves_.run(path, program_.space_.is_coupled() ? merged : static_cast<MoveSink&>(*this)));
         merged.finish();
     }
     /// Writes the root's lines after those of the program's beginning.
     void begin() {
         const codegen::Post& post = *program_.post_;
         const Offsets offsets = program_.offsets();
-        const bool framed = program_.frames_.any();
-        if (offsets != Offsets::as_path || framed) writer_.lines(post.offsets.begin);
+        const bool has_frames = program_.frames_.any();
+        if (offsets != Offsets::as_path || has_frames) writer_.lines(post.offsets.begin);
         // With frames, the controller's frame data count, regardless of the coordinates set for the tool's
         // position.
-        const std::string& here = framed                        ? std::string()
-                                  : offsets == Offsets::as_path ? post.start_position
-                                                                : post.offsets.here;
-        if (!here.empty() && (offsets == Offsets::as_path || offsets == Offsets::none))
-            writer_.here(here, values_of(program_.space_.home()));
-        for (const auto& [name, place_mm] : program_.frames_.places_mm()) {
-            if (place_mm) writer_.set_work_offset(name, *place_mm);
+        const std::string& preset = has_frames                    ? std::string()
+                                    : offsets == Offsets::as_path ? post.start_position
+                                                                  : post.offsets.preset;
+        if (!preset.empty() && (offsets == Offsets::as_path || offsets == Offsets::none))
+            writer_.preset(preset, written_values(program_.space_.home()));
+        for (const auto& [name, position_mm] : program_.frames_.positions_mm()) {
+            if (position_mm) writer_.set_work_offset(name, *position_mm);
         }
-        if (!post.offsets.systems.empty()) writer_.begin_in(post.offsets.systems.front());
-        program_.frames_.tell_touches(*this);
+        if (!post.offsets.systems.empty()) writer_.set_active_offset(post.offsets.systems.front());
+        program_.frames_.emit_touches(*this);
     }
     /// Writes the lines before those of the program's end.
     void end() {
-        constexpr std::string_view kNoLength = "tool_length_off";
-        if (program_.frames_.tools() && program_.post_->actions.contains(kNoLength))
-            writer_.action(kNoLength);
+        constexpr std::string_view kCancelToolLength = "tool_length_off";
+        if (program_.frames_.tools() && program_.post_->actions.contains(kCancelToolLength))
+            writer_.action(kCancelToolLength);
         if (program_.frames_.any()) writer_.work_offset(program_.post_->offsets.systems.front());
         if (program_.offsets() == Offsets::none) writer_.lines(program_.post_->offsets.end);
         if (program_.has_accelerations_) writer_.lines(program_.post_->end_acceleration);
     }
 
     void move(const path::AxisMove& move) override {
-        const std::span<const double> values = values_of(move.axes);
+        const std::span<const double> values = written_values(move.axes);
         if (move.rapid) return writer_.move(values, std::nullopt);
         const codegen::WrittenFeed feed{move.feed_per_min, move.feed_is_rotary, move.duration_s,
                                         move.feed_mm_rev, program_.thread_lead(move)};
         if (!move.arc) return writer_.move(values, feed);
         if (move.arc->via_mm)
-            return writer_.arc_through(values, from_origin(*move.arc->via_mm), feed, move.arc->turn_rad);
+            return writer_.arc_through(values, position_vector(*move.arc->via_mm), feed, move.arc->turn_rad);
         constexpr std::array kPlanes = {Plane::yz, Plane::zx, Plane::xy};
         writer_.arc(values,
                     {kPlanes[static_cast<std::size_t>(move.arc->about)], !move.arc->counterclockwise,
                      move.arc->center_offset_mm, move.arc->turn_rad, move.arc->turns},
                     feed);
     }
-    void stand(const path::AxisValues& axes) override { writer_.stand(values_of(axes)); }
+    void set_position(const path::AxisValues& axes) override { writer_.set_position(written_values(axes)); }
     void retract() override { writer_.retract(program_.retract_mm()); }
     void touch(const std::string& frame, const path::Touch& touch) override {
         writer_.touch(frame,
                       {touch.axis, touch.from_mm, touch.to_mm, path::contact_mm(touch), touch.feed_mm_min});
     }
-    void go_to(const path::MachineWay& way) override {
-        if (way.reference > 0) return writer_.go_to_reference(way.reference, way.steps);
-        writer_.machine_rapids(way.steps);
+    void go_to(const path::MachineApproach& machine_path) override {
+        if (machine_path.reference > 0)
+            return writer_.move_to_reference(machine_path.reference, machine_path.steps);
+        writer_.machine_rapids(machine_path.steps);
     }
     // The numbers of a recorded path are relative to the system's origin in the machine data.
     void work_offset(const std::string& name) override {
@@ -124,32 +124,32 @@ class PathProgram::Sink : public path::MoveSink {
     void dwell(double seconds) override { writer_.dwell(seconds); }
     void acceleration(double mm_s2) override { writer_.acceleration(mm_s2); }
     void action(const std::string& name) override { writer_.action(name); }
-    void note(const path::TargetId&, std::string_view sentence) override { writer_.comment(sentence); }
+    void note(const path::TargetId&, std::string_view message) override { writer_.comment(message); }
 
     void call(const path::SubPath& sub_path) override {
-        if (program_.inlined()) {
+        if (program_.is_inlined()) {
             for (int i = 0; i < sub_path.repeats; ++i) run(sub_path.path);
             return;
         }
-        const std::vector<std::size_t>& order = program_.states_.users_first();
+        const std::vector<std::size_t>& order = program_.states_.topological_order();
         const auto at = std::find(order.begin(), order.end(), sub_path.path) - order.begin();
-        const Places saved = writer_.places();
-        writer_.places() = program_.places_of(static_cast<std::size_t>(at));
-        writer_.places()["repeats"] = fmt::format("{}", sub_path.repeats);
-        writer_.places()["label"] = fmt::format("{}", next_label_);
+        const PlaceholderValues saved_state = writer_.placeholders();
+        writer_.placeholders() = program_.make_placeholders(static_cast<std::size_t>(at));
+        writer_.placeholders()["repeats"] = fmt::format("{}", sub_path.repeats);
+        writer_.placeholders()["label"] = fmt::format("{}", next_label_);
         const codegen::SubprogramLines& lines = *program_.post_->subprogram;
         if (sub_path.repeats > 1) ++next_label_;
         writer_.lines(sub_path.repeats > 1 ? lines.call_repeated : lines.call);
-        writer_.places() = saved;
+        writer_.placeholders() = saved_state;
         writer_.forget();
     }
 
   private:
     // Uses X, Y and Z, which are the first axes.
-    path::Vector from_origin(const path::Vector& xyz) const {
+    path::Vector position_vector(const path::Vector& xyz) const {
         return {xyz[0] - origin_[0], xyz[1] - origin_[1], xyz[2] - origin_[2]};
     }
-    std::span<const double> values_of(const path::AxisValues& axes) {
+    std::span<const double> written_values(const path::AxisValues& axes) {
         for (std::size_t i = 0; i < values_.size(); ++i) values_[i] = axes[indices_[i]] - origin_[i];
         return values_;
     }
@@ -180,12 +180,13 @@ tl::expected<PathProgram, std::string> PathProgram::plan(const path::PathFile& f
     }
     if (!program.options_.words.decimals_mm && file.program.is_recorded())
         program.options_.words.decimals_mm = post.decimals_recorded_mm;
-    program.options_.words.in_machine = program.offsets() == Offsets::machine;
+    program.options_.words.machine_coordinates = program.offsets() == Offsets::machine;
     if (auto checked = program.check_offsets(); !checked) return tl::unexpected(checked.error());
     auto turns = path::plan_rotary(file.program, program.space_, program.states_, options.rotary);
-    if (!turns) return tl::unexpected(file.located(turns.error().where, turns.error().sentence));
+    if (!turns) return tl::unexpected(file.with_location(turns.error().where, turns.error().message));
     program.turns_ = std::move(*turns);
-    if (auto looked = program.look_at_moves(); !looked) return tl::unexpected(looked.error());
+    if (auto checked_moves = program.check_moves(); !checked_moves)
+        return tl::unexpected(checked_moves.error());
     return program;
 }
 
@@ -203,16 +204,17 @@ tl::expected<void, std::string> PathProgram::check_offsets() const {
         return tl::unexpected<std::string>(
             "--offsets G53 is for paths without tools of their own: no length offset counts in machine "
             "coordinates");
-    const auto no_word = [this](std::string_view what) {
+    const auto missing_word_error = [this](std::string_view what) {
         return tl::unexpected(fmt::format("the post '{}' has no word for {}", post_->name, what));
     };
     switch (offsets()) {
         case Offsets::as_path: return {};
         case Offsets::none:
-            if (words.here.empty()) return no_word("the place where the machine stands ([offsets] here)");
+            if (words.preset.empty())
+                return missing_word_error("the place where the machine stands ([offsets] here)");
             return {};
         case Offsets::machine:
-            if (words.machine.empty()) return no_word("machine coordinates ([offsets] machine)");
+            if (words.machine.empty()) return missing_word_error("machine coordinates ([offsets] machine)");
             return {};
         case Offsets::keep: break;
     }
@@ -244,7 +246,7 @@ tl::expected<void, std::string> PathProgram::check_work_offset(const std::string
 
 tl::expected<void, std::string> PathProgram::check_retract() const {
     if (post_->offsets.machine.empty()) return {};
-    if (!options_.retract_mm && !space_.top_mm()) {
+    if (!options_.retract_mm && !space_.max_z_mm()) {
         return tl::unexpected(
             fmt::format("Z of the machine '{}' has no end that the tool could go up to for changes; "
                         "name a height by --retract",
@@ -252,9 +254,9 @@ tl::expected<void, std::string> PathProgram::check_retract() const {
     }
     path::AxisValues up = space_.home();
     up[static_cast<Eigen::Index>(*space_.machine().find('Z'))] = retract_mm();
-    const std::string fault = space_.range_fault(up);
-    if (fault.empty()) return {};
-    return tl::unexpected(fmt::format("--retract: {}", fault));
+    const std::string error = space_.axis_range_error(up);
+    if (error.empty()) return {};
+    return tl::unexpected(fmt::format("--retract: {}", error));
 }
 
 // A thread is a line at its feed if the controller has no threads, but the user wants the program anyway.
@@ -264,35 +266,35 @@ std::optional<double> PathProgram::thread_lead(const path::AxisMove& move) const
 }
 
 path::MoveOptions PathProgram::move_options() const {
-    const double digit_mm = options_.words.inch
-                                ? kMmPerInch * std::pow(10.0, -post_->decimals_inch)
-                                : std::pow(10.0, -options_.words.decimals_mm.value_or(post_->decimals_mm));
+    const double resolution_mm =
+        options_.words.inch ? kMmPerInch * std::pow(10.0, -post_->decimals_inch)
+                            : std::pow(10.0, -options_.words.decimals_mm.value_or(post_->decimals_mm));
     const auto oblique = post_->through_point          ? path::ObliqueArcs::through_points
-                         : post_->refuses_oblique_arcs ? path::ObliqueArcs::refused
+                         : post_->rejects_oblique_arcs ? path::ObliqueArcs::rejected
                                                        : path::ObliqueArcs::lines;
     return {options_.tolerance_mm,
-            digit_mm,
+            resolution_mm,
             oblique,
             offsets() != Offsets::machine,
-            !post_->turns_of_arcs.empty(),
+            !post_->arc_turns_letter.empty(),
             {post_->tool_change.stops_spindle, post_->tool_change.stops_coolant},
-            frames_.places_mm(),
-            options_.retract_mm ? options_.retract_mm : space_.top_mm()};
+            frames_.positions_mm(),
+            options_.retract_mm ? options_.retract_mm : space_.max_z_mm()};
 }
 
-tl::expected<void, std::string> PathProgram::look_at_moves() {
-    const auto located = [this](const Fault& fault) {
-        return tl::unexpected(file_->located(fault.where, fault.sentence));
+tl::expected<void, std::string> PathProgram::check_moves() {
+    const auto with_location = [this](const path::Error& error) {
+        return tl::unexpected(file_->with_location(error.where, error.message));
     };
-    if (inlined()) {
-        if (auto size = check_size(); !size) return located(size.error());
+    if (is_inlined()) {
+        if (auto size = check_size(); !size) return with_location(size.error());
     }
     const path::AxisMoves moves(file_->program, space_, states_, turns_, move_options());
-    PathCheck check(*file_, *post_, offsets() == Offsets::machine, options_.go_on);
-    if (const auto beyond = frames_.fault_of_touches(space_)) return located(*beyond);
-    frames_.tell_touches(check);
-    for (const std::size_t path : states_.users_first()) {
-        if (auto run = moves.run(path, check); !run) return located(run.error());
+    PathCheck check(*file_, *post_, offsets() == Offsets::machine, options_.continue_on_unknown);
+    if (const auto touch_error = frames_.check_touches(space_)) return with_location(*touch_error);
+    frames_.emit_touches(check);
+    for (const std::size_t path : states_.topological_order()) {
+        if (auto run = moves.run(path, check); !run) return with_location(run.error());
     }
     auto found = check.finish();
     if (!found) return tl::unexpected(found.error());
@@ -303,9 +305,9 @@ tl::expected<void, std::string> PathProgram::look_at_moves() {
     return found->retracts ? check_retract() : tl::expected<void, std::string>();
 }
 
-tl::expected<void, Fault> PathProgram::check_size() const {
+tl::expected<void, path::Error> PathProgram::check_size() const {
     std::vector<double> sizes(file_->program.paths.size(), 0);
-    const std::vector<std::size_t>& order = states_.users_first();
+    const std::vector<std::size_t>& order = states_.topological_order();
     for (auto path = order.rbegin(); path != order.rend(); ++path) {
         for (const path::Target& target : file_->program.paths[*path].targets) {
             const auto* sub_path = std::get_if<path::SubPath>(&target);
@@ -313,12 +315,12 @@ tl::expected<void, Fault> PathProgram::check_size() const {
         }
     }
     const double size = sizes[file_->program.root];
-    if (size <= kMostTargets) return {};
-    return tl::unexpected(
-        Fault{{file_->program.root, std::nullopt},
-              fmt::format("the post '{}' has no subprograms, and all sub-paths written where they are used "
-                          "come to {:.3g} points; {:.0e} is the most",
-                          post_->name, size, kMostTargets)});
+    if (size <= kMaxTargets) return {};
+    return tl::unexpected(path::Error{
+        {file_->program.root, std::nullopt},
+        fmt::format("the post '{}' has no subprograms, and all sub-paths written where they are used "
+                    "come to {:.3g} points; {:.0e} is the most",
+                    post_->name, size, kMaxTargets)});
 }
 
 std::vector<codegen::WrittenAxis> PathProgram::written_axes() const {
@@ -328,9 +330,9 @@ std::vector<codegen::WrittenAxis> PathProgram::written_axes() const {
     return axes;
 }
 
-Places PathProgram::places_of(std::size_t order) const {
-    const std::size_t path = states_.users_first()[order];
-    const std::string name = plain_name(options_.name);
+PlaceholderValues PathProgram::make_placeholders(std::size_t order) const {
+    const std::size_t path = states_.topological_order()[order];
+    const std::string name = sanitized_name(options_.name);
     const std::string& title =
         order == 0 && !file_->program.name.empty() ? file_->program.name : file_->program.paths[path].name;
     return {{"number", fmt::format("{:04}", order + 1)},
@@ -340,45 +342,45 @@ Places PathProgram::places_of(std::size_t order) const {
             {"unit", options_.words.inch ? "G20" : "G21"}};
 }
 
-std::string PathProgram::file_of(std::size_t order) const {
-    if (order == 0 || inlined() || !options_.separate_files) return {};
-    return codegen::filled(post_->subprogram->file, places_of(order));
+std::string PathProgram::program_file_name(std::size_t order) const {
+    if (order == 0 || is_inlined() || !options_.separate_files) return {};
+    return codegen::fill_template(post_->subprogram->file, make_placeholders(order));
 }
 
 std::vector<std::string> PathProgram::file_names() const {
     std::vector<std::string> names;
-    if (inlined() || !options_.separate_files) return names;
-    for (std::size_t order = 1; order < states_.users_first().size(); ++order)
-        names.push_back(file_of(order));
+    if (is_inlined() || !options_.separate_files) return names;
+    for (std::size_t order = 1; order < states_.topological_order().size(); ++order)
+        names.push_back(program_file_name(order));
     return names;
 }
 
 void PathProgram::write_path(std::size_t order, Sink& sink) const {
     GcodeWriter& writer = sink.writer();
-    writer.places() = places_of(order);
+    writer.placeholders() = make_placeholders(order);
     writer.forget();
     writer.lines(order == 0 ? post_->begin : post_->subprogram->begin);
     if (order == 0) sink.begin();
-    sink.run(states_.users_first()[order]);
+    sink.run(states_.topological_order()[order]);
     if (order == 0) sink.end();
     writer.lines(order == 0 ? post_->end : post_->subprogram->end);
 }
 
-void PathProgram::write(const std::function<GcodeWriter::Sink(const std::string& file)>& sink_of) const {
+void PathProgram::write(const std::function<GcodeWriter::Sink(const std::string& file)>& open_sink) const {
     const path::AxisMoves moves(file_->program, space_, states_, turns_, move_options());
-    Sink main(*this, moves, sink_of({}));
-    const std::size_t paths = inlined() ? 1 : states_.users_first().size();
+    Sink main(*this, moves, open_sink({}));
+    const std::size_t paths = is_inlined() ? 1 : states_.topological_order().size();
     std::vector<std::size_t> sequence(paths);
     for (std::size_t i = 0; i < paths; ++i) sequence[i] = i;
-    if (!inlined() && post_->subprogram->before_program) std::reverse(sequence.begin(), sequence.end());
+    if (!is_inlined() && post_->subprogram->before_program) std::reverse(sequence.begin(), sequence.end());
     for (const std::size_t order : sequence) {
-        const std::string file = file_of(order);
+        const std::string file = program_file_name(order);
         if (file.empty()) {
             write_path(order, main);
         } else {
-            Sink own(*this, moves, sink_of(file));
-            write_path(order, own);
-            own.writer().flush();
+            Sink file_sink(*this, moves, open_sink(file));
+            write_path(order, file_sink);
+            file_sink.writer().flush();
         }
     }
     main.writer().flush();

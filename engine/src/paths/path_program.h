@@ -13,7 +13,7 @@
 #include "engine/path_translation.h"
 #include "engine/src/paths/path_frames.h"
 #include "machine/model/machine.h"
-#include "toolpath/model/place.h"
+#include "toolpath/model/source_location.h"
 #include "toolpath/rotary/axis_moves.h"
 
 namespace gsim::engine {
@@ -25,8 +25,9 @@ struct PathProgramOptions {
     bool separate_files = false;            ///< Each sub-path in a separate file.
     std::optional<Offsets> offsets = {};    ///< Left out: keep for recorded paths, else as_path.
     std::optional<double> retract_mm = {};  ///< Machine coordinate of Z; left out: the end of its range.
-    bool go_on = false;  ///< Elements without words in the post become comments, instead of an error.
-    std::string name;    ///< {program} of the post: the main file's name without its extension.
+    bool continue_on_unknown =
+        false;         ///< Elements without words in the post become comments, instead of an error.
+    std::string name;  ///< {program} of the post: the main file's name without its extension.
 };
 
 /// The translation of a path to G-code for one machine and one controller.
@@ -44,8 +45,8 @@ class PathProgram {
     const std::vector<std::string>& notes() const { return notes_; }
     /// Returns the files to write in addition to the main one.
     std::vector<std::string> file_names() const;
-    /// Writes all files; `sink_of` returns the target for the text of a file, "" for the main one.
-    void write(const std::function<codegen::GcodeWriter::Sink(const std::string& file)>& sink_of) const;
+    /// Writes all files; `open_sink` returns the target for the text of a file, "" for the main one.
+    void write(const std::function<codegen::GcodeWriter::Sink(const std::string& file)>& open_sink) const;
 
   private:
     class Sink;
@@ -59,19 +60,19 @@ class PathProgram {
           states_(file.program),
           frames_(file.program) {}
 
-    bool inlined() const { return !post_->subprogram; }
+    bool is_inlined() const { return !post_->subprogram; }
     Offsets offsets() const;
     tl::expected<void, std::string> check_offsets() const;
     tl::expected<void, std::string> check_work_offset(const std::string& name) const;
     tl::expected<void, std::string> check_retract() const;
     path::MoveOptions move_options() const;
-    double retract_mm() const { return options_.retract_mm.value_or(space_.top_mm().value_or(0)); }
+    double retract_mm() const { return options_.retract_mm.value_or(space_.max_z_mm().value_or(0)); }
     std::optional<double> thread_lead(const path::AxisMove& move) const;
-    tl::expected<void, std::string> look_at_moves();
-    tl::expected<void, path::Fault> check_size() const;
+    tl::expected<void, std::string> check_moves();
+    tl::expected<void, path::Error> check_size() const;
     std::vector<codegen::WrittenAxis> written_axes() const;
-    codegen::Places places_of(std::size_t order) const;
-    std::string file_of(std::size_t order) const;
+    codegen::PlaceholderValues make_placeholders(std::size_t order) const;
+    std::string program_file_name(std::size_t order) const;
     void write_path(std::size_t order, Sink& sink) const;
 
     const path::PathFile* file_;
@@ -79,7 +80,7 @@ class PathProgram {
     const codegen::Post* post_;
     PathProgramOptions options_;
     path::States states_;
-    std::vector<path::PathTurns> turns_;
+    std::vector<path::RotarySchedule> turns_;
     PathFrames frames_;
     std::vector<std::string> notes_;
     bool has_accelerations_ = false;

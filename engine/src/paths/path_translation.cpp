@@ -4,7 +4,8 @@
 #include <utility>
 
 #include "codegen/post/post_file.h"
-#include "engine/src/guarded.h"
+#include "engine/src/conversions.h"
+#include "engine/src/guard_exceptions.h"
 #include "engine/src/host_names.h"
 #include "engine/src/machine/machine_input.h"
 #include "engine/src/paths/path_changes.h"
@@ -12,7 +13,6 @@
 #include "engine/src/paths/path_input.h"
 #include "engine/src/paths/path_points.h"
 #include "engine/src/paths/path_program.h"
-#include "engine/src/values.h"
 
 namespace gsim::engine {
 
@@ -20,48 +20,48 @@ using text::DiagnosticKind;
 
 namespace {
 
-constexpr const char* kPostEnding = ".toml";
+constexpr const char* kPostExtension = ".toml";
 
-Failure fault_of_path(std::string sentence) {
-    Failure failure = failure_of(DiagnosticKind::path, std::move(sentence));
-    failure.in_program = true;
-    return failure;
+Error path_error(std::string message) {
+    Error error = make_error(DiagnosticKind::path, std::move(message));
+    error.in_program = true;
+    return error;
 }
 
 tl::expected<codegen::Post, std::string> read_post(const Host& host, const std::string& name) {
     if (!std::filesystem::path(name).has_extension()) return codegen::find_post(name);
-    const auto file = find_name(host, NameKind::sample, name);
+    const auto file = resolve_name(host, NameKind::sample, name);
     if (!file) return tl::unexpected(file.error());
-    if (!file->ends_with(kPostEnding)) return codegen::find_post(*file);
-    return host.files.inner()
-        .read_text(*file, os::NamedBy::command_line)
+    if (!file->ends_with(kPostExtension)) return codegen::find_post(*file);
+    return host.files.impl()
+        .read_text(*file, os::NameSource::command_line)
         .and_then([&](const std::string& text) { return codegen::read_post(text, *file); });
 }
 
 // Uses those of the machine's settings, unless the request names others.
 tl::expected<void, std::string> read_data(const PathRequest& request, MachineInput& input) {
     if (request.machine_data.empty()) return {};
-    const auto file = find_name(request.host, NameKind::sample, request.machine_data);
+    const auto file = resolve_name(request.host, NameKind::sample, request.machine_data);
     if (!file) return tl::unexpected(file.error());
-    return request.host.files.inner()
-        .read_text(*file, os::NamedBy::command_line)
+    return request.host.files.impl()
+        .read_text(*file, os::NameSource::command_line)
         .and_then([&](const std::string& text) {
             return machine::read_machine_data(text, *file, input.machine.axes);
         })
         .map([&](machine::MachineData data) { input.data = std::move(data); });
 }
 
-PathProgramOptions options_of(const PathRequest& request, const path::Program& path) {
+PathProgramOptions make_options(const PathRequest& request, const path::Program& path) {
     PathProgramOptions options;
     options.words.inch = request.inch;
     options.words.verbose_words = request.verbose_words;
     options.words.decimals_mm = request.decimals_mm;
-    options.rotary.as_given = request.rotary_as_given.value_or(path.is_recorded());
+    options.rotary.is_literal = request.rotary_as_given.value_or(path.is_recorded());
     options.tolerance_mm = request.tolerance_mm;
     options.separate_files = request.separate_files;
     options.offsets = request.offsets;
     options.retract_mm = request.retract_mm;
-    options.go_on = request.go_on;
+    options.continue_on_unknown = request.continue_on_unknown;
     options.name = request.program_name.empty() ? path.name : request.program_name;
     return options;
 }
@@ -77,7 +77,7 @@ class PathTranslation::State {
           post_(std::move(post)),
           machine_(std::move(machine)),
           cpu_(request_.cpu_s) {
-        cpu_.end_when(request_.cancel.flag());
+        cpu_.cancel_when(request_.cancel.flag());
     }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
@@ -87,28 +87,28 @@ class PathTranslation::State {
     const PathProgram& program() const { return *program_; }
     const std::vector<std::string>& notes() const { return notes_; }
 
-    tl::expected<void, Failure> read() {
+    tl::expected<void, Error> read() {
         const script::LuaState::Limits limits{.memory_bytes =
                                                   static_cast<std::size_t>(request_.memory_bytes)};
         auto path = request_.bytes ? read_path_bytes(request_.bytes, file_)
-                                   : read_path(request_.host.files.inner(), file_, limits, &cpu_);
-        if (!path && path.error().in_path) return tl::unexpected(fault_of_path(path.error().message));
-        if (!path) return tl::unexpected(failure_of(DiagnosticKind::file, path.error().message));
+                                   : read_path(request_.host.files.impl(), file_, limits, &cpu_);
+        if (!path && path.error().in_path) return tl::unexpected(path_error(path.error().message));
+        if (!path) return tl::unexpected(make_error(DiagnosticKind::file, path.error().message));
         path_ = *std::move(path);
         return {};
     }
-    tl::expected<void, Failure> plan() {
+    tl::expected<void, Error> plan() {
         if (auto completed = complete_frames(*path_, request_, post_); !completed)
-            return tl::unexpected(fault_of_path(completed.error()));
+            return tl::unexpected(path_error(completed.error()));
         const PointTables tables{machine_.machine, machine_.data ? &*machine_.data : nullptr, data_name()};
         auto notes = complete_points(*path_, tables, post_);
-        if (!notes) return tl::unexpected(fault_of_path(notes.error()));
-        const PathSite site{machine_.machine, machine_.data ? &*machine_.data : nullptr, post_};
-        if (auto changed = change_path(*path_, site, request_.changes); !changed)
-            return tl::unexpected(fault_of_path(changed.error()));
+        if (!notes) return tl::unexpected(path_error(notes.error()));
+        const PathContext context{machine_.machine, machine_.data ? &*machine_.data : nullptr, post_};
+        if (auto changed = change_path(*path_, context, request_.changes); !changed)
+            return tl::unexpected(path_error(changed.error()));
         auto program =
-            PathProgram::plan(*path_, machine_.machine, post_, options_of(request_, path_->program));
-        if (!program) return tl::unexpected(fault_of_path(program.error()));
+            PathProgram::plan(*path_, machine_.machine, post_, make_options(request_, path_->program));
+        if (!program) return tl::unexpected(path_error(program.error()));
         notes_ = *std::move(notes);
         notes_.insert(notes_.end(), program->notes().begin(), program->notes().end());
         program_.emplace(*std::move(program));
@@ -130,19 +130,19 @@ class PathTranslation::State {
     std::vector<std::string> notes_;
 };
 
-tl::expected<PathTranslation, Failure> PathTranslation::open(PathRequest request) {
-    return guarded([&]() -> tl::expected<PathTranslation, Failure> {
-        const auto refused = [](const std::string& sentence) {
-            return tl::unexpected(failure_of(DiagnosticKind::input_file, sentence));
+tl::expected<PathTranslation, Error> PathTranslation::open(PathRequest request) {
+    return guard_exceptions([&]() -> tl::expected<PathTranslation, Error> {
+        const auto unexpected_error = [](const std::string& message) {
+            return tl::unexpected(make_error(DiagnosticKind::input_file, message));
         };
         auto post = read_post(request.host, request.post);
-        if (!post) return refused(post.error());
-        auto input = read_machine_input(request.host, request.machine, os::NamedBy::command_line);
-        if (!input) return refused(input.error());
-        if (auto read = read_data(request, *input); !read) return refused(read.error());
+        if (!post) return unexpected_error(post.error());
+        auto input = read_machine_input(request.host, request.machine, os::NameSource::command_line);
+        if (!input) return unexpected_error(input.error());
+        if (auto read = read_data(request, *input); !read) return unexpected_error(read.error());
         auto file = request.bytes ? tl::expected<std::string, std::string>(request.path)
-                                  : find_name(request.host, NameKind::sample, request.path);
-        if (!file) return tl::unexpected(failure_of(DiagnosticKind::file, file.error()));
+                                  : resolve_name(request.host, NameKind::sample, request.path);
+        if (!file) return tl::unexpected(make_error(DiagnosticKind::file, file.error()));
         return PathTranslation(std::make_unique<State>(std::move(request), *std::move(file), *std::move(post),
                                                        std::move(*input)));
     });
@@ -157,16 +157,16 @@ const std::string& PathTranslation::path_file() const {
     return state_->file();
 }
 
-tl::expected<void, Failure> PathTranslation::read() {
-    return guarded([&] { return state_->read(); });
+tl::expected<void, Error> PathTranslation::read() {
+    return guard_exceptions([&] { return state_->read(); });
 }
 
 double PathTranslation::cpu_left_s() const {
-    return state_->cpu().left_s();
+    return state_->cpu().remaining_s();
 }
 
-tl::expected<void, Failure> PathTranslation::plan() {
-    return guarded([&] { return state_->plan(); });
+tl::expected<void, Error> PathTranslation::plan() {
+    return guard_exceptions([&] { return state_->plan(); });
 }
 
 const std::vector<std::string>& PathTranslation::notes() const {
@@ -177,12 +177,12 @@ std::vector<std::string> PathTranslation::file_names() const {
     return state_->program().file_names();
 }
 
-tl::expected<void, Failure> PathTranslation::write(
-    const std::function<TextSink(const std::string& file)>& sink_of) const {
-    return guarded([&]() -> tl::expected<void, Failure> {
+tl::expected<void, Error> PathTranslation::write(
+    const std::function<TextSink(const std::string& file)>& open_sink) const {
+    return guard_exceptions([&]() -> tl::expected<void, Error> {
         state_->program().write([&](const std::string& name) -> codegen::GcodeWriter::Sink {
-            return [sink = sink_of(name), goes_on = true](std::string_view text) mutable {
-                goes_on = goes_on && sink(text);
+            return [sink = open_sink(name), continues = true](std::string_view text) mutable {
+                continues = continues && sink(text);
             };
         });
         return {};

@@ -9,7 +9,7 @@
 #include "base/text/diagnostic_json.h"
 #include "base/text/file_format.h"
 #include "base/text/json.h"
-#include "engine/src/values.h"
+#include "engine/src/conversions.h"
 #include "engine/version.h"
 
 namespace gsim::engine {
@@ -20,13 +20,13 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kSarifSchema = "https://json.schemastore.org/sarif-2.1.0.json";
 
-std::string as_text(const Json& json) {
+std::string dump_json(const Json& json) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
 /// Returns a file's name as a reference (RFC 3986): characters that are not plain in a path are written as
 /// bytes.
-std::string as_uri(std::string_view name) {
+std::string to_uri(std::string_view name) {
     std::string uri = name.starts_with('/') ? "file://" : "";
     for (const char c : name) {
         const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
@@ -40,31 +40,31 @@ std::string as_uri(std::string_view name) {
     return uri;
 }
 
-Json sarif_location(const Diagnostic& told) {
-    Json physical;
-    physical["artifactLocation"] = {{"uri", as_uri(told.file)}};
-    if (told.line > 0) {
-        Json& region = physical["region"];
-        region["startLine"] = told.line;
-        if (told.column > 0) region["startColumn"] = told.column;
-        if (told.end_column > told.column) region["endColumn"] = told.end_column;
+Json sarif_location(const Diagnostic& diagnostic) {
+    Json physical_location;
+    physical_location["artifactLocation"] = {{"uri", to_uri(diagnostic.file)}};
+    if (diagnostic.line > 0) {
+        Json& region = physical_location["region"];
+        region["startLine"] = diagnostic.line;
+        if (diagnostic.column > 0) region["startColumn"] = diagnostic.column;
+        if (diagnostic.end_column > diagnostic.column) region["endColumn"] = diagnostic.end_column;
     }
-    return {{"physicalLocation", physical}};
+    return {{"physicalLocation", physical_location}};
 }
 
-Json sarif_result(const Diagnostic& told) {
-    const std::string hint = told.hint.empty() ? "" : "; " + told.hint;
+Json sarif_result(const Diagnostic& diagnostic) {
+    const std::string hint = diagnostic.hint.empty() ? "" : "; " + diagnostic.hint;
     Json result;
-    result["ruleId"] = told.code;
-    result["level"] = text::name(static_cast<text::Severity>(told.severity));
-    result["message"] = {{"text", told.text + hint}};
-    if (!told.file.empty()) result["locations"] = Json::array({sarif_location(told)});
+    result["ruleId"] = diagnostic.code;
+    result["level"] = text::name(static_cast<text::Severity>(diagnostic.severity));
+    result["message"] = {{"text", diagnostic.text + hint}};
+    if (!diagnostic.file.empty()) result["locations"] = Json::array({sarif_location(diagnostic)});
     return result;
 }
 
 Json sarif_rules(std::span<const Diagnostic> diagnostics) {
     std::set<std::string_view> codes;
-    for (const Diagnostic& told : diagnostics) codes.insert(told.code);
+    for (const Diagnostic& diagnostic : diagnostics) codes.insert(diagnostic.code);
     Json rules = Json::array();
     for (const text::DiagnosticKindEntry& entry : text::diagnostic_kinds()) {
         if (codes.contains(entry.code))
@@ -75,19 +75,19 @@ Json sarif_rules(std::span<const Diagnostic> diagnostics) {
 
 }  // namespace
 
-std::string text_of(const Diagnostic& told) {
-    return text::to_text(inner_diagnostic(told));
+std::string diagnostic_text(const Diagnostic& diagnostic) {
+    return text::to_text(to_text_diagnostic(diagnostic));
 }
 
-Diagnostic diagnostic_of(const Failure& failure) {
+Diagnostic to_diagnostic(const Error& error) {
     using text::DiagnosticKind;
-    const auto kind = text::diagnostic_kind(failure.code).value_or(DiagnosticKind::internal);
-    Diagnostic told = diagnostic_of(text::diagnostic_of(kind, failure.message));
-    if (!told.file.empty() || failure.file.empty()) return told;
-    told.file = failure.file;
-    const std::string head = fmt::format("{}: ", failure.file);
-    if (told.text.starts_with(head)) told.text.erase(0, head.size());
-    return told;
+    const auto kind = text::diagnostic_kind(error.code).value_or(DiagnosticKind::internal);
+    Diagnostic diagnostic = to_diagnostic(text::to_diagnostic(kind, error.message));
+    if (!diagnostic.file.empty() || error.file.empty()) return diagnostic;
+    diagnostic.file = error.file;
+    const std::string head = fmt::format("{}: ", error.file);
+    if (diagnostic.text.starts_with(head)) diagnostic.text.erase(0, head.size());
+    return diagnostic;
 }
 
 std::string findings_json(std::span<const Diagnostic> diagnostics, std::span<const CheckedProgram> programs) {
@@ -96,18 +96,19 @@ std::string findings_json(std::span<const Diagnostic> diagnostics, std::span<con
         document["programs"].push_back(
             {{"program", each.name}, {"status", each.status}, {"cycle_time_s", each.cycle_time_s}});
     }
-    std::vector<text::Diagnostic> inner;
-    for (const Diagnostic& told : diagnostics) inner.push_back(inner_diagnostic(told));
-    document["diagnostics"] = text::to_json(inner);
-    return as_text(document);
+    std::vector<text::Diagnostic> text_diagnostics;
+    for (const Diagnostic& diagnostic : diagnostics)
+        text_diagnostics.push_back(to_text_diagnostic(diagnostic));
+    document["diagnostics"] = text::to_json(text_diagnostics);
+    return dump_json(document);
 }
 
 std::string findings_sarif(std::span<const Diagnostic> diagnostics) {
     Json results = Json::array();
-    for (const Diagnostic& told : diagnostics) results.push_back(sarif_result(told));
+    for (const Diagnostic& diagnostic : diagnostics) results.push_back(sarif_result(diagnostic));
     Json driver = {{"name", "gsim"}, {"version", version()}, {"rules", sarif_rules(diagnostics)}};
     Json run = {{"tool", {{"driver", std::move(driver)}}}, {"results", std::move(results)}};
-    return as_text(
+    return dump_json(
         {{"$schema", kSarifSchema}, {"version", "2.1.0"}, {"runs", Json::array({std::move(run)})}});
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/src/values.h"
+#include "engine/src/conversions.h"
 #include "runtime/report/report.h"
 #include "runtime/report/report_diagnostics.h"
 #include "runtime/report/robots_report.h"
@@ -11,98 +11,98 @@
 namespace gsim::engine {
 
 /// Exactly one of both is set.
-struct Report::Whole {
+struct Report::Full {
     std::optional<simulation::Report> one = {};
     std::optional<simulation::RobotsReport> robots = {};
 };
 
 namespace {
 
-Place place_of(const simulation::Report& report, const simulation::Place& place) {
-    return {.file = place.file < report.files.size() ? report.files[place.file] : std::string(),
-            .line = place.line};
+SourceLocation source_location(const simulation::Report& report, const simulation::SourceLocation& location) {
+    return {.file = location.file < report.files.size() ? report.files[location.file] : std::string(),
+            .line = location.line};
 }
 
-Alarm alarm_of(const simulation::Report& report) {
-    const simulation::Alarm& told = *report.alarm;
-    Alarm alarm{.code = std::string(text::code_of(told.kind)),
-                .message = told.message,
-                .place = place_of(report, told.place),
-                .axis = told.axis,
-                .value = told.value,
-                .limit = told.limit};
-    for (const simulation::OpenCall& call : told.calls)
-        alarm.calls.push_back({call.program, place_of(report, call.place)});
+Alarm to_alarm(const simulation::Report& report) {
+    const simulation::Alarm& entry = *report.alarm;
+    Alarm alarm{.code = std::string(text::diagnostic_code(entry.kind)),
+                .message = entry.message,
+                .location = source_location(report, entry.location),
+                .axis = entry.axis,
+                .value = entry.value,
+                .limit = entry.limit};
+    for (const simulation::OpenCall& call : entry.calls)
+        alarm.calls.push_back({call.program, source_location(report, call.location)});
     return alarm;
 }
 
-Violation violation_of(const simulation::Report& report, const simulation::Violation& told) {
-    return {.t_s = told.t_s,
-            .place = place_of(report, told.place),
-            .message = told.message,
-            .zone = told.zone,
-            .axis = told.axis,
-            .rotary = told.rotary,
-            .value = told.value,
-            .limit = told.limit};
+Violation to_violation(const simulation::Report& report, const simulation::Violation& entry) {
+    return {.t_s = entry.t_s,
+            .location = source_location(report, entry.location),
+            .message = entry.message,
+            .zone = entry.zone,
+            .axis = entry.axis,
+            .rotary = entry.rotary,
+            .value = entry.value,
+            .limit = entry.limit};
 }
 
-void take_lists(const simulation::Report& from, Report& to) {
+void copy_lists(const simulation::Report& from, Report& to) {
     for (const simulation::AxisBounds& axis : from.bounds)
         to.ranges.push_back({axis.letter, axis.rotary, axis.min, axis.max, axis.limit_min, axis.limit_max});
     for (const simulation::Violation& violation : from.violations.list)
-        to.violations.push_back(violation_of(from, violation));
+        to.violations.push_back(to_violation(from, violation));
     if (from.cell) {
         for (const simulation::Collision& touch : from.cell->collisions) {
-            to.collisions.push_back(
-                {touch.t_s, place_of(from, touch.place), touch.first, touch.second, touch.point_mm});
+            to.collisions.push_back({touch.t_s, source_location(from, touch.location), touch.first,
+                                     touch.second, touch.point_mm});
         }
     }
     for (const simulation::Event& event : from.events)
-        to.events.push_back({event.t_s, place_of(from, event.place), event.kind, event.detail});
-    for (const text::Diagnostic& told : simulation::diagnostics_of(from))
-        to.diagnostics.push_back(diagnostic_of(told));
+        to.events.push_back({event.t_s, source_location(from, event.location), event.kind, event.detail});
+    for (const text::Diagnostic& entry : simulation::report_diagnostics(from))
+        to.diagnostics.push_back(to_diagnostic(entry));
 }
 
-Report figures_of(const simulation::Report& from) {
+Report to_report_values(const simulation::Report& from) {
     Report to;
     to.program = from.program;
     to.machine = from.machine;
     to.status = static_cast<RunStatus>(from.status);
-    if (from.alarm) to.alarm = alarm_of(from);
+    if (from.alarm) to.alarm = to_alarm(from);
     to.cycle_time_s = from.cycle_time_s;
-    if (from.interval) to.cycle_time_95 = Report::Interval{from.interval->least_s, from.interval->most_s};
+    if (from.interval) to.cycle_time_95 = Report::Interval{from.interval->min_s, from.interval->max_s};
     to.rapid_s = from.rapid_s;
     to.feed_s = from.feed_s;
     to.dwell_s = from.dwell_s;
     to.rapid_mm = from.rapid_mm;
     to.feed_mm = from.feed_mm;
-    to.jet_on_mm = from.jet_on_mm;
+    to.process_on_mm = from.process_on_mm;
     to.blocks = from.blocks;
     to.moves = from.moves;
     to.violation_count = from.violations.count;
     to.process_findings = from.findings.count;
     to.warnings = from.warnings;
-    take_lists(from, to);
+    copy_lists(from, to);
     return to;
 }
 
 }  // namespace
 
-Report report_of(simulation::Report report) {
-    Report made = figures_of(report);
-    made.whole = std::make_shared<const Report::Whole>(Report::Whole{.one = std::move(report)});
-    return made;
+Report make_report(simulation::Report report) {
+    Report result = to_report_values(report);
+    result.full = std::make_shared<const Report::Full>(Report::Full{.one = std::move(report)});
+    return result;
 }
 
-Report report_of(simulation::RobotsReport report) {
-    Report made = figures_of(report.whole);
+Report make_report(simulation::RobotsReport report) {
+    Report result = to_report_values(report.full);
     for (const simulation::RobotReport& robot : report.robots) {
-        made.robots.push_back(report_of(simulation::Report(robot.report)));
-        made.robots.back().robot = robot.name;
+        result.robots.push_back(make_report(simulation::Report(robot.report)));
+        result.robots.back().robot = robot.name;
     }
-    made.whole = std::make_shared<const Report::Whole>(Report::Whole{.robots = std::move(report)});
-    return made;
+    result.full = std::make_shared<const Report::Full>(Report::Full{.robots = std::move(report)});
+    return result;
 }
 
 std::string_view name(RunStatus status) {
@@ -117,25 +117,25 @@ bool Report::is_clean() const {
 }
 
 std::string Report::json() const {
-    if (!whole) return "{}";
-    return whole->one ? to_json(*whole->one) : to_json(*whole->robots);
+    if (!full) return "{}";
+    return full->one ? to_json(*full->one) : to_json(*full->robots);
 }
 
 std::string Report::text() const {
-    if (!whole) return {};
-    return whole->one ? to_text(*whole->one) : to_text(*whole->robots);
+    if (!full) return {};
+    return full->one ? to_text(*full->one) : to_text(*full->robots);
 }
 
 Report Report::with(const Diagnostic& diagnostic) const {
-    if (!whole) return *this;
-    if (whole->one) {
-        simulation::Report one = *whole->one;
-        one.diagnostics.push_back(inner_diagnostic(diagnostic));
-        return report_of(std::move(one));
+    if (!full) return *this;
+    if (full->one) {
+        simulation::Report one = *full->one;
+        one.diagnostics.push_back(to_text_diagnostic(diagnostic));
+        return make_report(std::move(one));
     }
-    simulation::RobotsReport all = *whole->robots;
-    all.whole.diagnostics.push_back(inner_diagnostic(diagnostic));
-    return report_of(std::move(all));
+    simulation::RobotsReport all = *full->robots;
+    all.full.diagnostics.push_back(to_text_diagnostic(diagnostic));
+    return make_report(std::move(all));
 }
 
 }  // namespace gsim::engine

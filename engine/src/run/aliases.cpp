@@ -2,11 +2,10 @@
 
 namespace gsim::engine {
 
-tl::expected<lexer::Aliases, std::string> aliases_of(const machine::MachineData& data) {
+tl::expected<lexer::Aliases, std::string> make_aliases(const machine::MachineData& data) {
     lexer::Aliases aliases;
     for (const auto& [name, code] : data.aliases) {
-        if (const std::optional<std::string> trouble = aliases.add(name, code))
-            return tl::unexpected(*trouble);
+        if (const std::optional<std::string> error = aliases.add(name, code)) return tl::unexpected(*error);
     }
     return aliases;
 }

@@ -10,6 +10,6 @@
 namespace gsim::engine {
 
 /// Returns the aliases of machine data in the form of the lexer; the error is a message.
-tl::expected<lexer::Aliases, std::string> aliases_of(const machine::MachineData& data);
+tl::expected<lexer::Aliases, std::string> make_aliases(const machine::MachineData& data);
 
 }  // namespace gsim::engine

@@ -10,7 +10,8 @@
 namespace gsim::engine {
 
 /// Returns an output that delivers motor forces and torques as columns. `machine` and `dynamics` outlive it.
-std::unique_ptr<simulation::RunOutput> hand_out_efforts(TakeEfforts take, const machine::Machine& machine,
-                                                        const dynamics::Dynamics& dynamics);
+std::unique_ptr<simulation::RunOutput> make_efforts_output(EffortsHandler callback,
+                                                           const machine::Machine& machine,
+                                                           const dynamics::Dynamics& dynamics);
 
 }  // namespace gsim::engine

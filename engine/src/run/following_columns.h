@@ -9,7 +9,7 @@
 namespace gsim::engine {
 
 /// Returns an output that delivers the actual positions of axes and TCP as columns.
-std::unique_ptr<simulation::RunOutput> hand_out_following(TakeFollowing take,
-                                                          const simulation::FollowingSetup& setup);
+std::unique_ptr<simulation::RunOutput> make_following_output(FollowingHandler callback,
+                                                             const simulation::FollowingSetup& setup);
 
 }  // namespace gsim::engine

@@ -4,48 +4,49 @@
 #include <string>
 
 #include "engine/src/run/aliases.h"
-#include "grammar/control_name.h"
+#include "grammar/controller_name.h"
 
 namespace gsim::engine {
 
 namespace {
 
-constexpr const char* kUsualDialect = "ab9";
+constexpr const char* kDefaultDialect = "ab9";
 
-tl::expected<grammar::ControlName, std::string> control_of(const LanguageChoice& choice,
-                                                           const machine::ProgramTable& program) {
-    if (!choice.dialect.empty()) return grammar::control_named(choice.dialect);
-    if (program.dialect.empty()) return grammar::control_named(kUsualDialect);
-    return grammar::control_named(program.dialect).map_error([](const std::string& error) {
+tl::expected<grammar::ControllerName, std::string> resolve_controller(const LanguageOptions& language_options,
+                                                                      const machine::ProgramTable& program) {
+    if (!language_options.dialect.empty()) return grammar::find_controller(language_options.dialect);
+    if (program.dialect.empty()) return grammar::find_controller(kDefaultDialect);
+    return grammar::find_controller(program.dialect).map_error([](const std::string& error) {
         return "'dialect' under [program] of the machine file: " + error;
     });
 }
 
 }  // namespace
 
-tl::expected<Language, std::string> language_of(const LanguageChoice& choice,
-                                                const machine::ProgramTable& program,
-                                                const machine::MachineData& data) {
-    auto control = control_of(choice, program);
-    if (!control) return tl::unexpected(control.error());
-    return aliases_of(data).map([&](const lexer::Aliases& aliases) {
-        return Language{.dialect = control->dialect,
+tl::expected<Language, std::string> make_language(const LanguageOptions& language_options,
+                                                  const machine::ProgramTable& program,
+                                                  const machine::MachineData& data) {
+    auto controller = resolve_controller(language_options, program);
+    if (!controller) return tl::unexpected(controller.error());
+    return make_aliases(data).map([&](const lexer::Aliases& aliases) {
+        return Language{.dialect = controller->dialect,
                         .aliases = aliases,
-                        .unknown = choice.unknown == LanguageChoice::kWarn ? codegen::Unknown::warn
-                                                                           : codegen::Unknown::error,
+                        .unknown = language_options.unknown == LanguageOptions::kWarn
+                                       ? codegen::UnknownCodePolicy::warn
+                                       : codegen::UnknownCodePolicy::error,
                         .units = program.units,
-                        .caution = control->caution};
+                        .caution = controller->caution};
     });
 }
 
-std::vector<std::string> control_names() {
-    return grammar::control_names();
+std::vector<std::string> controller_names() {
+    return grammar::controller_names();
 }
 
-std::optional<std::string> why_no_control(const std::string& name) {
-    const auto control = grammar::control_named(name);
-    if (control) return std::nullopt;
-    return control.error();
+std::optional<std::string> find_controller_error(const std::string& name) {
+    const auto controller = grammar::find_controller(name);
+    if (controller) return std::nullopt;
+    return controller.error();
 }
 
 double start_unit_mm(const Language& language) {

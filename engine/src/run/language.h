@@ -11,9 +11,9 @@ namespace gsim::engine {
 
 /// Returns the combined language of a choice, the machine file and the machine data; the choice has priority
 /// over the machine file. The error is a message.
-tl::expected<Language, std::string> language_of(const LanguageChoice& choice,
-                                                const machine::ProgramTable& program,
-                                                const machine::MachineData& data);
+tl::expected<Language, std::string> make_language(const LanguageOptions& language_options,
+                                                  const machine::ProgramTable& program,
+                                                  const machine::MachineData& data);
 
 /// Returns mm of a program unit at the beginning of a run.
 double start_unit_mm(const Language& language);

@@ -4,20 +4,20 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/src/values.h"
+#include "engine/src/conversions.h"
 #include "machine/model/machine.h"
 #include "motion/dynamics/law_ends.h"
 #include "motion/segment/segment.h"
 
 namespace gsim::engine {
 
-static_assert(kMostAxes == rrs::kMaxJoints);
+static_assert(kMaxAxes == rrs::kMaxJoints);
 
-Segment::Segment(const motion::Segment& exact, const machine::Machine& machine, std::uint32_t in_line,
+Segment::Segment(const motion::Segment& exact, const machine::Machine& machine, std::uint32_t line_number,
                  bool on)
     : kind(static_cast<SegmentKind>(exact.kind)),
-      jet_on(on),
-      line(in_line),
+      process_on(on),
+      line(line_number),
       start_s(exact.start_s),
       duration_s(exact.duration_s),
       length_mm(exact.length_mm),
@@ -59,10 +59,10 @@ double Segment::peak_axis_speed_share() const {
     std::sort(ends_s.begin(), ends_s.end());
     double share = speed_share(*exact_, *machine_, 0);
     for (std::size_t part = 1; part < ends_s.size(); ++part) {
-        const double length_s = ends_s[part] - ends_s[part - 1];
-        for (int step = 1; length_s > 0 && step <= kSteps; ++step)
-            share =
-                std::max(share, speed_share(*exact_, *machine_, ends_s[part - 1] + length_s * step / kSteps));
+        const double part_duration_s = ends_s[part] - ends_s[part - 1];
+        for (int step = 1; part_duration_s > 0 && step <= kSteps; ++step)
+            share = std::max(
+                share, speed_share(*exact_, *machine_, ends_s[part - 1] + part_duration_s * step / kSteps));
     }
     return share;
 }

@@ -20,17 +20,17 @@ constexpr std::array kOverrideFileKeys{"override"sv};
 constexpr std::array kChangeKeys{"at_s"sv, "feed_percent"sv, "rapid_percent"sv, "spindle_percent"sv};
 
 /// The values of one override that a controller accepts.
-struct Allowed {
-    double least = 0;
-    double most = 0;
+struct PercentRange {
+    double min = 0;
+    double max = 0;
     std::vector<double> steps = {};
 
-    bool takes(double percent) const {
+    bool accepts(double percent) const {
         if (!steps.empty()) return std::find(steps.begin(), steps.end(), percent) != steps.end();
-        return percent >= least && percent <= most;
+        return percent >= min && percent <= max;
     }
     std::string text() const {
-        if (steps.empty()) return fmt::format("from {:g} to {:g} %", least, most);
+        if (steps.empty()) return fmt::format("from {:g} to {:g} %", min, max);
         std::string all;
         for (const double step : steps) {
             const char* separator = all.empty() ? "" : step == steps.back() ? " or " : ", ";
@@ -44,33 +44,33 @@ struct Allowed {
 struct Kind {
     std::string_view option;
     std::string_view key;
-    std::optional<double> OverrideChoice::*percent;
+    std::optional<double> OverrideOptions::*percent;
     double Overrides::*share;
-    Allowed (*allowed)(const rrs::OverrideRules&);
+    PercentRange (*feasible)(const rrs::OverrideRules&);
 };
 
-constexpr std::array kKindsOfOverride{
-    Kind{"--feed-override", "feed_percent", &OverrideChoice::feed_percent, &Overrides::feed,
+constexpr std::array kOverrideKinds{
+    Kind{"--feed-override", "feed_percent", &OverrideOptions::feed_percent, &Overrides::feed,
          [](const rrs::OverrideRules& r) {
-             return Allowed{r.feed_min_percent, r.feed_max_percent};
+             return PercentRange{r.feed_min_percent, r.feed_max_percent};
          }},
-    Kind{"--rapid-override", "rapid_percent", &OverrideChoice::rapid_percent, &Overrides::rapid,
+    Kind{"--rapid-override", "rapid_percent", &OverrideOptions::rapid_percent, &Overrides::rapid,
          [](const rrs::OverrideRules& r) {
-             return Allowed{0, r.rapid_max_percent, r.rapid_percents};
+             return PercentRange{0, r.rapid_max_percent, r.rapid_percents};
          }},
-    Kind{"--spindle-override", "spindle_percent", &OverrideChoice::spindle_percent, &Overrides::spindle,
+    Kind{"--spindle-override", "spindle_percent", &OverrideOptions::spindle_percent, &Overrides::spindle,
          [](const rrs::OverrideRules& r) {
-             return Allowed{r.spindle_min_percent, r.spindle_max_percent};
+             return PercentRange{r.spindle_min_percent, r.spindle_max_percent};
          }},
 };
 
 /// Returns why the controller rejects a value; empty if it accepts it.
-std::string fault_of(const Kind& kind, double percent, const rrs::ControllerRules& controller) {
+std::string override_error(const Kind& kind, double percent, const rrs::ControllerRules& controller) {
     if (controller.planner == rrs::PlannerKind::klipper && percent != 100)
         return "the planner \"klipper\" follows no override; M220 in the program sets its speed factor";
-    const Allowed allowed = kind.allowed(controller.overrides);
-    if (!allowed.takes(percent))
-        return fmt::format("the controller {} takes {}", controller.model, allowed.text());
+    const PercentRange feasible = kind.feasible(controller.overrides);
+    if (!feasible.accepts(percent))
+        return fmt::format("the controller {} takes {}", controller.model, feasible.text());
     if (percent <= 0 && kind.share == &Overrides::spindle)
         return "a spindle at 0 % would never let go on what follows it";
     return {};
@@ -95,7 +95,7 @@ class ChangesReader {
         OverrideChange change = changes_.back();
         change.at_s = section.number("at_s", 0, NumberRule::not_negative);
         bool turns = false;
-        for (const Kind& kind : kKindsOfOverride) turns = read_share(section, kind, change.to) || turns;
+        for (const Kind& kind : kOverrideKinds) turns = read_share(section, kind, change.to) || turns;
         if (!turns)
             section.fail("at_s",
                          "[[override]] turns nothing: it takes feed_percent, rapid_percent and "
@@ -114,8 +114,8 @@ class ChangesReader {
     bool read_share(base::TomlSection& section, const Kind& kind, Overrides& to) {
         if (!section.has(kind.key)) return false;
         const double percent = section.number(kind.key, 100, NumberRule::not_negative);
-        if (const std::string fault = fault_of(kind, percent, controller_); !fault.empty())
-            section.fail(kind.key, fmt::format("'{}' is {:g}: {}", kind.key, percent, fault));
+        if (const std::string error = override_error(kind, percent, controller_); !error.empty())
+            section.fail(kind.key, fmt::format("'{}' is {:g}: {}", kind.key, percent, error));
         to.*kind.share = percent / 100;
         return true;
     }
@@ -146,14 +146,14 @@ tl::expected<OverrideSchedule, std::string> read_override_changes(std::string_vi
 }
 
 tl::expected<OverrideSchedule, std::string> read_overrides(const os::Files& files,
-                                                           const OverrideChoice& choice,
+                                                           const OverrideOptions& options,
                                                            const rrs::ControllerRules& controller) {
     Overrides first;
-    for (const Kind& kind : kKindsOfOverride) {
-        const auto& percent = choice.*kind.percent;
+    for (const Kind& kind : kOverrideKinds) {
+        const auto& percent = options.*kind.percent;
         if (!percent) continue;
-        if (const std::string fault = fault_of(kind, *percent, controller); !fault.empty())
-            return tl::unexpected(fmt::format("{} {:g}: {}", kind.option, *percent, fault));
+        if (const std::string error = override_error(kind, *percent, controller); !error.empty())
+            return tl::unexpected(fmt::format("{} {:g}: {}", kind.option, *percent, error));
         if (*percent <= 0) {
             return tl::unexpected(
                 fmt::format("{} 0 would hold the machine for ever; a file of changes (--overrides) may hold "
@@ -162,12 +162,12 @@ tl::expected<OverrideSchedule, std::string> read_overrides(const os::Files& file
         }
         first.*kind.share = *percent / 100;
     }
-    if (!choice.file.empty()) {
-        const auto text = files.read_text(choice.file, os::NamedBy::command_line);
+    if (!options.file.empty()) {
+        const auto text = files.read_text(options.file, os::NameSource::command_line);
         if (!text) return tl::unexpected(text.error());
-        return read_override_changes(*text, choice.file, first, controller);
+        return read_override_changes(*text, options.file, first, controller);
     }
-    if (choice.turns_nothing()) return OverrideSchedule();
+    if (options.is_default()) return OverrideSchedule();
     return OverrideSchedule({{0, first}});
 }
 

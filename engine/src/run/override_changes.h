@@ -15,7 +15,7 @@ namespace gsim::engine {
 /// Returns the overrides of a run on this controller: at first as in the choice, then as in its file. The
 /// error is a message; it names the range of the controller, and the source location in a file.
 tl::expected<motion::OverrideSchedule, std::string> read_overrides(const os::Files& files,
-                                                                   const OverrideChoice& choice,
+                                                                   const OverrideOptions& options,
                                                                    const rrs::ControllerRules& controller);
 
 /// Does the same with a file's text. `first` applies at the start of the run.

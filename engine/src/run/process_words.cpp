@@ -14,22 +14,24 @@ namespace {
 
 using machine::SwitchWord;
 
-const grammar::Code* code_of(const SwitchWord& word, const grammar::Dialect& dialect) {
+const grammar::Code* find_code(const SwitchWord& word, const grammar::Dialect& dialect) {
     return dialect.find('M', word.code * 10);
 }
 
-bool is_word_of(const SwitchWord& word, const grammar::Dialect& dialect) {
-    const grammar::Code* code = code_of(word, dialect);
+bool is_word_in_dialect(const SwitchWord& word, const grammar::Dialect& dialect) {
+    const grammar::Code* code = find_code(word, dialect);
     return code != nullptr && std::all_of(word.words.begin(), word.words.end(), [&](const auto& each) {
                return code->words.find(each.first) != std::string_view::npos;
            });
 }
 
-std::optional<std::string> fault_of_word(const SwitchWord& word) {
+std::optional<std::string> check_word(const SwitchWord& word) {
     const std::array dialects{&grammar::dialect_ab9(), &grammar::dialect_rs274ngc()};
-    const auto has_word = [&](const grammar::Dialect* dialect) { return is_word_of(word, *dialect); };
+    const auto has_word = [&](const grammar::Dialect* dialect) { return is_word_in_dialect(word, *dialect); };
     if (std::any_of(dialects.begin(), dialects.end(), has_word)) return std::nullopt;
-    const auto has_code = [&](const grammar::Dialect* dialect) { return code_of(word, *dialect) != nullptr; };
+    const auto has_code = [&](const grammar::Dialect* dialect) {
+        return find_code(word, *dialect) != nullptr;
+    };
     if (std::any_of(dialects.begin(), dialects.end(), has_code))
         return fmt::format("[process]: M{} takes no such words as in {}", word.code, word.text());
     return fmt::format(
@@ -37,9 +39,9 @@ std::optional<std::string> fault_of_word(const SwitchWord& word) {
         word.code);
 }
 
-bool any_of_dialect(const std::vector<SwitchWord>& words, const grammar::Dialect& dialect) {
+bool has_word_in_dialect(const std::vector<SwitchWord>& words, const grammar::Dialect& dialect) {
     return std::any_of(words.begin(), words.end(),
-                       [&](const SwitchWord& word) { return is_word_of(word, dialect); });
+                       [&](const SwitchWord& word) { return is_word_in_dialect(word, dialect); });
 }
 
 std::string texts(const std::vector<SwitchWord>& words) {
@@ -51,21 +53,20 @@ std::string texts(const std::vector<SwitchWord>& words) {
 
 }  // namespace
 
-std::optional<std::string> fault_of_process(const machine::Process& process) {
+std::optional<std::string> check_process(const machine::Process& process) {
     for (const auto* words : {&process.on, &process.off}) {
         for (const SwitchWord& word : *words) {
-            if (auto fault = fault_of_word(word)) return fault;
+            if (auto error = check_word(word)) return error;
         }
     }
     return std::nullopt;
 }
 
-std::optional<std::string> fault_of_process(const machine::Process& process,
-                                            const grammar::Dialect& dialect) {
-    for (const auto& [words, way] : {std::pair{&process.on, "on"}, {&process.off, "off"}}) {
-        if (any_of_dialect(*words, dialect)) continue;
+std::optional<std::string> check_process(const machine::Process& process, const grammar::Dialect& dialect) {
+    for (const auto& [words, state] : {std::pair{&process.on, "on"}, {&process.off, "off"}}) {
+        if (has_word_in_dialect(*words, dialect)) continue;
         return fmt::format("[process]: the {} is switched {} by {}, and {} has none of these",
-                           machine::name(process.kind), way, texts(*words), dialect.name());
+                           machine::name(process.kind), state, texts(*words), dialect.name());
     }
     return std::nullopt;
 }

@@ -10,13 +10,13 @@ namespace gsim::engine {
 namespace {
 
 /// Returns the number of bytes, limited to the largest number that this system can count.
-std::size_t countable(std::uint64_t bytes) {
-    constexpr std::uint64_t kMost = std::numeric_limits<std::size_t>::max();
-    return static_cast<std::size_t>(bytes > kMost ? kMost : bytes);
+std::size_t clamp_to_size(std::uint64_t bytes) {
+    constexpr std::uint64_t kMax = std::numeric_limits<std::size_t>::max();
+    return static_cast<std::size_t>(bytes > kMax ? kMax : bytes);
 }
 
-script::Engine::Options options_of(const Request& request, RunInputs& inputs, const RunTools& tools,
-                                   ShowProgress progress) {
+script::Engine::Options make_options(const Request& request, RunInputs& inputs, const RunContext& tools,
+                                     ProgressHandler progress) {
     script::Engine::Options options = engine_options(request, std::move(inputs.data), inputs.language, tools);
     options.setup = std::move(inputs.setup);
     options.progress = std::move(progress);
@@ -25,7 +25,7 @@ script::Engine::Options options_of(const Request& request, RunInputs& inputs, co
 
 }  // namespace
 
-SharedLibrary::SharedLibrary() : compiled_(std::make_shared<script::CompiledLibrary>()) {}
+CompiledLuaLibrary::CompiledLuaLibrary() : compiled_(std::make_shared<script::CompiledLibraryCache>()) {}
 
 simulation::RunLimits run_limits(const Request& request, os::CpuLimit& cpu) {
     return {.max_time_s = request.limits.machine_s,
@@ -35,19 +35,19 @@ simulation::RunLimits run_limits(const Request& request, os::CpuLimit& cpu) {
 }
 
 script::Engine::Options engine_options(const Request& request, machine::MachineData data,
-                                       const Language& language, const RunTools& tools) {
-    const os::Files& files = request.host.files.inner();
+                                       const Language& language, const RunContext& tools) {
+    const os::Files& files = request.host.files.impl();
     script::Engine::Options options;
-    options.limits.memory_bytes = countable(request.limits.memory_bytes);
+    options.limits.memory_bytes = clamp_to_size(request.limits.memory_bytes);
     options.limits.steps = request.limits.steps;
     options.cpu = &tools.cpu;
     if (!request.library.empty()) {
         options.library = script::Library(request.library, files);
-    } else if (request.shared_library) {
-        options.library = script::Library(request.shared_library->inner());
+    } else if (request.compiled_lua_library) {
+        options.library = script::Library(request.compiled_lua_library->impl());
     }
     options.data = std::move(data);
-    options.find_program = program_finder(files, request.program, language, tools.tell);
+    options.find_program = program_finder(files, request.program, language, tools.on_diagnostic);
     options.find_module = module_finder(files, request.program, request.limits.memory_bytes);
     options.dialect = language.dialect->name();
     options.codes = word_table(*language.dialect);
@@ -58,15 +58,15 @@ script::Engine::Options engine_options(const Request& request, machine::MachineD
     return options;
 }
 
-ProgramRun::ProgramRun(const FoundRequest& found, RunInputs inputs, const RunTools& tools,
-                       ShowProgress progress)
-    : remedy_(found, inputs, tools.cpu),
+ProgramRun::ProgramRun(const ResolvedRequest& found, RunInputs inputs, const RunContext& tools,
+                       ProgressHandler progress)
+    : suggested_fix_search_(found, inputs, tools.cpu),
       simulator_(std::move(inputs.machine), run_limits(found.request, tools.cpu), std::move(inputs.module)),
       cell_(std::move(inputs.cell)),
       document_(std::move(inputs.document)),
       program_(inputs.program.file_name),
       script_(std::move(inputs.program)),
-      engine_(simulator_, options_of(found.request, inputs, tools, std::move(progress))) {
+      engine_(simulator_, make_options(found.request, inputs, tools, std::move(progress))) {
     simulator_.set_cell(*cell_);
     simulator_.set_probe(inputs.probe);
     if (!inputs.overrides.changes().empty()) simulator_.set_overrides(inputs.overrides);
@@ -76,7 +76,7 @@ simulation::Report ProgramRun::run() {
     engine_.run(std::move(script_));
     simulation::Report report = simulator_.finish(program_);
     engine_.report(report);
-    remedy_.look_for(report);
+    suggested_fix_search_.search(report);
     return report;
 }
 

@@ -5,19 +5,19 @@
 #include <memory>
 #include <string>
 
-#include "engine/src/run/remedy.h"
 #include "engine/src/run/run_inputs.h"
+#include "engine/src/run/suggested_fix_search.h"
 #include "runtime/report/report.h"
 #include "runtime/script/engine/engine.h"
 
 namespace gsim::engine {
 
-using ShowProgress = std::function<void(std::uint64_t done, std::uint64_t total)>;
+using ProgressHandler = std::function<void(std::uint64_t done, std::uint64_t total)>;
 
 /// Returns the options of the script interpreter for a request. The request, and everything that `tell`
 /// refers to, must outlive it.
 script::Engine::Options engine_options(const Request& request, machine::MachineData data,
-                                       const Language& language, const RunTools& tools);
+                                       const Language& language, const RunContext& tools);
 
 /// Returns the limits of a simulator.
 simulation::RunLimits run_limits(const Request& request, os::CpuLimit& cpu);
@@ -26,7 +26,8 @@ simulation::RunLimits run_limits(const Request& request, os::CpuLimit& cpu);
 class ProgramRun {
   public:
     /// Creates a run before any motion; all arguments must outlive it.
-    ProgramRun(const FoundRequest& found, RunInputs inputs, const RunTools& tools, ShowProgress progress);
+    ProgramRun(const ResolvedRequest& found, RunInputs inputs, const RunContext& tools,
+               ProgressHandler progress);
 
     simulation::Simulator& simulator() { return simulator_; }
     script::Engine& engine() { return engine_; }
@@ -38,9 +39,9 @@ class ProgramRun {
     simulation::Report run();
 
   private:
-    Remedy remedy_;
+    SuggestedFixSearch suggested_fix_search_;
     simulation::Simulator simulator_;
-    std::unique_ptr<simulation::CellWatch> cell_;
+    std::unique_ptr<simulation::CellMonitor> cell_;
     machine::MachineDataDocument document_;
     std::string program_;
     script::Script script_;

@@ -17,34 +17,34 @@ namespace gsim::engine {
 
 namespace {
 
-tl::unexpected<InputError> refused(std::string message) {
+tl::unexpected<InputError> unexpected_error(std::string message) {
     return tl::unexpected(
         InputError{.message = std::move(message), .kind = text::DiagnosticKind::input_file});
 }
 
 }  // namespace
 
-tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> RobotsRun::read_cell(
+tl::expected<std::unique_ptr<simulation::CellMonitor>, std::string> RobotsRun::read_cell(
     const process::RobotEntry& entry, const machine::Machine& machine,
     const std::vector<std::string>& conveyors) const {
     const Request& request = found_->request;
-    CellChoice choice{.file = entry.cell.string(),
-                      .text = {},
-                      .collisions = request.collisions,
-                      .files = mesh_files(request.host)};
-    if (choice.file.empty()) return read_run_cell(choice, machine, conveyors);
-    return request.host.files.inner().read_text(choice.file).and_then([&](const std::string& text) {
-        choice.text = text;
-        return read_run_cell(choice, machine, conveyors);
+    CellSource cell_source{.file = entry.cell.string(),
+                           .text = {},
+                           .collisions = request.collisions,
+                           .files = mesh_files(request.host)};
+    if (cell_source.file.empty()) return make_cell_monitor(cell_source, machine, conveyors);
+    return request.host.files.impl().read_text(cell_source.file).and_then([&](const std::string& text) {
+        cell_source.text = text;
+        return make_cell_monitor(cell_source, machine, conveyors);
     });
 }
 
 tl::expected<RobotsRun::Station, InputError> RobotsRun::make_station(
     const process::RobotEntry& entry, const std::vector<std::string>& conveyors) const {
     const Request& request = found_->request;
-    const os::Files& files = request.host.files.inner();
-    auto input = read_machine_input(request.host, entry.machine.string(), os::NamedBy::a_file);
-    if (!input) return refused(input.error());
+    const os::Files& files = request.host.files.impl();
+    auto input = read_machine_input(request.host, entry.machine.string(), os::NameSource::in_file);
+    if (!input) return unexpected_error(input.error());
     machine::Machine* machine = &input->machine;
     Station station;
     station.entry = entry;
@@ -53,41 +53,41 @@ tl::expected<RobotsRun::Station, InputError> RobotsRun::make_station(
         const std::string name = entry.machine_data.string();
         auto data = files.read_text(name).and_then(
             [&](const std::string& text) { return machine::read_machine_data(text, name, machine->axes); });
-        if (!data) return refused(data.error());
+        if (!data) return unexpected_error(data.error());
         station.data = *std::move(data);
     }
-    LanguageChoice choice = request.language;
-    if (!entry.dialect.empty()) choice.dialect = entry.dialect;
-    auto language = language_of(choice, machine->program, station.data);
-    if (!language) return refused(language.error());
+    LanguageOptions cell_source = request.language;
+    if (!entry.dialect.empty()) cell_source.dialect = entry.dialect;
+    auto language = make_language(cell_source, machine->program, station.data);
+    if (!language) return unexpected_error(language.error());
     station.language = *std::move(language);
-    station.language.cpu = &tools_->cpu;
+    station.language.cpu = &run_context_->cpu;
     station.language.memory_bytes = request.limits.memory_bytes;
     if (machine->process) {
-        if (const auto fault = fault_of_process(*machine->process, *station.language.dialect))
-            return refused(*fault);
+        if (const auto error = check_process(*machine->process, *station.language.dialect))
+            return unexpected_error(*error);
     }
     auto overrides = read_overrides(files, request.overrides, machine->controller);
-    if (!overrides) return refused(fmt::format("robot {}: {}", entry.name, overrides.error()));
+    if (!overrides) return unexpected_error(fmt::format("robot {}: {}", entry.name, overrides.error()));
     auto cell = read_cell(entry, *machine, conveyors);
-    if (!cell) return refused(cell.error());
+    if (!cell) return unexpected_error(cell.error());
     station.cell = *std::move(cell);
     auto dynamics = simulation::make_dynamics(*machine, mesh_files(request.host));
-    if (!dynamics) return refused(fmt::format("robot {}: {}", entry.name, dynamics.error()));
+    if (!dynamics) return unexpected_error(fmt::format("robot {}: {}", entry.name, dynamics.error()));
     station.simulator =
-        std::make_unique<simulation::Simulator>(std::move(*machine), run_limits(request, tools_->cpu));
+        std::make_unique<simulation::Simulator>(std::move(*machine), run_limits(request, run_context_->cpu));
     station.simulator->set_cell(*station.cell);
     station.simulator->set_dynamics(*std::move(dynamics));
     if (!overrides->changes().empty()) station.simulator->set_overrides(*overrides);
     return station;
 }
 
-tl::expected<RobotsRun, InputError> RobotsRun::open(const FoundRequest& found, const RunTools& tools) {
+tl::expected<RobotsRun, InputError> RobotsRun::open(const ResolvedRequest& found, const RunContext& tools) {
     const std::string& name = found.request.robots;
-    auto file = found.request.host.files.inner()
-                    .read_text(name, os::NamedBy::command_line)
+    auto file = found.request.host.files.impl()
+                    .read_text(name, os::NameSource::command_line)
                     .and_then([&](const std::string& text) { return process::read_robots(text, name); });
-    if (!file) return refused(file.error());
+    if (!file) return unexpected_error(file.error());
     std::vector<std::string> conveyors;
     conveyors.reserve(file->conveyors.size());
     for (const process::Conveyor& conveyor : file->conveyors) conveyors.push_back(conveyor.name());
@@ -100,11 +100,11 @@ tl::expected<RobotsRun, InputError> RobotsRun::open(const FoundRequest& found, c
     }
     run.conveyors_ = std::move(file->conveyors);
     run.zones_ = std::move(file->zones);
-    run.watch_robots();
+    run.monitor_robots();
     return run;
 }
 
-void RobotsRun::watch_robots() {
+void RobotsRun::monitor_robots() {
     std::vector<simulation::PlacedRobot> robots;
     robots.reserve(stations_.size());
     for (Station& station : stations_)
@@ -113,40 +113,40 @@ void RobotsRun::watch_robots() {
     zones.reserve(zones_.size());
     for (const process::SharedZone& zone : zones_)
         zones.push_back({zone.name, cell::make_shape(zone.form).value(), zone.frame});  // it is no mesh
-    watch_ = std::make_unique<simulation::RobotsWatch>(robots, zones, &tools_->cpu);
+    monitor_ = std::make_unique<simulation::MultiRobotMonitor>(robots, zones, &run_context_->cpu);
 }
 
 std::vector<script::Robot> RobotsRun::robots() {
     const Request& request = found_->request;
-    const os::Files& files = request.host.files.inner();
+    const os::Files& files = request.host.files.impl();
     std::vector<script::Robot> robots;
     robots.reserve(stations_.size());
     for (Station& station : stations_) {
-        robots.push_back(
-            {.name = station.entry.name,
-             .simulator = *station.simulator,
-             .dialect = station.language.dialect->name(),
-             .codes = word_table(*station.language.dialect),
-             .unit_mm = start_unit_mm(station.language),
-             .data = std::move(station.data),
-             .find_program = program_finder(files, request.program, station.language, tools_->tell),
-             .find_module = module_finder(files, request.program, request.limits.memory_bytes),
-             .base = station.entry.base});
+        robots.push_back({.name = station.entry.name,
+                          .simulator = *station.simulator,
+                          .dialect = station.language.dialect->name(),
+                          .codes = word_table(*station.language.dialect),
+                          .unit_mm = start_unit_mm(station.language),
+                          .data = std::move(station.data),
+                          .find_program = program_finder(files, request.program, station.language,
+                                                         run_context_->on_diagnostic),
+                          .find_module = module_finder(files, request.program, request.limits.memory_bytes),
+                          .base = station.entry.base});
     }
     return robots;
 }
 
-tl::expected<void, InputError> RobotsRun::prepare(OpenedScript& opened, ShowProgress progress) {
+tl::expected<void, InputError> RobotsRun::prepare(OpenedScript& opened, ProgressHandler progress) {
     const Language& language = stations_.front().language;
-    auto input = read_script(opened, language, tools_->tell);
+    auto input = read_script(opened, language, run_context_->on_diagnostic);
     if (!input) return tl::unexpected(input.error());
-    auto setup = read_setup(found_->request, language, tools_->tell);
+    auto setup = read_setup(found_->request, language, run_context_->on_diagnostic);
     if (!setup) return tl::unexpected(setup.error());
-    script::Engine::Options options = engine_options(found_->request, {}, {}, *tools_);
+    script::Engine::Options options = engine_options(found_->request, {}, {}, *run_context_);
     options.setup = *std::move(setup);
     options.progress = std::move(progress);
     options.zones = std::move(zones_);
-    if (watch_->has_pairs()) options.robots_watch = watch_.get();
+    if (monitor_->has_pairs()) options.multi_robot_monitor = monitor_.get();
     program_ = input->file_name;
     script_ = *std::move(input);
     engine_ = std::make_unique<script::Engine>(robots(), std::move(conveyors_), std::move(options));
@@ -160,17 +160,17 @@ std::vector<simulation::RobotReport> RobotsRun::run() {
     for (std::size_t i = 0; i < stations_.size(); ++i)
         reports.push_back(
             {stations_[i].entry.name, engine_->idle_s(i), stations_[i].simulator->finish(program_)});
-    watch_->finish();
-    watch_->add_findings(reports);
+    monitor_->finish();
+    monitor_->add_findings(reports);
     return reports;
 }
 
-simulation::RobotsReport RobotsRun::whole(std::vector<simulation::RobotReport> robots) const {
-    simulation::Report whole;
-    whole.program = program_;
-    engine_->report(whole);
-    for (std::string& warning : watch_->warnings()) whole.warnings.push_back(std::move(warning));
-    return simulation::robots_report(std::move(whole), std::move(robots));
+simulation::RobotsReport RobotsRun::combined_report(std::vector<simulation::RobotReport> robots) const {
+    simulation::Report combined_report;
+    combined_report.program = program_;
+    engine_->report(combined_report);
+    for (std::string& warning : monitor_->warnings()) combined_report.warnings.push_back(std::move(warning));
+    return simulation::robots_report(std::move(combined_report), std::move(robots));
 }
 
 }  // namespace gsim::engine

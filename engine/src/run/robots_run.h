@@ -9,7 +9,7 @@
 
 #include "engine/src/run/program_run.h"
 #include "engine/src/run/run_inputs.h"
-#include "runtime/monitors/robots_watch.h"
+#include "runtime/monitors/multi_robot_monitor.h"
 #include "runtime/processes/robots_file.h"
 #include "runtime/report/robots_report.h"
 #include "runtime/script/engine/engine.h"
@@ -22,45 +22,45 @@ class RobotsRun {
     /// All data of one robot for the run; it keeps its address.
     struct Station {
         process::RobotEntry entry;
-        std::unique_ptr<simulation::CellWatch> cell;
+        std::unique_ptr<simulation::CellMonitor> cell;
         std::unique_ptr<simulation::Simulator> simulator;
         Language language;
         machine::MachineData data;
     };
 
     /// Reads the file of robots, and the files that it names. The arguments must outlive the run.
-    static tl::expected<RobotsRun, InputError> open(const FoundRequest& found, const RunTools& tools);
+    static tl::expected<RobotsRun, InputError> open(const ResolvedRequest& found, const RunContext& tools);
 
     std::vector<Station>& stations() { return stations_; }
     const std::vector<Station>& stations() const { return stations_; }
     const std::string& program() const { return program_; }
 
     /// Reads the program.
-    tl::expected<void, InputError> prepare(OpenedScript& opened, ShowProgress progress);
+    tl::expected<void, InputError> prepare(OpenedScript& opened, ProgressHandler progress);
     /// Runs it. Returns the reports of the robots, in their order, without the additions of outputs.
     std::vector<simulation::RobotReport> run();
     /// Returns the complete report, from the reports of the robots.
-    simulation::RobotsReport whole(std::vector<simulation::RobotReport> robots) const;
+    simulation::RobotsReport combined_report(std::vector<simulation::RobotReport> robots) const;
 
   private:
-    RobotsRun(const FoundRequest& found, const RunTools& tools) : found_(&found), tools_(&tools) {}
+    RobotsRun(const ResolvedRequest& found, const RunContext& tools) : found_(&found), run_context_(&tools) {}
 
     tl::expected<Station, InputError> make_station(const process::RobotEntry& entry,
                                                    const std::vector<std::string>& conveyors) const;
-    tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_cell(
+    tl::expected<std::unique_ptr<simulation::CellMonitor>, std::string> read_cell(
         const process::RobotEntry& entry, const machine::Machine& machine,
         const std::vector<std::string>& conveyors) const;
     std::vector<script::Robot> robots();
-    void watch_robots();
+    void monitor_robots();
 
-    const FoundRequest* found_;
-    const RunTools* tools_;
+    const ResolvedRequest* found_;
+    const RunContext* run_context_;
     std::vector<Station> stations_;
     std::vector<process::Conveyor> conveyors_;
     std::vector<process::SharedZone> zones_;
     std::string program_;
     std::optional<script::Script> script_;
-    std::unique_ptr<simulation::RobotsWatch> watch_;
+    std::unique_ptr<simulation::MultiRobotMonitor> monitor_;
     std::unique_ptr<script::Engine> engine_;
 };
 

@@ -2,40 +2,43 @@
 
 #include <utility>
 
-#include "engine/src/guarded.h"
+#include "engine/src/guard_exceptions.h"
 #include "engine/src/host_names.h"
+#include "engine/src/run/chunk_outputs.h"
 #include "engine/src/run/effort_columns.h"
 #include "engine/src/run/following_columns.h"
 #include "engine/src/run/run_state.h"
 #include "engine/src/run/segment_columns.h"
-#include "engine/src/run/takers.h"
 
 namespace gsim::engine {
 
 using text::DiagnosticKind;
 
-tl::expected<Run, Failure> Run::open(Request request, Tell tell) {
-    return guarded([&]() -> tl::expected<Run, Failure> {
-        if (std::string fault = find_contradiction(request); !fault.empty())
-            return tl::unexpected(failure_of(DiagnosticKind::usage, std::move(fault)));
+tl::expected<Run, Error> Run::open(Request request, DiagnosticHandler on_diagnostic) {
+    return guard_exceptions([&]() -> tl::expected<Run, Error> {
+        if (std::string error = find_contradiction(request); !error.empty())
+            return tl::unexpected(make_error(DiagnosticKind::usage, std::move(error)));
         const std::string cell = request.cell;
-        auto found = with_files_found(std::move(request));
+        auto found = resolve_files(std::move(request));
         if (!found)
-            return tl::unexpected(failure_of(DiagnosticKind::input_file, std::move(found.error()), cell));
-        Run run(std::make_unique<State>(*std::move(found), std::move(tell)));
+            return tl::unexpected(make_error(DiagnosticKind::input_file, std::move(found.error()), cell));
+        Run run(std::make_unique<State>(*std::move(found), std::move(on_diagnostic)));
         if (auto opened = run.state_->open(); !opened) return tl::unexpected(std::move(opened.error()));
         return run;
     });
 }
 
-tl::expected<Run, Failure> Run::open(Request request, const Machine& machine, Tell tell) {
-    return guarded([&]() -> tl::expected<Run, Failure> {
-        if (std::string fault = find_contradiction(request); !fault.empty())
-            return tl::unexpected(failure_of(DiagnosticKind::usage, std::move(fault)));
-        auto named = with_names_found(std::move(request));
-        if (!named) return tl::unexpected(failure_of(DiagnosticKind::input_file, std::move(named.error())));
-        Run run(std::make_unique<State>(FoundRequest{.request = *std::move(named)}, std::move(tell)));
-        if (auto opened = run.state_->open_on(machine.parts()); !opened)
+tl::expected<Run, Error> Run::open(Request request, const Machine& machine, DiagnosticHandler on_diagnostic) {
+    return guard_exceptions([&]() -> tl::expected<Run, Error> {
+        if (std::string error = find_contradiction(request); !error.empty())
+            return tl::unexpected(make_error(DiagnosticKind::usage, std::move(error)));
+        auto resolved_request = resolve_names(std::move(request));
+        if (!resolved_request)
+            return tl::unexpected(
+                make_error(DiagnosticKind::input_file, std::move(resolved_request.error())));
+        Run run(std::make_unique<State>(ResolvedRequest{.request = *std::move(resolved_request)},
+                                        std::move(on_diagnostic)));
+        if (auto opened = run.state_->open_on_machine(machine.parts()); !opened)
             return tl::unexpected(std::move(opened.error()));
         return run;
     });
@@ -46,8 +49,8 @@ Run::Run(Run&&) noexcept = default;
 Run& Run::operator=(Run&&) noexcept = default;
 Run::~Run() = default;
 
-tl::expected<void, Failure> Run::prepare() {
-    return guarded([this] { return state_->prepare(); });
+tl::expected<void, Error> Run::prepare() {
+    return guard_exceptions([this] { return state_->prepare(); });
 }
 
 const std::vector<std::string>& Run::robots() const {
@@ -65,92 +68,94 @@ AxisValues Run::home(std::size_t robot) const {
     return values;
 }
 
-tl::expected<void, Failure> Run::write(Document document, TextSink sink, const DocumentOptions& options,
-                                       std::size_t robot) {
-    return guarded([&] {
-        return state_->documents(robot)
-            .add(document, std::move(sink), options)
+tl::expected<void, Error> Run::write(OutputKind output_kind, TextSink sink, const OutputOptions& options,
+                                     std::size_t robot) {
+    return guard_exceptions([&] {
+        return state_->outputs(robot)
+            .add(output_kind, std::move(sink), options)
             .map_error(
-                [](std::string fault) { return failure_of(DiagnosticKind::output, std::move(fault)); });
+                [](std::string error) { return make_error(DiagnosticKind::output, std::move(error)); });
     });
 }
 
-void Run::take_moves(TakeMoves take, std::size_t robot) {
+void Run::on_moves(MovesHandler callback, std::size_t robot) {
     simulation::Simulator& simulator = state_->simulator(robot);
-    state_->documents(robot).add_output(
-        hand_out_moves(std::move(take), simulator.machine(), simulator.files()));
+    state_->outputs(robot).add_output(
+        make_moves_output(std::move(callback), simulator.machine(), simulator.files()));
 }
 
 void Run::observe_motion(simulation::MotionObserver& observer, std::size_t robot) {
     state_->simulator(robot).observe_motion(observer);
 }
 
-void Run::take_segments(TakeSegments take, std::size_t robot) {
-    state_->documents(robot).add_output(
-        hand_out_segments(std::move(take), state_->simulator(robot).machine()));
+void Run::on_segments(SegmentsHandler callback, std::size_t robot) {
+    state_->outputs(robot).add_output(
+        make_segments_output(std::move(callback), state_->simulator(robot).machine()));
 }
 
-void Run::take_columns(TakeColumns take, std::size_t robot) {
+void Run::on_columns(ColumnsHandler callback, std::size_t robot) {
     simulation::Simulator& simulator = state_->simulator(robot);
     if (simulator.cell() != nullptr) simulator.cell()->keep_history();
-    state_->documents(robot).add_output(
-        hand_out_columns(std::move(take), simulator.machine(), simulator.tips_mm()));
+    state_->outputs(robot).add_output(
+        make_columns_output(std::move(callback), simulator.machine(), simulator.tcp_offsets_mm()));
 }
 
-tl::expected<void, Failure> Run::take_efforts(TakeEfforts take, std::size_t robot) {
+tl::expected<void, Error> Run::on_efforts(EffortsHandler callback, std::size_t robot) {
     const simulation::Simulator& simulator = state_->simulator(robot);
     const dynamics::Dynamics* dynamics = simulator.dynamics();
-    if (dynamics == nullptr) return tl::unexpected(failure_of(DiagnosticKind::usage, std::string(kNoMasses)));
-    state_->documents(robot).add_output(hand_out_efforts(std::move(take), simulator.machine(), *dynamics));
+    if (dynamics == nullptr)
+        return tl::unexpected(make_error(DiagnosticKind::usage, std::string(kNoMassesError)));
+    state_->outputs(robot).add_output(
+        make_efforts_output(std::move(callback), simulator.machine(), *dynamics));
     return {};
 }
 
-tl::expected<void, Failure> Run::take_following(TakeFollowing take, std::size_t robot) {
+tl::expected<void, Error> Run::on_following(FollowingHandler callback, std::size_t robot) {
     const auto setup = state_->simulator(robot).following_setup();
-    if (!setup) return tl::unexpected(failure_of(DiagnosticKind::usage, std::string(kNoServos)));
-    state_->documents(robot).add_output(hand_out_following(std::move(take), *setup));
+    if (!setup) return tl::unexpected(make_error(DiagnosticKind::usage, std::string(kNoServosError)));
+    state_->outputs(robot).add_output(make_following_output(std::move(callback), *setup));
     return {};
 }
 
-tl::expected<Scene, Failure> Run::scene(std::size_t robot) const {
-    return guarded([&]() -> tl::expected<Scene, Failure> { return state_->scene(robot); });
+tl::expected<Scene, Error> Run::scene(std::size_t robot) const {
+    return guard_exceptions([&]() -> tl::expected<Scene, Error> { return state_->scene(robot); });
 }
 
 const std::vector<std::string>& Run::files(std::size_t robot) const {
     return state_->simulator(robot).files();
 }
 
-tl::expected<void, Failure> Run::take_samples(TakeSamples take, double step_s, std::size_t robot) {
-    if (auto fault = fault_of_step(step_s))
-        return tl::unexpected(failure_of(DiagnosticKind::usage, *std::move(fault)));
+tl::expected<void, Error> Run::on_samples(SamplesHandler callback, double step_s, std::size_t robot) {
+    if (auto error = check_step(step_s))
+        return tl::unexpected(make_error(DiagnosticKind::usage, *std::move(error)));
     const simulation::Simulator& simulator = state_->simulator(robot);
-    state_->documents(robot).add_output(
-        hand_out_samples(std::move(take), simulator.machine(), step_s, simulator.max_time_s()));
+    state_->outputs(robot).add_output(
+        make_samples_output(std::move(callback), simulator.machine(), step_s, simulator.max_time_s()));
     return {};
 }
 
-void Run::show_progress(Progress progress) {
-    state_->show_progress(std::move(progress));
+void Run::on_progress(Progress progress) {
+    state_->on_progress(std::move(progress));
 }
 
-tl::expected<Report, Failure> Run::go() {
-    return guarded([this] { return state_->go(); });
+tl::expected<Report, Error> Run::go() {
+    return guard_exceptions([this] { return state_->go(); });
 }
 
-const std::vector<Failure>& Run::faults() const {
-    return state_->faults();
+const std::vector<Error>& Run::errors() const {
+    return state_->errors();
 }
 
-tl::expected<std::string, Failure> Run::variables() const {
-    return guarded([this] { return state_->variables(); });
+tl::expected<std::string, Error> Run::variables() const {
+    return guard_exceptions([this] { return state_->variables(); });
 }
 
-tl::expected<std::string, Failure> Run::machine_data() const {
-    return guarded([this] { return state_->machine_data(); });
+tl::expected<std::string, Error> Run::machine_data() const {
+    return guard_exceptions([this] { return state_->machine_data(); });
 }
 
-Report Run::report_of(const Failure& failure) const {
-    return state_->report_of(failure);
+Report Run::make_report(const Error& error) const {
+    return state_->make_report(error);
 }
 
 const Request& Run::request() const {
@@ -158,7 +163,7 @@ const Request& Run::request() const {
 }
 
 std::string program_folder(const std::string& program) {
-    return folder_of_program(program).string();
+    return main_program_folder(program).string();
 }
 
 std::vector<Run::NamedFile> Run::named_files() const {

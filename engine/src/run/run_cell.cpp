@@ -11,51 +11,54 @@ namespace gsim::engine {
 
 namespace {
 
-cell::Cell frames_alone(const machine::Machine& machine) {
+cell::Cell make_frames_only_cell(const machine::Machine& machine) {
     return {.name = machine.name, .frames = cell::FrameTree(machine)};
 }
 
-solid::Mesh mesh_of(Triangles triangles) {
+solid::Mesh to_mesh(Triangles triangles) {
     return {.vertices_mm = std::move(triangles.points_mm), .triangles = std::move(triangles.corners)};
 }
 
 }  // namespace
 
 cell::MeshFiles mesh_files(const Host& host) {
-    return {.files = host.files.inner(),
+    return {.files = host.files.impl(),
             .read_solid = [read = host.read_solid](const std::filesystem::path& file, double tolerance_mm)
                 -> tl::expected<solid::Mesh, std::string> {
                 if (!read) {
                     return tl::unexpected(fmt::format(
                         "{}: STEP and IGES files are not read here; STL and OBJ files are", file.string()));
                 }
-                return read(file.string(), tolerance_mm).map(mesh_of);
+                return read(file.string(), tolerance_mm).map(to_mesh);
             }};
 }
 
-tl::expected<cell::Cell, std::string> read_bodies(const CellChoice& choice, const machine::Machine& machine) {
-    if (!choice.collisions) return frames_alone(machine);
-    return read_cell_of_run(choice, machine);
+tl::expected<cell::Cell, std::string> read_bodies(const CellSource& cell_source,
+                                                  const machine::Machine& machine) {
+    if (!cell_source.collisions) return make_frames_only_cell(machine);
+    return read_cell_contents(cell_source, machine);
 }
 
-tl::expected<cell::Cell, std::string> read_cell_of_run(const CellChoice& choice,
-                                                       const machine::Machine& machine,
-                                                       std::span<const std::string> conveyors) {
-    if (!choice.file.empty())
-        return cell::read_cell(choice.text, choice.file, machine, conveyors, choice.files);
-    return choice.collisions ? cell::cell_of_machine(machine, choice.files) : frames_alone(machine);
+tl::expected<cell::Cell, std::string> read_cell_contents(const CellSource& cell_source,
+                                                         const machine::Machine& machine,
+                                                         std::span<const std::string> conveyors) {
+    if (!cell_source.file.empty())
+        return cell::read_cell(cell_source.text, cell_source.file, machine, conveyors, cell_source.files);
+    return cell_source.collisions ? cell::make_machine_cell(machine, cell_source.files)
+                                  : make_frames_only_cell(machine);
 }
 
-tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_run_cell(
-    const CellChoice& choice, const machine::Machine& machine, std::span<const std::string> conveyors) {
-    const bool of_file = !choice.file.empty();
-    const bool watched = choice.collisions && (of_file || !machine.shapes.empty());
-    const auto watch = [&](cell::Cell cell) {
-        return std::make_unique<simulation::CellWatch>(
-            std::move(cell), machine, simulation::CellUse{.of_file = of_file, .watched = watched});
+tl::expected<std::unique_ptr<simulation::CellMonitor>, std::string> make_cell_monitor(
+    const CellSource& cell_source, const machine::Machine& machine, std::span<const std::string> conveyors) {
+    const bool is_from_file = !cell_source.file.empty();
+    const bool monitored = cell_source.collisions && (is_from_file || !machine.shapes.empty());
+    const auto monitor = [&](cell::Cell cell) {
+        return std::make_unique<simulation::CellMonitor>(
+            std::move(cell), machine,
+            simulation::CellOptions{.is_from_file = is_from_file, .monitored = monitored});
     };
-    if (choice.read) return watch(*choice.read);
-    return read_cell_of_run(choice, machine, conveyors).map(watch);
+    if (cell_source.read) return monitor(*cell_source.read);
+    return read_cell_contents(cell_source, machine, conveyors).map(monitor);
 }
 
 }  // namespace gsim::engine

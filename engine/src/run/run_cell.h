@@ -8,17 +8,17 @@
 
 #include "engine/host.h"
 #include "geometry/mesh/mesh_file.h"
-#include "runtime/monitors/cell_watch.h"
+#include "runtime/monitors/cell_monitor.h"
 
 namespace gsim::engine {
 
 /// The bodies that a run or a study of a machine checks.
-struct CellChoice {
+struct CellSource {
     std::string file;        ///< The cell file; empty: none, the machine's own bodies alone.
     std::string text;        ///< Its contents.
     bool collisions = true;  ///< Else bodies are not looked at.
     cell::MeshFiles files = {};
-    /// The cell of a run that was read before, by read_cell_of_run(); null: not yet read.
+    /// The cell of a run that was read before, by read_cell_contents(); null: not yet read.
     std::shared_ptr<const cell::Cell> read = nullptr;
 };
 
@@ -26,15 +26,17 @@ struct CellChoice {
 cell::MeshFiles mesh_files(const Host& host);
 
 /// Returns the bodies to check. It reads meshes of the machine; the error is a message.
-tl::expected<cell::Cell, std::string> read_bodies(const CellChoice& choice, const machine::Machine& machine);
+tl::expected<cell::Cell, std::string> read_bodies(const CellSource& cell_source,
+                                                  const machine::Machine& machine);
 
 /// Returns the contents of the cell of a run. `conveyors` as in cell::load_cell(). The error is a message.
-tl::expected<cell::Cell, std::string> read_cell_of_run(const CellChoice& choice,
-                                                       const machine::Machine& machine,
-                                                       std::span<const std::string> conveyors = {});
+tl::expected<cell::Cell, std::string> read_cell_contents(const CellSource& cell_source,
+                                                         const machine::Machine& machine,
+                                                         std::span<const std::string> conveyors = {});
 
 /// Returns the cell of a run, which has at least the frames of the machine. The error is a message.
-tl::expected<std::unique_ptr<simulation::CellWatch>, std::string> read_run_cell(
-    const CellChoice& choice, const machine::Machine& machine, std::span<const std::string> conveyors = {});
+tl::expected<std::unique_ptr<simulation::CellMonitor>, std::string> make_cell_monitor(
+    const CellSource& cell_source, const machine::Machine& machine,
+    std::span<const std::string> conveyors = {});
 
 }  // namespace gsim::engine

@@ -9,7 +9,7 @@
 #include "engine/src/host_names.h"
 #include "engine/src/run/language.h"
 #include "engine/src/run/override_changes.h"
-#include "engine/src/run/probe_choice.h"
+#include "engine/src/run/probe_options.h"
 #include "engine/src/run/process_words.h"
 #include "engine/src/run/variables_text.h"
 
@@ -17,10 +17,10 @@ namespace gsim::engine {
 
 namespace {
 
-tl::expected<machine::MachineData, std::string> with_variables(const Request& request,
-                                                               machine::MachineData data) {
+tl::expected<machine::MachineData, std::string> add_variables(const Request& request,
+                                                              machine::MachineData data) {
     if (request.variables.empty()) return data;
-    return read_variables(request.host.files.inner(), request.variables)
+    return read_variables(request.host.files.impl(), request.variables)
         .map([&](const std::map<int, double>& variables) {
             for (const auto& [number, value] : variables) data.variables[number] = value;
             return std::move(data);
@@ -28,19 +28,19 @@ tl::expected<machine::MachineData, std::string> with_variables(const Request& re
 }
 
 // Sets the values that the request itself does not contain.
-void take_files_of_cell(FoundRequest& found, const cell::CellFiles& files) {
+void add_cell_files(ResolvedRequest& found, const cell::CellFiles& files) {
     Request& request = found.request;
     if (request.machine.empty()) {
         request.machine = files.machine.string();
-        found.machine_named_by = os::NamedBy::a_file;
+        found.machine_named_by = os::NameSource::in_file;
     }
     if (request.machine_data.empty()) {
         request.machine_data = files.machine_data.string();
-        found.machine_data_named_by = os::NamedBy::a_file;
+        found.machine_data_named_by = os::NameSource::in_file;
     }
 }
 
-std::string contradiction_of_robots(const Request& request) {
+std::string robots_contradiction(const Request& request) {
     for (const auto& [value, option] : {std::pair{&request.machine, "--machine"},
                                         {&request.machine_data, "--machine-data"},
                                         {&request.cell, "--cell"},
@@ -52,16 +52,16 @@ std::string contradiction_of_robots(const Request& request) {
     return {};
 }
 
-std::string first_override(const OverrideChoice& choice) {
-    if (choice.feed_percent) return "--feed-override";
-    if (choice.rapid_percent) return "--rapid-override";
-    return choice.spindle_percent ? "--spindle-override" : "--overrides";
+std::string first_override(const OverrideOptions& options) {
+    if (options.feed_percent) return "--feed-override";
+    if (options.rapid_percent) return "--rapid-override";
+    return options.spindle_percent ? "--spindle-override" : "--overrides";
 }
 
 }  // namespace
 
-tl::expected<machine::MachineDataDocument, std::string> read_data_of(const FoundRequest& found,
-                                                                     const MachineInput& input) {
+tl::expected<machine::MachineDataDocument, std::string> read_request_data(const ResolvedRequest& found,
+                                                                          const MachineInput& input) {
     const Request& request = found.request;
     const machine::Machine& machine = input.machine;
     if (request.machine_data.empty()) {
@@ -69,7 +69,7 @@ tl::expected<machine::MachineDataDocument, std::string> read_data_of(const Found
         if (!input.data) return document;
         return document.update(*input.data).map([&] { return document; });
     }
-    const auto text = request.host.files.inner().read_text(request.machine_data, found.machine_data_named_by);
+    const auto text = request.host.files.impl().read_text(request.machine_data, found.machine_data_named_by);
     if (!text) return tl::unexpected(text.error());
     return machine::MachineDataDocument::read(*text, request.machine_data, machine.axes)
         .map_error([](const std::vector<std::string>& errors) { return errors.front(); });
@@ -88,14 +88,14 @@ tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const Reque
 }
 
 std::string find_contradiction(const Request& request) {
-    if (!request.module.empty() && !request.overrides.turns_nothing()) {
+    if (!request.module.empty() && !request.overrides.is_default()) {
         return fmt::format("{} does not go with --rcs: a module has an override of its own, SetOverrideSpeed",
                            first_override(request.overrides));
     }
-    return request.robots.empty() ? std::string() : contradiction_of_robots(request);
+    return request.robots.empty() ? std::string() : robots_contradiction(request);
 }
 
-tl::expected<Request, std::string> with_names_found(Request request) {
+tl::expected<Request, std::string> resolve_names(Request request) {
     for (const auto& [name, kind] : {std::pair{&request.machine_data, NameKind::sample},
                                      {&request.cell, NameKind::sample},
                                      {&request.robots, NameKind::sample},
@@ -103,89 +103,88 @@ tl::expected<Request, std::string> with_names_found(Request request) {
                                      {&request.overrides.file, NameKind::sample},
                                      {&request.library, NameKind::library},
                                      {&request.module, NameKind::module}}) {
-        auto file = find_name(request.host, kind, *name);
+        auto file = resolve_name(request.host, kind, *name);
         if (!file) return tl::unexpected(file.error());
         *name = *std::move(file);
     }
     return request;
 }
 
-tl::expected<FoundRequest, std::string> with_files_found(Request request) {
-    auto named = with_names_found(std::move(request));
-    if (!named) return tl::unexpected(std::move(named.error()));
-    FoundRequest found{.request = *std::move(named)};
+tl::expected<ResolvedRequest, std::string> resolve_files(Request request) {
+    auto resolved_request = resolve_names(std::move(request));
+    if (!resolved_request) return tl::unexpected(std::move(resolved_request.error()));
+    ResolvedRequest found{.request = *std::move(resolved_request)};
     if (found.request.cell.empty()) return found;
     const std::string& cell = found.request.cell;
-    auto text = found.request.host.files.inner().read_text(cell, os::NamedBy::command_line);
+    auto text = found.request.host.files.impl().read_text(cell, os::NameSource::command_line);
     if (!text) return tl::unexpected(text.error());
     found.cell_text = *std::move(text);
     const auto files = cell::read_cell_files(found.cell_text, cell);
     if (!files) return tl::unexpected(files.error());
-    take_files_of_cell(found, *files);
+    add_cell_files(found, *files);
     return found;
 }
 
-tl::expected<FoundRequest, std::string> with_machine_files_found(const Request& request) {
-    Request of_machine;
-    of_machine.machine = request.machine;
-    of_machine.machine_data = request.machine_data;
-    of_machine.cell = request.cell;
-    of_machine.collisions = request.collisions;
-    of_machine.host = request.host;
-    return with_files_found(std::move(of_machine));
+tl::expected<ResolvedRequest, std::string> resolve_machine_files(const Request& request) {
+    Request machine_request;
+    machine_request.machine = request.machine;
+    machine_request.machine_data = request.machine_data;
+    machine_request.cell = request.cell;
+    machine_request.collisions = request.collisions;
+    machine_request.host = request.host;
+    return resolve_files(std::move(machine_request));
 }
 
-CellChoice cell_choice(const FoundRequest& found) {
+CellSource make_cell_source(const ResolvedRequest& found) {
     return {.file = found.request.cell,
             .text = found.cell_text,
             .collisions = found.request.collisions,
             .files = mesh_files(found.request.host)};
 }
 
-tl::expected<std::optional<script::Script>, InputError> read_setup(const Request& request,
-                                                                   const Language& language,
-                                                                   const TellDiagnostic& tell) {
+tl::expected<std::optional<script::Script>, InputError> read_setup(
+    const Request& request, const Language& language, const TextDiagnosticHandler& on_diagnostic) {
     std::optional<script::Script> none;
     if (request.setup.empty()) return none;
-    return read_script(request.host.files.inner(), request.setup, language, tell)
+    return read_script(request.host.files.impl(), request.setup, language, on_diagnostic)
         .map([](script::Script script) { return std::optional(std::move(script)); });
 }
 
-tl::expected<RunInputs, InputError> read_run_inputs(const FoundRequest& found, MachineInput input,
-                                                    std::shared_ptr<const cell::Cell> cell_read,
-                                                    OpenedScript& opened, const RunTools& tools) {
+tl::expected<RunInputs, InputError> read_run_inputs(const ResolvedRequest& found, MachineInput input,
+                                                    std::shared_ptr<const cell::Cell> loaded_cell,
+                                                    OpenedScript& opened, const RunContext& tools) {
     const Request& request = found.request;
     machine::Machine& machine = input.machine;
-    const auto fault = [](std::string message) {
+    const auto make_error = [](std::string message) {
         return tl::unexpected(
             InputError{.message = std::move(message), .kind = text::DiagnosticKind::input_file});
     };
-    const auto probe = read_probe_choice(request.probe, machine);
-    if (!probe) return fault(probe.error());
-    auto overrides = read_overrides(request.host.files.inner(), request.overrides, machine.controller);
-    if (!overrides) return fault(overrides.error());
-    auto document = read_data_of(found, input);
-    if (!document) return fault(document.error());
-    auto data = with_variables(request, document->data());
-    if (!data) return fault(data.error());
-    auto language = language_of(request.language, machine.program, *data);
-    if (!language) return fault(language.error());
+    const auto probe = read_probe_options(request.probe, machine);
+    if (!probe) return make_error(probe.error());
+    auto overrides = read_overrides(request.host.files.impl(), request.overrides, machine.controller);
+    if (!overrides) return make_error(overrides.error());
+    auto document = read_request_data(found, input);
+    if (!document) return make_error(document.error());
+    auto data = add_variables(request, document->data());
+    if (!data) return make_error(data.error());
+    auto language = make_language(request.language, machine.program, *data);
+    if (!language) return make_error(language.error());
     language->cpu = &tools.cpu;
     language->memory_bytes = request.limits.memory_bytes;
-    auto program = read_script(opened, *language, tools.tell);
+    auto program = read_script(opened, *language, tools.on_diagnostic);
     if (!program) return tl::unexpected(program.error());
-    language->dialect = grammar::dialect_named(program->dialect);
+    language->dialect = grammar::find_dialect(program->dialect);
     if (program->inch) language->units = machine::ProgramUnits::inch;
     if (machine.process) {
-        if (const auto fault_of_words = fault_of_process(*machine.process, *language->dialect))
-            return fault(*fault_of_words);
+        if (const auto word_error = check_process(*machine.process, *language->dialect))
+            return make_error(*word_error);
     }
-    auto setup = read_setup(request, *language, tools.tell);
-    if (!setup) return fault(setup.error().message);
-    CellChoice choice = cell_choice(found);
-    choice.read = std::move(cell_read);
-    auto cell = read_run_cell(choice, machine);
-    if (!cell) return fault(cell.error());
+    auto setup = read_setup(request, *language, tools.on_diagnostic);
+    if (!setup) return make_error(setup.error().message);
+    CellSource options = make_cell_source(found);
+    options.read = std::move(loaded_cell);
+    auto cell = make_cell_monitor(options, machine);
+    if (!cell) return make_error(cell.error());
     return RunInputs{.machine = std::move(machine),
                      .document = *std::move(document),
                      .data = *std::move(data),

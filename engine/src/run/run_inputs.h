@@ -12,40 +12,40 @@
 #include "engine/src/run/run_cell.h"
 #include "engine/src/run/script_input.h"
 #include "machine/data/machine_data_document.h"
-#include "runtime/monitors/cell_watch.h"
+#include "runtime/monitors/cell_monitor.h"
 #include "runtime/script/lua/script.h"
 #include "runtime/simulator/probe.h"
 
 namespace gsim::engine {
 
 /// Resources of a run in addition to its request.
-struct RunTools {
+struct RunContext {
     os::CpuLimit& cpu;
-    const TellDiagnostic& tell;  ///< Receives errors in programs' texts.
+    const TextDiagnosticHandler& on_diagnostic;  ///< Receives errors in programs' texts.
 };
 
 /// A request with the files of its names, and those that its cell names.
-struct FoundRequest {
+struct ResolvedRequest {
     Request request;
-    std::string cell_text = {};                                ///< Read once: it may be a pipe.
-    os::NamedBy machine_named_by = os::NamedBy::command_line;  ///< Or by the cell file.
-    os::NamedBy machine_data_named_by = os::NamedBy::command_line;
+    std::string cell_text = {};                                      ///< Read once: it may be a pipe.
+    os::NameSource machine_named_by = os::NameSource::command_line;  ///< Or by the cell file.
+    os::NameSource machine_data_named_by = os::NameSource::command_line;
 };
 
 /// Returns a message if parts of a request conflict; empty if they do not.
 std::string find_contradiction(const Request& request);
 
 /// Returns the request with its files. The error is a message.
-tl::expected<FoundRequest, std::string> with_files_found(Request request);
+tl::expected<ResolvedRequest, std::string> resolve_files(Request request);
 
 /// Does the same for the machine of a request and its surroundings, without the remainder.
-tl::expected<FoundRequest, std::string> with_machine_files_found(const Request& request);
+tl::expected<ResolvedRequest, std::string> resolve_machine_files(const Request& request);
 
 /// Resolves the names alone, without those of the cell and of the program.
-tl::expected<Request, std::string> with_names_found(Request request);
+tl::expected<Request, std::string> resolve_names(Request request);
 
 /// Returns the cell to check.
-CellChoice cell_choice(const FoundRequest& found);
+CellSource make_cell_source(const ResolvedRequest& found);
 
 /// All inputs that a run reads before the machine moves.
 struct RunInputs {
@@ -56,15 +56,15 @@ struct RunInputs {
     script::Script program;
     std::optional<script::Script> setup;
     std::optional<rrs::RcsModule> module;  ///< Set if a controller module is requested.
-    std::unique_ptr<simulation::CellWatch> cell;
-    simulation::ProbeFeels probe;
+    std::unique_ptr<simulation::CellMonitor> cell;
+    simulation::ProbeSurface probe;
     motion::OverrideSchedule overrides;
 };
 
 /// Returns the machine data of a request, or those that replace them; empty if it has none. The error is a
 /// message.
-tl::expected<machine::MachineDataDocument, std::string> read_data_of(const FoundRequest& found,
-                                                                     const MachineInput& input);
+tl::expected<machine::MachineDataDocument, std::string> read_request_data(const ResolvedRequest& found,
+                                                                          const MachineInput& input);
 
 /// Returns the requested controller module, made for the machine; nothing if none is requested. The error is
 /// a message.
@@ -72,13 +72,12 @@ tl::expected<std::optional<rrs::RcsModule>, std::string> load_module(const Reque
                                                                      const machine::Machine& machine);
 
 /// `opened` is the program.
-tl::expected<RunInputs, InputError> read_run_inputs(const FoundRequest& found, MachineInput input,
+tl::expected<RunInputs, InputError> read_run_inputs(const ResolvedRequest& found, MachineInput input,
                                                     std::shared_ptr<const cell::Cell> cell,
-                                                    OpenedScript& opened, const RunTools& tools);
+                                                    OpenedScript& opened, const RunContext& tools);
 
 /// Returns the setup of a run, if one is requested.
-tl::expected<std::optional<script::Script>, InputError> read_setup(const Request& request,
-                                                                   const Language& language,
-                                                                   const TellDiagnostic& tell);
+tl::expected<std::optional<script::Script>, InputError> read_setup(
+    const Request& request, const Language& language, const TextDiagnosticHandler& on_diagnostic);
 
 }  // namespace gsim::engine

@@ -9,83 +9,85 @@
 #include <vector>
 
 #include "engine/run.h"
+#include "engine/src/conversions.h"
 #include "engine/src/machine/machine_parts.h"
-#include "engine/src/run/documents.h"
+#include "engine/src/run/output_set.h"
 #include "engine/src/run/program_run.h"
 #include "engine/src/run/robots_run.h"
 #include "engine/src/run/run_inputs.h"
 #include "engine/src/run/scene.h"
-#include "engine/src/values.h"
 
 namespace gsim::engine {
 
 class Run::State {
   public:
-    State(FoundRequest found, Tell tell)
-        : found_(std::move(found)), cpu_(found_.request.limits.cpu_s), user_(std::move(tell)) {
-        cpu_.end_when(found_.request.cancel.flag());
+    State(ResolvedRequest found, DiagnosticHandler on_diagnostic)
+        : found_(std::move(found)),
+          cpu_(found_.request.limits.cpu_s),
+          user_handler_(std::move(on_diagnostic)) {
+        cpu_.cancel_when(found_.request.cancel.flag());
     }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
-    tl::expected<void, Failure> open();
-    tl::expected<void, Failure> open_on(const Machine::Parts& parts);
-    tl::expected<void, Failure> prepare();
-    tl::expected<Report, Failure> go();
-    tl::expected<std::string, Failure> variables();
-    tl::expected<std::string, Failure> machine_data();
-    Report report_of(const Failure& failure) const;
+    tl::expected<void, Error> open();
+    tl::expected<void, Error> open_on_machine(const Machine::Parts& parts);
+    tl::expected<void, Error> prepare();
+    tl::expected<Report, Error> go();
+    tl::expected<std::string, Error> variables();
+    tl::expected<std::string, Error> machine_data();
+    Report make_report(const Error& error) const;
 
-    const FoundRequest& found() const { return found_; }
+    const ResolvedRequest& found() const { return found_; }
     const std::vector<std::string>& names() const { return names_; }
     const std::vector<std::vector<Axis>>& axes() const { return axes_; }
-    const std::vector<Failure>& faults() const { return faults_; }
+    const std::vector<Error>& errors() const { return errors_; }
     simulation::Simulator& simulator(std::size_t robot) { return *simulators_[robot]; }
-    Documents& documents(std::size_t robot) { return *documents_[robot]; }
-    void show_progress(Progress progress) { progress_ = std::move(progress); }
+    OutputSet& outputs(std::size_t robot) { return *output_sets_[robot]; }
+    void on_progress(Progress progress) { progress_ = std::move(progress); }
     std::vector<NamedFile> named_files() const;
     Scene scene(std::size_t robot) const {
-        if (robots_ == nullptr) return scene_of(*simulators_[robot]);
-        return scene_of(*simulators_[robot], robots_->stations()[robot].entry.base);
+        if (robots_ == nullptr) return make_scene(*simulators_[robot]);
+        return make_scene(*simulators_[robot], robots_->stations()[robot].entry.base);
     }
 
   private:
-    tl::expected<void, Failure> open_one();
-    tl::expected<void, Failure> open_program();
-    tl::expected<void, Failure> open_module();
-    tl::expected<void, Failure> open_dynamics();
+    tl::expected<void, Error> open_single_robot();
+    tl::expected<void, Error> open_program();
+    tl::expected<void, Error> open_module();
+    tl::expected<void, Error> open_dynamics();
     void add(simulation::Simulator& simulator);
-    ShowProgress progress() {
+    ProgressHandler progress() {
         return [this](std::uint64_t done, std::uint64_t total) {
             if (progress_) progress_(done, total);
         };
     }
-    simulation::Report run_one();
+    simulation::Report run_single_robot();
     simulation::RobotsReport run_robots();
     /// Returns the kept data of a run of one robot; other runs keep no data.
-    tl::expected<ProgramRun*, Failure> kept();
+    tl::expected<ProgramRun*, Error> kept();
 
-    FoundRequest found_;
+    ResolvedRequest found_;
     os::CpuLimit cpu_;
-    Tell user_;
-    std::vector<text::Diagnostic> told_;
-    TellDiagnostic tell_ = [this](const text::Diagnostic& told) {
-        told_.push_back(told);
-        if (user_) user_(diagnostic_of(told));
+    DiagnosticHandler user_handler_;
+    std::vector<text::Diagnostic> diagnostics_;
+    TextDiagnosticHandler on_diagnostic_ = [this](const text::Diagnostic& diagnostic) {
+        diagnostics_.push_back(diagnostic);
+        if (user_handler_) user_handler_(to_diagnostic(diagnostic));
     };
-    RunTools tools_{cpu_, tell_};
+    RunContext run_context_{cpu_, on_diagnostic_};
     std::optional<MachineInput> machine_;
     std::shared_ptr<const cell::Cell> cell_;
     std::shared_ptr<const dynamics::Dynamics> dynamics_;
     std::optional<OpenedScript> program_;
     std::optional<rrs::RcsModule> module_;
-    std::unique_ptr<ProgramRun> one_;
+    std::unique_ptr<ProgramRun> program_run_;
     std::unique_ptr<RobotsRun> robots_;
     std::vector<std::string> names_;
     std::vector<std::vector<Axis>> axes_;
     std::vector<simulation::Simulator*> simulators_;
-    std::vector<std::unique_ptr<Documents>> documents_;
-    std::vector<Failure> faults_;
+    std::vector<std::unique_ptr<OutputSet>> output_sets_;
+    std::vector<Error> errors_;
     Progress progress_;
 };
 

@@ -7,7 +7,7 @@
 #include "base/text/json.h"
 #include "motion/kinematics/chain.h"
 #include "motion/path/axis_space.h"
-#include "runtime/monitors/part_tip.h"
+#include "runtime/monitors/workpiece_tcp.h"
 
 namespace gsim::engine {
 
@@ -63,25 +63,25 @@ Json branch(const kinematics::Branch& branch) {
 
 /// Returns the map from X, Y and Z of the machine (mm) to the work frame, all other axes at 0; nothing
 /// without three linear axes.
-Json axis_space(const machine::Machine& machine) {
-    const motion::PlannerSetup setup = simulation::setup_of_machine(machine);
+Json axis_space_json(const machine::Machine& machine) {
+    const motion::PlannerSetup setup = simulation::make_planner_setup(machine);
     rrs::JointPos joints(setup.joint_count());
     for (int i = 0; i < setup.joint_count(); ++i)
         joints[i] = machine::joint_value(machine.axes[static_cast<std::size_t>(i)], 0);
-    const auto tip = [&] { return Vector3d(setup.kinematics->forward(joints).translation()); };
+    const auto tcp = [&] { return Vector3d(setup.kinematics->forward(joints).translation()); };
     rrs::CartPos space = rrs::CartPos::Identity();
-    space.translation() = tip();
+    space.translation() = tcp();
     for (std::size_t i = 0; i < 3; ++i) {
         const int joint = setup.position_joints[i];
         if (joint < 0) return nullptr;
         joints[joint] += 1;
-        space.linear().col(static_cast<Eigen::Index>(i)) = tip() - space.translation();
+        space.linear().col(static_cast<Eigen::Index>(i)) = tcp() - space.translation();
         joints[joint] -= 1;
     }
     return matrix(space);
 }
 
-std::vector<float> triangles_of(const cell::TriangleMesh& mesh) {
+std::vector<float> to_triangles(const cell::TriangleMesh& mesh) {
     std::vector<float> coordinates;
     coordinates.reserve(mesh.triangle_count() * 9);
     for (const cell::TriangleMesh::Node& node : mesh.nodes()) {
@@ -116,7 +116,7 @@ Json convex(const cell::Convex& body) {
     return json;
 }
 
-const char* name_of(cell::Role role) {
+const char* role_name(cell::Role role) {
     switch (role) {
         case cell::Role::machine: return "machine";
         case cell::Role::jet: return "jet";
@@ -132,12 +132,12 @@ Json bodies(const cell::Cell& cell, Scene& scene) {
         Json shape;
         if (const cell::TriangleMesh* mesh = item.shape.triangles()) {
             shape = {{"kind", "mesh"}, {"mesh", scene.meshes_mm.size()}};
-            scene.meshes_mm.push_back(triangles_of(*mesh));
+            scene.meshes_mm.push_back(to_triangles(*mesh));
         } else {
             shape = convex(*item.shape.convex());
         }
         list.push_back(
-            {{"name", item.name}, {"role", name_of(item.role)}, {"frame", item.frame}, {"shape", shape}});
+            {{"name", item.name}, {"role", role_name(item.role)}, {"frame", item.frame}, {"shape", shape}});
     }
     return list;
 }
@@ -148,33 +148,33 @@ Json frames(const cell::FrameTree& tree) {
     Json list = Json::array();
     for (std::size_t i = 0; i < tree.names().size(); ++i) {
         Json frame = {{"name", tree.name(i)}};
-        if (tree.is_of_machine(i)) {
+        if (tree.is_machine_frame(i)) {
             frame["link"] = tree.link(i);
-            frame["in_link"] = matrix(tree.in_link(i));
+            frame["in_link"] = matrix(tree.pose_in_link(i));
         } else {
             frame["parent"] = tree.parent(i);
-            frame["in_parent"] = matrix(tree.in_parent(i));
+            frame["in_parent"] = matrix(tree.pose_in_parent(i));
         }
         list.push_back(std::move(frame));
     }
     return list;
 }
 
-Json drifts(std::span<const simulation::FrameDrift> history) {
+Json drifts_json(std::span<const simulation::FrameMotion> history) {
     Json list = Json::array();
-    for (const simulation::FrameDrift& entry : history) {
+    for (const simulation::FrameMotion& entry : history) {
         list.push_back({{"frame", entry.frame},
-                        {"from_s", entry.drift.from_s},
-                        {"pose", matrix(entry.drift.pose)},
-                        {"velocity_mm_s", point(entry.drift.velocity_mm_s)},
-                        {"spin_rad_s", point(entry.drift.spin_rad_s)}});
+                        {"from_s", entry.uniform_motion.from_s},
+                        {"pose", matrix(entry.uniform_motion.pose)},
+                        {"velocity_mm_s", point(entry.uniform_motion.velocity_mm_s)},
+                        {"spin_rad_s", point(entry.uniform_motion.angular_velocity_rad_s)}});
     }
     return list;
 }
 
-Json zones(const simulation::ZoneWatch& watch) {
+Json zones(const simulation::ZoneMonitor& monitor) {
     Json list = Json::array();
-    for (const simulation::ZoneRule& zone : watch.rules()) {
+    for (const simulation::ZoneRule& zone : monitor.rules()) {
         Json min = Json::array();
         Json max = Json::array();
         for (const std::optional<machine::ZoneLimits>& walls : zone.walls) {
@@ -192,7 +192,7 @@ Json zones(const simulation::ZoneWatch& watch) {
 
 }  // namespace
 
-Scene scene_of(const simulation::Simulator& simulator, const rrs::CartPos& base) {
+Scene make_scene(const simulation::Simulator& simulator, const rrs::CartPos& base) {
     const machine::Machine& machine = simulator.machine();
     const auto kinematics = machine::make_kinematics(machine);
     const kinematics::Chain& chain = kinematics->chain();
@@ -202,27 +202,27 @@ Scene scene_of(const simulation::Simulator& simulator, const rrs::CartPos& base)
         {"controller", machine.controller.model},
         {"base", matrix(base)},
         {"axes", axes(machine)},
-        {"position_joints", simulation::setup_of_machine(machine).position_joints},
+        {"position_joints", simulation::make_planner_setup(machine).position_joints},
         {"tool_side", branch(chain.tool_side())},
         {"work_side", branch(chain.work_side())},
-        {"axis_space", axis_space(machine)},
+        {"axis_space", axis_space_json(machine)},
         {"max_feed_mm_s", limit(machine.path.max_feed_mm_s)},
         {"max_rapid_mm_s", limit(machine.path.max_rapid_mm_s)},
         {"max_acceleration_mm_s2", limit(machine.path.max_acceleration_mm_s2)},
         {"process", machine.process ? Json(std::string(name(machine.process->kind))) : Json(nullptr)},
         {"zones", zones(simulator.zones())}};
-    Json tips = Json::array();
-    for (const Vector3d& tip_mm : simulator.tips_mm()) tips.push_back(point(tip_mm));
-    json["tips_mm"] = std::move(tips);
-    if (const simulation::CellWatch* cell = simulator.cell()) {
+    Json tcps = Json::array();
+    for (const Vector3d& tcp_mm : simulator.tcp_offsets_mm()) tcps.push_back(point(tcp_mm));
+    json["tips_mm"] = std::move(tcps);
+    if (const simulation::CellMonitor* cell = simulator.cell()) {
         json["cell"] = cell->cell().name;
         json["clearance_mm"] = cell->cell().clearance_mm;
         json["frames"] = frames(cell->cell().frames);
         json["bodies"] = bodies(cell->cell(), scene);
-        json["drifts"] = drifts(cell->history());
-        json["drifts_whole"] = cell->history_is_whole();
+        json["drifts"] = drifts_json(cell->history());
+        json["drifts_whole"] = cell->history_is_complete();
         Json near = Json::array();
-        for (const std::optional<double>& t_s : cell->near_s())
+        for (const std::optional<double>& t_s : cell->clearance_times_s())
             near.push_back(t_s ? Json(*t_s) : Json(nullptr));
         json["near_s"] = std::move(near);
     }

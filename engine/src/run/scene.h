@@ -7,6 +7,6 @@ namespace gsim::engine {
 
 /// Returns the scene of a simulator, with the independent motion of frames so far. `base`: pose of the
 /// machine's world in that of all robots.
-Scene scene_of(const simulation::Simulator& simulator, const rrs::CartPos& base = rrs::CartPos::Identity());
+Scene make_scene(const simulation::Simulator& simulator, const rrs::CartPos& base = rrs::CartPos::Identity());
 
 }  // namespace gsim::engine

@@ -19,7 +19,7 @@ using script::Script;
 
 namespace {
 
-constexpr std::size_t kLookedAtBytes = 4096;
+constexpr std::size_t kInspectedBytes = 4096;
 constexpr double kMegabyte = 1U << 20U;
 
 bool has_extension(const std::string& path, std::string_view extension) {
@@ -29,8 +29,8 @@ bool has_extension(const std::string& path, std::string_view extension) {
 /// Distinguishes Lua from G-code by the first significant line: no block of G-code begins like these.
 bool looks_like_lua(const lexer::Source& source) {
     std::uint64_t offset = 0;
-    while (offset < source.size() && offset < kLookedAtBytes) {
-        const std::string line = source.line_at(offset, kLookedAtBytes);
+    while (offset < source.size() && offset < kInspectedBytes) {
+        const std::string line = source.line_at(offset, kInspectedBytes);
         const std::size_t begin = line.find_first_not_of(" \t");
         if (begin == std::string::npos) {
             offset += line.size() + 1;
@@ -55,7 +55,7 @@ std::string read_all(lexer::Source& source) {
 }
 
 /// The text is held in memory, and a second time while it is compiled.
-tl::expected<Script, std::string> lua_script(lexer::Source& source, std::uint64_t memory_bytes) {
+tl::expected<Script, std::string> read_lua_script(lexer::Source& source, std::uint64_t memory_bytes) {
     if (source.size() > memory_bytes / 2) {
         return tl::unexpected(
             fmt::format("the text of the script {} has {:.1f} MB, which is more than half of the {} MB that "
@@ -64,9 +64,9 @@ tl::expected<Script, std::string> lua_script(lexer::Source& source, std::uint64_
                         source.name(), static_cast<double>(source.size()) / kMegabyte, memory_bytes >> 20U));
     }
     std::string text = read_all(source);
-    if (auto fault = source.fault()) return tl::unexpected(*std::move(fault));
+    if (auto error_message = source.error_message()) return tl::unexpected(*std::move(error_message));
     const codegen::ScriptOrigin origin = codegen::script_origin(text);
-    const auto requires_name = [head = text.substr(0, kLookedAtBytes)](std::string_view name) {
+    const auto requires_name = [head = text.substr(0, kInspectedBytes)](std::string_view name) {
         return head.find(fmt::format("\"{}\"", name)) != std::string::npos;
     };
     const bool ngc_inch = requires_name("gsim.rs274ngc.inch");
@@ -86,7 +86,7 @@ tl::expected<Script, std::string> lua_script(lexer::Source& source, std::uint64_
     return script;
 }
 
-std::vector<script::ScriptChunk> chunks_of(const codegen::ProgramPart& part) {
+std::vector<script::ScriptChunk> split_into_chunks(const codegen::ProgramPart& part) {
     std::vector<script::ScriptChunk> chunks{{part.body_begin, part.body_end, part.first_line}};
     for (const codegen::Cut& cut : part.cuts) {
         if (cut.offset >= part.body_end) break;
@@ -96,26 +96,29 @@ std::vector<script::ScriptChunk> chunks_of(const codegen::ProgramPart& part) {
     return chunks;
 }
 
-tl::expected<Script, InputError> translated_script(lexer::Source& source,
-                                                   std::shared_ptr<codegen::LuaSpool> spool,
-                                                   const Language& language, const TellDiagnostic& tell) {
-    const codegen::Translation translation = translate_source(source, *spool, language, {}, tell);
-    if (auto fault = source.fault()) return tl::unexpected(InputError{.message = *std::move(fault)});
+tl::expected<Script, InputError> translate_script(lexer::Source& source,
+                                                  std::shared_ptr<codegen::LuaSpool> spool,
+                                                  const Language& language,
+                                                  const TextDiagnosticHandler& on_diagnostic) {
+    const codegen::Translation translation = translate_source(source, *spool, language, {}, on_diagnostic);
+    if (auto error_message = source.error_message())
+        return tl::unexpected(InputError{.message = *std::move(error_message)});
     if (!translation.ok) {
         const text::Diagnostic& first = *translation.first_error;
-        return tl::unexpected(InputError{.in_program = true,
-                                         .message = fmt::format("{}: {}", text::place_of(first), first.text),
-                                         .kind = first.kind,
-                                         .first_error = first});
+        return tl::unexpected(
+            InputError{.in_program = true,
+                       .message = fmt::format("{}: {}", text::location_text(first), first.text),
+                       .kind = first.kind,
+                       .first_error = first});
     }
     Script script;
     script.dialect = language.dialect->name();
     script.file_name = source.name();
-    script.line_difference = -1;
+    script.line_offset = -1;
     script.size = spool->size();
-    script.held_bytes = spool->held_bytes();
+    script.retained_bytes = spool->retained_bytes();
     for (const codegen::ProgramPart& part : translation.programs)
-        script.functions.push_back({part.head, chunks_of(part)});
+        script.functions.push_back({part.head, split_into_chunks(part)});
     script.read = [spool = std::move(spool)](std::uint64_t begin, std::uint64_t end) {
         return spool->read(begin, end);
     };
@@ -123,7 +126,7 @@ tl::expected<Script, InputError> translated_script(lexer::Source& source,
 }
 
 /// Returns "wheel" of wheel.nc, and of wheel_O0001.ppg.
-std::string head_name(const fs::path& main_path) {
+std::string program_stem(const fs::path& main_path) {
     const std::string stem = main_path.stem().string();
     const std::size_t mark = stem.rfind("_O");
     const bool numbered = mark != std::string::npos && mark + 2 < stem.size() &&
@@ -140,40 +143,41 @@ bool is_number(std::string_view name) {
 }
 
 /// Returns why a file there must not be read: links lead out of the folder. Nothing if it may be read.
-std::optional<std::string> find_way_out(const os::Files& files, const fs::path& folder,
-                                        const fs::path& name) {
+std::optional<std::string> find_link_error(const os::Files& files, const fs::path& folder,
+                                           const fs::path& name) {
     if (files.is_within(folder, name)) return std::nullopt;
     return fmt::format("{} is a link that leads out of the folder of the script", name.string());
 }
 
 /// Returns files that may contain the program with this number or, in RS274/NGC, the subroutine with this
 /// name.
-std::vector<std::string> candidate_names(const fs::path& main_path, const std::string& wanted) {
+std::vector<std::string> candidate_names(const fs::path& main_path, const std::string& requested) {
     std::vector<std::string> names;
     const auto add = [&](const std::string& base) {
         for (const char* extension : kExtensions) names.push_back(base + extension);
         names.push_back(base);
     };
-    if (wanted.find_first_of("/\\") != std::string::npos) return names;  // next to the program, not elsewhere
+    if (requested.find_first_of("/\\") != std::string::npos)
+        return names;  // next to the program, not elsewhere
     if (std::any_of(kExtensions.begin(), kExtensions.end(),
-                    [&](const char* extension) { return has_extension(wanted, extension); })) {
-        names.push_back(wanted);
+                    [&](const char* extension) { return has_extension(requested, extension); })) {
+        names.push_back(requested);
     }
-    if (is_number(wanted)) {
-        const long number = std::stol(wanted);
+    if (is_number(requested)) {
+        const long number = std::stol(requested);
         add(fmt::format("O{:04}", number));
         add(fmt::format("O{}", number));
         add(fmt::format("O{:05}", number));
         add(fmt::format("o{:04}", number));
         add(fmt::format("o{}", number));
-        names.push_back(fmt::format("{}_O{:04}.ppg", head_name(main_path), number));
-        names.push_back(fmt::format("{}_O{:04}.nc", head_name(main_path), number));
+        names.push_back(fmt::format("{}_O{:04}.ppg", program_stem(main_path), number));
+        names.push_back(fmt::format("{}_O{:04}.nc", program_stem(main_path), number));
     }
-    add(wanted);
+    add(requested);
     return names;
 }
 
-OpenedScript opened_as(lexer::Source source, bool lua) {
+OpenedScript make_opened_script(lexer::Source source, bool lua) {
     auto spool = std::make_shared<codegen::LuaSpool>();
     if (!lua) spool->reserve_file();
     return {std::move(source), lua, std::move(spool)};
@@ -181,53 +185,55 @@ OpenedScript opened_as(lexer::Source source, bool lua) {
 
 }  // namespace
 
-fs::path folder_of_program(const std::string& main_path) {
+fs::path main_program_folder(const std::string& main_path) {
     const fs::path parent = main_path == "-" ? fs::path() : fs::path(main_path).parent_path();
     return parent.empty() ? fs::path(".") : parent;
 }
 
 tl::expected<OpenedScript, InputError> open_script(const os::Files& files, const std::string& path,
-                                                   os::NamedBy named_by) {
-    tl::expected<lexer::Source, std::string> source = lexer::Source::open(files, path, named_by);
+                                                   os::NameSource name_source) {
+    tl::expected<lexer::Source, std::string> source = lexer::Source::open(files, path, name_source);
     if (!source) return tl::unexpected(InputError{.message = source.error(), .file = path});
-    return opened_as(*std::move(source), has_extension(path, ".lua"));
+    return make_opened_script(*std::move(source), has_extension(path, ".lua"));
 }
 
-OpenedScript opened_text(lexer::Source text) {
+OpenedScript open_text_script(lexer::Source text) {
     const bool lua = has_extension(text.name(), ".lua") || looks_like_lua(text);
-    return opened_as(std::move(text), lua);
+    return make_opened_script(std::move(text), lua);
 }
 
 tl::expected<Script, InputError> read_script(OpenedScript& opened, const Language& language,
-                                             const TellDiagnostic& tell) {
-    if (!opened.is_lua) return translated_script(opened.source, std::move(opened.spool), language, tell);
-    return lua_script(opened.source, language.memory_bytes).map_error([](std::string sentence) {
-        return InputError{.message = std::move(sentence)};
+                                             const TextDiagnosticHandler& on_diagnostic) {
+    if (!opened.is_lua)
+        return translate_script(opened.source, std::move(opened.spool), language, on_diagnostic);
+    return read_lua_script(opened.source, language.memory_bytes).map_error([](std::string message) {
+        return InputError{.message = std::move(message)};
     });
 }
 
 tl::expected<Script, InputError> read_script(const os::Files& files, const std::string& path,
-                                             const Language& language, const TellDiagnostic& tell) {
+                                             const Language& language,
+                                             const TextDiagnosticHandler& on_diagnostic) {
     return open_script(files, path).and_then([&](OpenedScript opened) {
-        return read_script(opened, language, tell);
+        return read_script(opened, language, on_diagnostic);
     });
 }
 
 script::FindProgram program_finder(const os::Files& files, const std::string& main_path,
-                                   const Language& language, const TellDiagnostic& tell) {
+                                   const Language& language, const TextDiagnosticHandler& on_diagnostic) {
     const fs::path main = main_path == "-" ? fs::path(lexer::Source::kStandardInput) : fs::path(main_path);
     return [&files, main, language,
-            tell](const std::string& wanted) -> tl::expected<std::optional<Script>, std::string> {
-        for (const std::string& name : candidate_names(main, wanted)) {
+            on_diagnostic](const std::string& requested) -> tl::expected<std::optional<Script>, std::string> {
+        for (const std::string& name : candidate_names(main, requested)) {
             const fs::path path = main.parent_path() / name;
-            if (!files.has(path) || files.are_one(path, main)) continue;
-            if (auto way_out = find_way_out(files, folder_of_program(main.string()), name))
-                return tl::unexpected(*std::move(way_out));
+            if (!files.has(path) || files.is_same_file(path, main)) continue;
+            if (auto link_error = find_link_error(files, main_program_folder(main.string()), name))
+                return tl::unexpected(*std::move(link_error));
             tl::expected<lexer::Source, std::string> source = lexer::Source::open(files, path.string());
             if (!source) return tl::unexpected(source.error());
             OpenedScript opened{*std::move(source), has_extension(name, ".lua"),
                                 std::make_shared<codegen::LuaSpool>()};
-            tl::expected<Script, InputError> script = read_script(opened, language, tell);
+            tl::expected<Script, InputError> script = read_script(opened, language, on_diagnostic);
             if (!script)
                 return tl::unexpected(
                     fmt::format("the called program cannot be translated: {}", script.error().message));
@@ -241,7 +247,7 @@ namespace {
 
 /// Returns "lib/shapes.lua" for "lib.shapes"; nothing if it is no name of a module.
 std::optional<fs::path> module_file(const std::string& name) {
-    const auto is_part_of_name = [](char c) {
+    const auto is_name_char = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
                c == '-';
     };
@@ -249,7 +255,7 @@ std::optional<fs::path> module_file(const std::string& name) {
     std::string part;
     for (const char c : name + '.') {
         if (c != '.') {
-            if (!is_part_of_name(c)) return std::nullopt;
+            if (!is_name_char(c)) return std::nullopt;
             part += c;
             continue;
         }
@@ -263,7 +269,7 @@ std::optional<fs::path> module_file(const std::string& name) {
 
 script::FindProgram module_finder(const os::Files& files, const std::string& main_path,
                                   std::uint64_t memory_bytes) {
-    return [&files, folder = folder_of_program(main_path),
+    return [&files, folder = main_program_folder(main_path),
             memory_bytes](const std::string& name) -> tl::expected<std::optional<Script>, std::string> {
         const std::optional<fs::path> file = module_file(name);
         if (!file) {
@@ -275,11 +281,12 @@ script::FindProgram module_finder(const os::Files& files, const std::string& mai
         if (!files.has(path))
             return tl::unexpected(
                 fmt::format("there is no file {} in the folder of the script", file->string()));
-        if (auto way_out = find_way_out(files, folder, *file)) return tl::unexpected(*std::move(way_out));
+        if (auto link_error = find_link_error(files, folder, *file))
+            return tl::unexpected(*std::move(link_error));
         tl::expected<lexer::Source, std::string> source =
             lexer::Source::open(files, path.lexically_normal().string());
         if (!source) return tl::unexpected(source.error());
-        return lua_script(*source, memory_bytes).map([](Script script) {
+        return read_lua_script(*source, memory_bytes).map([](Script script) {
             return std::optional<Script>(std::move(script));
         });
     };

@@ -20,7 +20,7 @@
 namespace gsim::engine {
 
 /// Receives the errors in a program's text.
-using TellDiagnostic = std::function<void(const text::Diagnostic&)>;
+using TextDiagnosticHandler = std::function<void(const text::Diagnostic&)>;
 
 /// The reason why an input cannot be run: a file that cannot be read (usage), or a program with errors, which
 /// have been reported.
@@ -37,7 +37,7 @@ struct InputError {
 struct Language {
     const grammar::Dialect* dialect = &grammar::dialect_ab9();
     lexer::Aliases aliases;
-    codegen::Unknown unknown = codegen::Unknown::error;
+    codegen::UnknownCodePolicy unknown = codegen::UnknownCodePolicy::error;
     std::optional<machine::ProgramUnits> units;  ///< Active at the start; none: not specified, which is mm.
     std::uint64_t memory_bytes =
         Limits{}.memory_bytes;    ///< Memory of the run, for its scripts and their texts.
@@ -54,27 +54,28 @@ struct OpenedScript {
 
 /// Opens part.lua or part.nc.
 tl::expected<OpenedScript, InputError> open_script(const os::Files& files, const std::string& path,
-                                                   os::NamedBy named_by = os::NamedBy::command_line);
+                                                   os::NameSource name_source = os::NameSource::command_line);
 
 /// Opens a text that is not a file, after a check for Lua.
-OpenedScript opened_text(lexer::Source text);
+OpenedScript open_text_script(lexer::Source text);
 
 /// Reads it and translates G-code. To be called once.
 tl::expected<script::Script, InputError> read_script(OpenedScript& opened, const Language& language,
-                                                     const TellDiagnostic& tell);
+                                                     const TextDiagnosticHandler& on_diagnostic);
 
 /// Opens and reads it.
 tl::expected<script::Script, InputError> read_script(const os::Files& files, const std::string& path,
-                                                     const Language& language, const TellDiagnostic& tell);
+                                                     const Language& language,
+                                                     const TextDiagnosticHandler& on_diagnostic);
 
 /// Returns the folder of a main program ("-": a text that is not a file), which contains all programs that it
 /// calls.
-std::filesystem::path folder_of_program(const std::string& main_path);
+std::filesystem::path main_program_folder(const std::string& main_path);
 
 /// Finds the file of a program that is called but not in the script: O0002.nc and the like, or
 /// NAME_O0002.ppg, or sub.ngc by its name, in the folder of the main file.
 script::FindProgram program_finder(const os::Files& files, const std::string& main_path,
-                                   const Language& language, const TellDiagnostic& tell);
+                                   const Language& language, const TextDiagnosticHandler& on_diagnostic);
 
 /// Finds modules of scripts: `shapes` is shapes.lua in the folder of the main program, `lib.shapes`
 /// lib/shapes.lua. It finds no files outside of that folder, and none that exceed the run's memory; the

@@ -11,7 +11,8 @@ namespace gsim::engine {
 
 /// Returns an output that delivers segments as columns. `machine`, and the TCPs that MoveInfo::tip indexes,
 /// outlive it.
-std::unique_ptr<simulation::RunOutput> hand_out_columns(TakeColumns take, const machine::Machine& machine,
-                                                        const std::vector<Eigen::Vector3d>& tips_mm);
+std::unique_ptr<simulation::RunOutput> make_columns_output(
+    ColumnsHandler callback, const machine::Machine& machine,
+    const std::vector<Eigen::Vector3d>& tcp_offsets_mm);
 
 }  // namespace gsim::engine

@@ -12,6 +12,6 @@ namespace gsim::engine {
 /// settings that the language does not.
 codegen::Translation translate_source(lexer::Source& source, codegen::LuaSpool& spool,
                                       const Language& language, codegen::TranslateOptions options,
-                                      const TellDiagnostic& tell);
+                                      const TextDiagnosticHandler& on_diagnostic);
 
 }  // namespace gsim::engine

@@ -3,13 +3,13 @@
 #include <utility>
 
 #include "codegen/language_page.h"
-#include "engine/src/guarded.h"
+#include "engine/src/conversions.h"
+#include "engine/src/guard_exceptions.h"
 #include "engine/src/host_names.h"
 #include "engine/src/machine/machine_input.h"
 #include "engine/src/run/language.h"
 #include "engine/src/run/run_inputs.h"
 #include "engine/src/run/translate_program.h"
-#include "engine/src/values.h"
 
 namespace gsim::engine {
 
@@ -19,7 +19,7 @@ class Translation::State {
   public:
     State(const TranslationRequest& request, Language language, lexer::Source source)
         : cpu_(request.cpu_s), language_(std::move(language)), source_(std::move(source)) {
-        cpu_.end_when(request.cancel.flag());
+        cpu_.cancel_when(request.cancel.flag());
         language_.cpu = &cpu_;
         options_.annotate = request.annotate;
         options_.max_errors = request.max_errors;
@@ -28,20 +28,20 @@ class Translation::State {
     State& operator=(const State&) = delete;
 
     codegen::LuaSpool& spool() { return spool_; }
-    tl::expected<void, Failure> make(const Tell& tell) {
+    tl::expected<void, Error> make(const DiagnosticHandler& on_diagnostic) {
         std::optional<Diagnostic> first;
-        const auto made = translate_source(source_, spool_, language_, options_, [&](const auto& told) {
-            const Diagnostic diagnostic = diagnostic_of(told);
-            if (told.severity == text::Severity::error && !first) first = diagnostic;
-            if (tell) tell(diagnostic);
+        const auto result = translate_source(source_, spool_, language_, options_, [&](const auto& reported) {
+            const Diagnostic diagnostic = to_diagnostic(reported);
+            if (reported.severity == text::Severity::error && !first) first = diagnostic;
+            if (on_diagnostic) on_diagnostic(diagnostic);
         });
-        if (const auto fault = source_.fault())
-            return tl::unexpected(failure_of(DiagnosticKind::file, *fault));
-        if (made.ok) return {};
-        return tl::unexpected(Failure{.code = first ? first->code : "syntax",
-                                      .message = first ? first->text : std::string(),
-                                      .in_program = true,
-                                      .first_error = first});
+        if (const auto error_message = source_.error_message())
+            return tl::unexpected(make_error(DiagnosticKind::file, *error_message));
+        if (result.ok) return {};
+        return tl::unexpected(Error{.code = first ? first->code : "syntax",
+                                    .message = first ? first->text : std::string(),
+                                    .in_program = true,
+                                    .first_error = first});
     }
 
   private:
@@ -54,14 +54,14 @@ class Translation::State {
 
 namespace {
 
-tl::expected<void, std::string> take_files_of_cell(TranslationRequest& request) {
+tl::expected<void, std::string> add_cell_files(TranslationRequest& request) {
     if (request.cell.empty()) return {};
     Request run;
     run.machine = request.machine;
     run.machine_data = request.machine_data;
     run.cell = request.cell;
     run.host = request.host;
-    return with_files_found(std::move(run)).map([&](const FoundRequest& found) {
+    return resolve_files(std::move(run)).map([&](const ResolvedRequest& found) {
         request.machine = found.request.machine;
         request.machine_data = found.request.machine_data;
     });
@@ -69,8 +69,8 @@ tl::expected<void, std::string> take_files_of_cell(TranslationRequest& request) 
 
 tl::expected<machine::MachineData, std::string> read_data(const TranslationRequest& request) {
     if (request.machine_data.empty()) return machine::MachineData();
-    return request.host.files.inner()
-        .read_text(request.machine_data, os::NamedBy::command_line)
+    return request.host.files.impl()
+        .read_text(request.machine_data, os::NameSource::command_line)
         .and_then(
             [&](const std::string& text) { return machine::read_machine_data(text, request.machine_data); });
 }
@@ -81,28 +81,30 @@ tl::expected<machine::ProgramTable, std::string> read_table(const TranslationReq
 }
 
 tl::expected<lexer::Source, std::string> open_program(TranslationRequest& request) {
-    if (request.text) return std::move(request.text->inner());
-    return find_name(request.host, NameKind::sample, request.program).and_then([&](const std::string& file) {
-        return lexer::Source::open(request.host.files.inner(), file, os::NamedBy::command_line);
-    });
+    if (request.text) return std::move(request.text->impl());
+    return resolve_name(request.host, NameKind::sample, request.program)
+        .and_then([&](const std::string& file) {
+            return lexer::Source::open(request.host.files.impl(), file, os::NameSource::command_line);
+        });
 }
 
 }  // namespace
 
-tl::expected<Translation, Failure> Translation::open(TranslationRequest request) {
-    return guarded([&]() -> tl::expected<Translation, Failure> {
-        const auto refused = [](const std::string& sentence, std::string file = {}) {
-            return tl::unexpected(failure_of(DiagnosticKind::input_file, sentence, std::move(file)));
+tl::expected<Translation, Error> Translation::open(TranslationRequest request) {
+    return guard_exceptions([&]() -> tl::expected<Translation, Error> {
+        const auto unexpected_error = [](const std::string& message, std::string file = {}) {
+            return tl::unexpected(make_error(DiagnosticKind::input_file, message, std::move(file)));
         };
-        if (auto taken = take_files_of_cell(request); !taken) return refused(taken.error(), request.cell);
+        if (auto result = add_cell_files(request); !result)
+            return unexpected_error(result.error(), request.cell);
         const auto data = read_data(request);
-        if (!data) return refused(data.error(), request.machine_data);
+        if (!data) return unexpected_error(data.error(), request.machine_data);
         const auto table = read_table(request);
-        if (!table) return refused(table.error(), request.machine);
-        auto language = language_of(request.language, *table, *data);
-        if (!language) return refused(language.error());
+        if (!table) return unexpected_error(table.error(), request.machine);
+        auto language = make_language(request.language, *table, *data);
+        if (!language) return unexpected_error(language.error());
         auto source = open_program(request);
-        if (!source) return tl::unexpected(failure_of(DiagnosticKind::file, source.error(), request.program));
+        if (!source) return tl::unexpected(make_error(DiagnosticKind::file, source.error(), request.program));
         return Translation(std::make_unique<State>(request, *std::move(language), *std::move(source)));
     });
 }
@@ -116,17 +118,17 @@ void Translation::reserve_space() {
     state_->spool().reserve_file();
 }
 
-tl::expected<void, Failure> Translation::make(const Tell& tell) {
-    return guarded([&] { return state_->make(tell); });
+tl::expected<void, Error> Translation::make(const DiagnosticHandler& on_diagnostic) {
+    return guard_exceptions([&] { return state_->make(on_diagnostic); });
 }
 
-tl::expected<void, Failure> Translation::write(const std::function<bool(std::string_view)>& take) const {
-    return guarded([&]() -> tl::expected<void, Failure> {
-        bool goes_on = true;
+tl::expected<void, Error> Translation::write(const std::function<bool(std::string_view)>& callback) const {
+    return guard_exceptions([&]() -> tl::expected<void, Error> {
+        bool continues = true;
         return state_->spool()
-            .copy_to([&](std::string_view part) { goes_on = goes_on && take(part); })
+            .copy_to([&](std::string_view part) { continues = continues && callback(part); })
             .map_error(
-                [](std::string sentence) { return failure_of(DiagnosticKind::output, std::move(sentence)); });
+                [](std::string message) { return make_error(DiagnosticKind::output, std::move(message)); });
     });
 }
 

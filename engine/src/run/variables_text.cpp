@@ -10,13 +10,13 @@ namespace gsim::engine {
 tl::expected<std::map<int, double>, std::string> read_variables(const os::Files& files,
                                                                 const std::string& path) {
     if (files.is_absent(path)) return std::map<int, double>();
-    return files.read_text(path, os::NamedBy::command_line).and_then([&](const std::string& text) {
-        return variables_of(text, path);
+    return files.read_text(path, os::NameSource::command_line).and_then([&](const std::string& text) {
+        return parse_variables(text, path);
     });
 }
 
-tl::expected<std::map<int, double>, std::string> variables_of(std::string_view text,
-                                                              std::string_view file_name) {
+tl::expected<std::map<int, double>, std::string> parse_variables(std::string_view text,
+                                                                 std::string_view file_name) {
     std::map<int, double> values;
     std::istringstream lines{std::string(text)};
     std::string line;
@@ -24,9 +24,9 @@ tl::expected<std::map<int, double>, std::string> variables_of(std::string_view t
         std::istringstream words(line);
         int variable = 0;
         double value = 0;
-        std::string rest;
+        std::string remainder;
         if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-        if (!(words >> variable >> value) || words >> rest)
+        if (!(words >> variable >> value) || words >> remainder)
             return tl::unexpected(
                 fmt::format("{}:{}: a line is the number of a variable and its value", file_name, number));
         values[variable] = value;

@@ -17,10 +17,10 @@ tl::expected<std::map<int, double>, std::string> read_variables(const os::Files&
                                                                 const std::string& path);
 
 /// Does the same with the text of such a file.
-tl::expected<std::map<int, double>, std::string> variables_of(std::string_view text,
-                                                              std::string_view file_name);
+tl::expected<std::map<int, double>, std::string> parse_variables(std::string_view text,
+                                                                 std::string_view file_name);
 
-/// Returns the contents of such a file: variables_of() returns the same values again.
+/// Returns the contents of such a file: parse_variables() returns the same values again.
 std::string variables_text(const std::map<int, double>& values);
 
 }  // namespace gsim::engine

@@ -13,28 +13,28 @@ using grammar::Compensation;
 constexpr char kMacroArguments = '*';
 constexpr char kSpindle = '$';
 
-std::string told(Compensation compensation) {
+std::string compensation_text(Compensation compensation) {
     switch (compensation) {
-        case Compensation::allowed: return "";
-        case Compensation::refused: return "refused";
-        case Compensation::refused_beside_path: return "refused beside the path";
-        case Compensation::led_out: return "led out";
+        case Compensation::feasible: return "";
+        case Compensation::rejected: return "refused";
+        case Compensation::refused_next_to_path: return "refused beside the path";
+        case Compensation::lead_out_and_in: return "led out";
         case Compensation::ends_move: return "ends the move";
     }
     return "";
 }
 
 /// Plain motions are C++, and arguments of macros are checked when they are assigned to variables.
-bool looks_by_itself(const Code& code) {
+bool checks_words_itself(const Code& code) {
     constexpr std::array kPlain{0, 10, 20, 30};
     const bool is_plain =
         code.letter == 'G' && std::find(kPlain.begin(), kPlain.end(), code.code_x10) != kPlain.end();
     return is_plain || code.words.find(kMacroArguments) != std::string_view::npos;
 }
 
-std::string keys_of(const Code& code) {
+std::string word_keys(const Code& code) {
     std::string keys;
-    if (looks_by_itself(code)) return keys;
+    if (checks_words_itself(code)) return keys;
     const auto add = [&](const std::string& key) { keys += (keys.empty() ? "" : " ") + key; };
     if (code.axes != grammar::AxisUse::none) add("axes");
     for (const char letter : code.words) {
@@ -50,13 +50,13 @@ std::vector<script::CodeRow> word_table(const grammar::Dialect& dialect) {
     std::vector<script::CodeRow> rows;
     for (const Code& code : dialect.codes()) {
         if (code.group == grammar::Group::user) continue;
-        const bool is_refused = code.support == grammar::Support::later;
+        const bool is_unsupported = code.support == grammar::Support::planned;
         const bool is_modal = code.group != grammar::Group::none;
         rows.push_back({.name = lua_name(code),
                         .group = is_modal ? std::string(name(code.group)) : "",
-                        .keys = keys_of(code),
-                        .compensation = told(code.compensation),
-                        .unsupported = std::string(is_refused ? code.meaning : "")});
+                        .keys = word_keys(code),
+                        .compensation = compensation_text(code.compensation),
+                        .unsupported = std::string(is_unsupported ? code.meaning : "")});
     }
     return rows;
 }

@@ -16,25 +16,25 @@ using Precise = long double;
 constexpr Precise kHalfTurn = 180;
 constexpr Precise kPi = std::numbers::pi_v<Precise>;
 
-// Quarter of a turn in parts, each of so few digits that its products with kMostQuarters at most are exact
+// Quarter of a turn in parts, each of so few digits that its products with kMaxQuarters at most are exact
 // (Cody and Waite, Software Manual for the Elementary Functions, 1980).
 constexpr Precise kQuarterHigh = 0x1.921fb54442p+0L;
 constexpr Precise kQuarterMiddle = 0x1.a308d31319p-41L;
 constexpr Precise kQuarterLow = 0x1.145c06e0e6894812p-82L;
-constexpr Precise kMostQuarters = 1 << 20;
+constexpr Precise kMaxQuarters = 1 << 20;
 constexpr Precise kQuartersPerRad = 2 / kPi;
 
 /// Angle (rad) as quarters of a turn, counted from 0 to 3, and the remainder, at most half a quarter.
-struct Reduced {
+struct ReducedAngle {
     unsigned quarters;
-    Precise rest;
+    Precise remainder;
 };
 
-Reduced reduced(Precise angle) {
-    const long whole = std::lrint(angle * kQuartersPerRad);
-    const auto count = static_cast<Precise>(whole);
-    const Precise rest = ((angle - count * kQuarterHigh) - count * kQuarterMiddle) - count * kQuarterLow;
-    return {static_cast<unsigned>(whole) & 3U, rest};
+ReducedAngle reduced(Precise angle) {
+    const long integer_part = std::lrint(angle * kQuartersPerRad);
+    const auto count = static_cast<Precise>(integer_part);
+    const Precise remainder = ((angle - count * kQuarterHigh) - count * kQuarterMiddle) - count * kQuarterLow;
+    return {static_cast<unsigned>(integer_part) & 3U, remainder};
 }
 
 // Taylor's series up to half a quarter: the omitted part is below 2^-72 of the value. Terms that are below
@@ -60,28 +60,28 @@ Precise cosine_near_zero(Precise x) {
     return 1 + square * (-0.5L + square * (1.0L / 24 + square * (-1.0L / 720 + square * tail)));
 }
 
-Precise sine(Precise angle, unsigned quarters_ahead) {
-    const auto [quarters, rest] = reduced(angle);
-    const unsigned place = (quarters + quarters_ahead) & 3U;
-    const Precise value = (place & 1U) != 0 ? cosine_near_zero(rest) : sine_near_zero(rest);
-    return (place & 2U) != 0 ? -value : value;
+Precise sine(Precise angle, unsigned quarter_offset) {
+    const auto [quarters, remainder] = reduced(angle);
+    const unsigned quadrant = (quarters + quarter_offset) & 3U;
+    const Precise value = (quadrant & 1U) != 0 ? cosine_near_zero(remainder) : sine_near_zero(remainder);
+    return (quadrant & 2U) != 0 ? -value : value;
 }
 
 /// Returns the first argument, degrees, in rad.
-Precise angle_of(lua_State* state) {
+Precise check_angle(lua_State* state) {
     return static_cast<Precise>(luaL_checknumber(state, 1)) * kPi / kHalfTurn;
 }
 
-template <Precise (*function)(Precise), unsigned quarters_ahead>
-int wave_of_degrees(lua_State* state) {
-    const Precise angle = angle_of(state);
-    const bool near = std::abs(angle) < kMostQuarters;
-    lua_pushnumber(state, static_cast<double>(near ? sine(angle, quarters_ahead) : function(angle)));
+template <Precise (*function)(Precise), unsigned quarter_offset>
+int trig_of_degrees(lua_State* state) {
+    const Precise angle = check_angle(state);
+    const bool near = std::abs(angle) < kMaxQuarters;
+    lua_pushnumber(state, static_cast<double>(near ? sine(angle, quarter_offset) : function(angle)));
     return 1;
 }
 
 int tan_deg(lua_State* state) {
-    lua_pushnumber(state, static_cast<double>(std::tan(angle_of(state))));
+    lua_pushnumber(state, static_cast<double>(std::tan(check_angle(state))));
     return 1;
 }
 
@@ -106,8 +106,8 @@ int atan_deg(lua_State* state) {
 }  // namespace
 
 void add_angles(lua_State* state, Interpreter& interpreter) {
-    set_function<wave_of_degrees<std::sin, 0>>(state, "sin_deg", &interpreter);
-    set_function<wave_of_degrees<std::cos, 1>>(state, "cos_deg", &interpreter);
+    set_function<trig_of_degrees<std::sin, 0>>(state, "sin_deg", &interpreter);
+    set_function<trig_of_degrees<std::cos, 1>>(state, "cos_deg", &interpreter);
     set_function<tan_deg>(state, "tan_deg", &interpreter);
     set_function<asin_deg>(state, "asin_deg", &interpreter);
     set_function<acos_deg>(state, "acos_deg", &interpreter);

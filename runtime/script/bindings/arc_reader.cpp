@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/script/lua/choice.h"
+#include "runtime/script/lua/check_option.h"
 #include "runtime/script/lua/lua_state.h"
 #include "runtime/script/words/arc_solution.h"
 
@@ -26,7 +26,7 @@ using simulation::AxisVector;
 namespace {
 
 constexpr double kRounding = 1e-9;  // relative, of the directions of a matrix
-constexpr double kNoShare = 1e-9;   // of an axis in a unit vector
+constexpr double kMinShare = 1e-9;  // of an axis in a unit vector
 
 constexpr std::array kAxisWords{"x", "y", "z"};
 constexpr std::array kCenterWords{"i", "j", "k"};
@@ -48,7 +48,7 @@ bool has_word(lua_State* state, int index, const char* name) {
 }
 
 /// Words of an arc other than those of its end.
-struct ArcWords final : OtherWords {
+struct ArcWords final : NonAxisWords {
     std::array<std::optional<double>, 3> center;  // I, J, K
     std::optional<double> radius, angle, turns;
 
@@ -65,7 +65,7 @@ struct ArcWords final : OtherWords {
         }
     }
     std::vector<std::string_view> names() const override { return {"i", "j", "k", "r", "p", "ar"}; }
-    bool take(std::string_view name, double value) override {
+    bool accept_word(std::string_view name, double value) override {
         std::optional<double>* word = find(name);
         if (word != nullptr) *word = value;
         return word != nullptr;
@@ -79,7 +79,7 @@ class ArcReader {
         : state_(state),
           interpreter_(interpreter),
           index_(index),
-          plane_(axes_of(interpreter.modal().plane)),
+          plane_(plane_axes(interpreter.modal().plane)),
           normal_(Vector3d::Unit(plane_.normal)),
           first_(Vector3d::Unit(plane_.first)),
           second_(Vector3d::Unit(plane_.second)) {}
@@ -91,15 +91,15 @@ class ArcReader {
         interpreter_.alarm(state_, kind, message);
     }
     template <typename Value>
-    Value value_of(tl::expected<Value, std::string> result) {
+    Value unwrap(tl::expected<Value, std::string> result) {
         if (!result) alarm(DiagnosticKind::arc, result.error());
         return *result;
     }
 
-    const std::optional<double>& center_on(int axis) const {
+    const std::optional<double>& center_offset(int axis) const {
         return words_.center[static_cast<std::size_t>(axis)];
     }
-    bool has_center() const { return center_on(plane_.first) || center_on(plane_.second); }
+    bool has_center() const { return center_offset(plane_.first) || center_offset(plane_.second); }
     void check_words();
     void check_axes();
     int machine_axis(int axis);
@@ -111,7 +111,7 @@ class ArcReader {
     Vector2d center(const Vector2d& start);
     Vector2d absolute_center(const Vector2d& center);
     ArcSolution solve(ArcEnds& ends, bool moved);
-    ArcSolution by_center(ArcEnds& ends);
+    ArcSolution solve_by_center(ArcEnds& ends);
 
     lua_State* state_;
     Interpreter& interpreter_;
@@ -120,9 +120,9 @@ class ArcReader {
     ArcWords words_;
     // The plane in the machine:
     Vector3d normal_, first_, second_;
-    std::array<int, 3> axes_{};  // of X, Y and Z; -1 if the machine has none
-    double scale_ = 1;           // of lengths in the plane, by the matrix in force
-    bool same_sense_ = true;     // which it keeps
+    std::array<int, 3> axes_{};    // of X, Y and Z; -1 if the machine has none
+    double scale_ = 1;             // of lengths in the plane, by the matrix in force
+    bool preserves_sense_ = true;  // which it keeps
 };
 
 /// Checks that the words that give the arc do not contradict each other.
@@ -132,7 +132,7 @@ void ArcReader::check_words() {
     if (words_.radius && (has_center() || words_.angle))
         alarm(DiagnosticKind::code_conflict,
               "an arc is given by its radius R, or by its centre or its angle, not by both");
-    if (center_on(plane_.normal)) {
+    if (center_offset(plane_.normal)) {
         alarm(DiagnosticKind::word_out_of_place,
               fmt::format("{} is no centre word of the plane in force; it takes {} and {}",
                           upper(center_word(plane_.normal)), first, second));
@@ -157,7 +157,7 @@ int ArcReader::machine_axis(int axis) {
 /// Checks that the axes that the arc moves exist.
 void ArcReader::check_axes() {
     for (int axis = 0; axis < 3; ++axis) {
-        const bool moves = std::max(std::abs(first_[axis]), std::abs(second_[axis])) > kNoShare;
+        const bool moves = std::max(std::abs(first_[axis]), std::abs(second_[axis])) > kMinShare;
         axes_[static_cast<std::size_t>(axis)] =
             moves ? machine_axis(axis) : interpreter_.axis(axis_word(axis)[0]);
     }
@@ -194,15 +194,15 @@ void ArcReader::map_plane() {
     if (std::abs(a.dot(b)) > kRounding * scale_ * scale_ || std::abs(scale_ - b.norm()) > kRounding * scale_)
         alarm(DiagnosticKind::arc, "an arc becomes an ellipse where its two axes are scaled differently");
     const Vector3d turned = a.cross(b) / (scale_ * scale_);
-    normal_ = simulation::told_normal(turned);
-    same_sense_ = normal_.dot(turned) > 0;
+    normal_ = simulation::canonical_normal(turned);
+    preserves_sense_ = normal_.dot(turned) > 0;
     const ArcBasis basis = arc_basis(normal_);
     first_ = basis.first;
     second_ = basis.second;
 }
 
 Vector2d ArcReader::absolute_center(const Vector2d& center) {
-    if (!center_on(plane_.first) || !center_on(plane_.second)) {
+    if (!center_offset(plane_.first) || !center_offset(plane_.second)) {
         alarm(DiagnosticKind::word_missing,
               fmt::format("an absolute arc centre (G90.1) needs both {} and {}",
                           upper(center_word(plane_.first)), upper(center_word(plane_.second))));
@@ -217,34 +217,34 @@ Vector2d ArcReader::absolute_center(const Vector2d& center) {
 /// Returns the centre by I, J, K: a vector from the start, or a point if the program says so.
 Vector2d ArcReader::center(const Vector2d& start) {
     const double unit_mm = interpreter_.unit_mm();
-    const Vector2d words{center_on(plane_.first).value_or(0) * unit_mm,
-                         center_on(plane_.second).value_or(0) * unit_mm};
+    const Vector2d words{center_offset(plane_.first).value_or(0) * unit_mm,
+                         center_offset(plane_.second).value_or(0) * unit_mm};
     if (interpreter_.modal().absolute_arc_centers) return absolute_center(words);
     if (!interpreter_.frame().has_matrix()) return {start.x() + words.x(), start.y() + words.y()};
     return start + words.x() * in_plane(direction(plane_.first)) +
            words.y() * in_plane(direction(plane_.second));
 }
 
-ArcSolution ArcReader::by_center(ArcEnds& ends) {
+ArcSolution ArcReader::solve_by_center(ArcEnds& ends) {
     const ModalState& modal = interpreter_.modal();
     const Vector2d about = center(ends.start);
     if (!words_.angle)
-        return value_of(arc_by_center(ends, about, modal.arc_rules, interpreter_.unit_mm() != 1));
+        return unwrap(arc_by_center(ends, about, modal.arc_rules, interpreter_.unit_mm() != 1));
     if (has_word(state_, index_, axis_word(plane_.first)) ||
         has_word(state_, index_, axis_word(plane_.second))) {
         alarm(DiagnosticKind::code_conflict, "an arc by its angle AR= takes its end or its centre, not both");
     }
-    const double sweep_rad = value_of(arc_angle_rad(*words_.angle));
+    const double sweep_rad = unwrap(arc_angle_rad(*words_.angle));
     ends.end = end_by_angle(ends, about, sweep_rad);
     return {about, sweep_rad};
 }
 
 ArcSolution ArcReader::solve(ArcEnds& ends, bool moved) {
-    if (has_center()) return by_center(ends);
-    if (!words_.radius) return value_of(arc_by_angle(ends, value_of(arc_angle_rad(*words_.angle))));
+    if (has_center()) return solve_by_center(ends);
+    if (!words_.radius) return unwrap(arc_by_angle(ends, unwrap(arc_angle_rad(*words_.angle))));
     if (!moved) alarm(DiagnosticKind::word_missing, "an arc by its radius needs its end");
     const double radius_mm = *words_.radius * interpreter_.unit_mm() * scale_;
-    return value_of(arc_by_radius(ends, radius_mm, interpreter_.modal().arc_rules));
+    return unwrap(arc_by_radius(ends, radius_mm, interpreter_.modal().arc_rules));
 }
 
 ArcMove ArcReader::read(bool ccw) {
@@ -253,14 +253,14 @@ ArcMove ArcReader::read(bool ccw) {
     check_words();
     if (interpreter_.frame().has_matrix()) map_plane();
     check_axes();
-    ArcEnds ends{in_plane(interpreter_.programmed()), in_plane(move.target), ccw == same_sense_};
+    ArcEnds ends{in_plane(interpreter_.programmed()), in_plane(move.target), ccw == preserves_sense_};
     const ArcSolution solution = solve(ends, moved);
     move.normal = normal_;
     move.kind = ends.ccw ? simulation::MoveKind::arc_ccw : simulation::MoveKind::arc_cw;
     move.center_mm = solution.center.x() * first_ + solution.center.y() * second_;
     move.sweep_rad = solution.sweep_rad;
     if (words_.turns)
-        move.sweep_rad += value_of(further_turns_rad(*words_.turns, interpreter_.modal().arc_rules));
+        move.sweep_rad += unwrap(additional_turns_rad(*words_.turns, interpreter_.modal().arc_rules));
     if (words_.angle && has_center()) set_in_plane(move.target, ends.end);
     return move;
 }
@@ -288,7 +288,7 @@ Vector3d check_vector_field(lua_State* state, int index, const char* name) {
 }  // namespace
 
 Plane check_plane(lua_State* state, int argument) {
-    return static_cast<Plane>(check_choice(state, argument, nullptr, kPlanes));
+    return static_cast<Plane>(check_option(state, argument, nullptr, kPlanes));
 }
 
 void push_plane(lua_State* state, Plane plane) {
@@ -297,7 +297,7 @@ void push_plane(lua_State* state, Plane plane) {
 
 ArcBasis arc_basis(const Vector3d& normal) {
     if (const auto plane = simulation::main_plane(normal)) {
-        const PlaneAxes axes = axes_of(*plane);
+        const PlaneAxes axes = plane_axes(*plane);
         return {Vector3d::Unit(axes.first), Vector3d::Unit(axes.second)};
     }
     const Vector3d first = normal.unitOrthogonal();
@@ -306,7 +306,7 @@ ArcBasis arc_basis(const Vector3d& normal) {
 
 ArcBasis check_arc_plane(lua_State* state, int argument) {
     if (lua_type(state, argument) != LUA_TTABLE)
-        return arc_basis(simulation::normal_of(check_plane(state, argument)));
+        return arc_basis(simulation::plane_normal(check_plane(state, argument)));
     return {check_vector_field(state, argument, "first"), check_vector_field(state, argument, "second")};
 }
 

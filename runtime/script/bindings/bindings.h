@@ -8,7 +8,7 @@
 namespace gsim::script {
 
 /// Returns the interpreter of a function that was bound to it.
-inline Interpreter& interpreter_of(lua_State* state) {
+inline Interpreter& bound_interpreter(lua_State* state) {
     return bound<Interpreter>(state);
 }
 

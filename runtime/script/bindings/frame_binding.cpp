@@ -17,10 +17,10 @@ using simulation::AxisVector;
 namespace {
 
 /// Words of a list, each between two blanks (" i j "), whatever their values.
-class ListedWords final : public OtherWords {
+class WordList final : public NonAxisWords {
   public:
-    explicit ListedWords(std::string_view list) : list_(list) {}
-    bool take(std::string_view name, double) override {
+    explicit WordList(std::string_view list) : list_(list) {}
+    bool accept_word(std::string_view name, double) override {
         return list_.find(fmt::format(" {} ", name)) != std::string_view::npos;
     }
     std::vector<std::string_view> names() const override {
@@ -36,7 +36,7 @@ class ListedWords final : public OtherWords {
 
 int check_axis(lua_State* state, int argument) {
     const std::string_view letter = luaL_checkstring(state, argument);
-    const int axis = letter.size() == 1 ? interpreter_of(state).axis(letter[0]) : -1;
+    const int axis = letter.size() == 1 ? bound_interpreter(state).axis(letter[0]) : -1;
     luaL_argcheck(state, axis >= 0, argument, "no axis of the machine");
     return axis;
 }
@@ -44,7 +44,7 @@ int check_axis(lua_State* state, int argument) {
 // A controller changes its frames after the moves so far have been made, because it has planned them in the
 // old ones.
 int set_offset(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     if (interpreter.frame().set_offset(check_axis(state, 1), luaL_checknumber(state, 2)))
         interpreter.simulator().wait();
     return 0;
@@ -52,24 +52,24 @@ int set_offset(lua_State* state) {
 
 /// core.set_word_factor(letter, factor): number of program units for 1 in a word of the axis.
 int set_word_factor(lua_State* state) {
-    interpreter_of(state).set_word_factor(check_axis(state, 1), luaL_checknumber(state, 2));
+    bound_interpreter(state).set_word_factor(check_axis(state, 1), luaL_checknumber(state, 2));
     return 0;
 }
 
 int word_factor(lua_State* state) {
-    lua_pushnumber(state, interpreter_of(state).word_factor(check_axis(state, 1)));
+    lua_pushnumber(state, bound_interpreter(state).word_factor(check_axis(state, 1)));
     return 1;
 }
 
 /// core.has_matrix(): true if a rotation, scaling or mirror image is active.
 int has_matrix(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(interpreter_of(state).frame().has_matrix()));
+    lua_pushboolean(state, static_cast<int>(bound_interpreter(state).frame().has_matrix()));
     return 1;
 }
 
 /// core.set_matrix(nil or {nine numbers, row by row})
 int set_matrix(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     if (interpreter.frame().has_matrix() || !lua_isnoneornil(state, 1)) interpreter.simulator().wait();
     if (lua_isnoneornil(state, 1)) {
         interpreter.frame().set_matrix(std::nullopt);
@@ -89,47 +89,47 @@ int set_matrix(lua_State* state) {
 }
 
 int machine_frame_once(lua_State* state) {
-    interpreter_of(state).modal().machine_frame_once = true;
+    bound_interpreter(state).modal().machine_frame_once = true;
     return 0;
 }
 
 /// core.in_machine_frame(): true if G53 holds for the move of this block.
 int in_machine_frame(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(interpreter_of(state).modal().machine_frame_once));
+    lua_pushboolean(state, static_cast<int>(bound_interpreter(state).modal().machine_frame_once));
     return 1;
 }
 
 int position(lua_State* state) {
-    lua_pushnumber(state, interpreter_of(state).programmed()[check_axis(state, 1)]);
+    lua_pushnumber(state, bound_interpreter(state).programmed()[check_axis(state, 1)]);
     return 1;
 }
 
 int machine_position(lua_State* state) {
-    lua_pushnumber(state, interpreter_of(state).simulator().position()[check_axis(state, 1)]);
+    lua_pushnumber(state, bound_interpreter(state).simulator().position()[check_axis(state, 1)]);
     return 1;
 }
 
 /// core.turned(letter, value): position of an axis that is sent to `value` in machine coordinates; for a
 /// rotary one it may be some turns off.
 int turned(lua_State* state) {
-    const Interpreter& interpreter = interpreter_of(state);
+    const Interpreter& interpreter = bound_interpreter(state);
     const int axis = check_axis(state, 1);
     const machine::Axis& moved = interpreter.simulator().machine().axes[static_cast<std::size_t>(axis)];
     lua_pushnumber(
-        state, machine::turned_target(moved, luaL_checknumber(state, 2), interpreter.programmed()[axis], 0));
+        state, machine::rotary_target(moved, luaL_checknumber(state, 2), interpreter.programmed()[axis], 0));
     return 1;
 }
 
 /// core.reading(letter, value): value that the axis shows at `value` in machine coordinates.
 int reading(lua_State* state) {
     const auto axis = static_cast<std::size_t>(check_axis(state, 1));
-    lua_pushnumber(state, machine::reading(interpreter_of(state).simulator().machine().axes[axis],
+    lua_pushnumber(state, machine::reading(bound_interpreter(state).simulator().machine().axes[axis],
                                            luaL_checknumber(state, 2)));
     return 1;
 }
 
 int set_programmed(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     if (lua_isnoneornil(state, 1)) {
         interpreter.set_programmed(std::nullopt);
     } else {
@@ -142,23 +142,23 @@ int set_programmed(lua_State* state) {
 int target(lua_State* state) {
     AxisVector values;
     const std::string_view list = luaL_optstring(state, 2, "");
-    ListedWords others(list);
-    const bool any = interpreter_of(state).read_target(state, 1, list.empty() ? nullptr : &others, values);
-    push_axes(state, interpreter_of(state), values);
+    WordList others(list);
+    const bool any = bound_interpreter(state).read_target(state, 1, list.empty() ? nullptr : &others, values);
+    push_axes(state, bound_interpreter(state), values);
     lua_pushboolean(state, static_cast<int>(any));
     return 2;
 }
 
 /// core.to_program(target): program coordinates in mm and deg of a point in machine coordinates.
 int to_program(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     push_axes(state, interpreter, interpreter.frame().to_program(check_axes(state, interpreter, 1)));
     return 1;
 }
 
 /// core.to_machine(values): the reverse; axes that are not named stay unchanged.
 int to_machine(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     const ProgramFrame& frame = interpreter.frame();
     const AxisVector values = check_axes(state, interpreter, 1, frame.to_program(interpreter.programmed()));
     push_axes(state, interpreter, frame.to_machine(values));
@@ -169,21 +169,21 @@ int to_machine(lua_State* state) {
 int set_on_polar(lua_State* state) {
     luaL_checktype(state, 1, LUA_TFUNCTION);
     lua_settop(state, 1);
-    interpreter_of(state).on_polar = luaL_ref(state, LUA_REGISTRYINDEX);
+    bound_interpreter(state).on_polar = luaL_ref(state, LUA_REGISTRYINDEX);
     return 0;
 }
 
 /// core.direction(x, y, z): a vector of the program in machine coordinates.
 int direction(lua_State* state) {
-    const Eigen::Vector3d vector = interpreter_of(state).frame().direction(
+    const Eigen::Vector3d vector = bound_interpreter(state).frame().direction(
         {luaL_optnumber(state, 1, 0), luaL_optnumber(state, 2, 0), luaL_optnumber(state, 3, 0)});
     for (const double part : vector) lua_pushnumber(state, part);
     return 3;
 }
 
-/// core.set_tip_control(nil or offsets by letter in mm): TCP control.
-int set_tip_control(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+/// core.set_tcp_control(nil or offsets by letter in mm): TCP control.
+int set_tcp_control(lua_State* state) {
+    Interpreter& interpreter = bound_interpreter(state);
     std::optional<Eigen::Vector3d> offset;
     if (!lua_isnoneornil(state, 1)) {
         luaL_checktype(state, 1, LUA_TTABLE);
@@ -194,13 +194,13 @@ int set_tip_control(lua_State* state) {
             lua_pop(state, 1);
         }
     }
-    interpreter.check(state, interpreter.simulator().set_tip_control(offset, interpreter.place()));
+    interpreter.check(state, interpreter.simulator().set_tcp_control(offset, interpreter.location()));
     return 0;
 }
 
-/// core.tip_control(): true if it is on.
-int tip_control(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(interpreter_of(state).simulator().has_tip_control()));
+/// core.tcp_control(): true if it is on.
+int tcp_control(lua_State* state) {
+    lua_pushboolean(state, static_cast<int>(bound_interpreter(state).simulator().has_tcp_control()));
     return 1;
 }
 
@@ -224,8 +224,8 @@ void add_frames(lua_State* state, Interpreter& interpreter) {
     set_function<to_machine>(state, "to_machine", &interpreter);
     set_function<set_on_polar>(state, "on_polar", &interpreter);
     set_function<direction>(state, "direction", &interpreter);
-    set_function<set_tip_control>(state, "set_tip_control", &interpreter);
-    set_function<tip_control>(state, "tip_control", &interpreter);
+    set_function<set_tcp_control>(state, "set_tip_control", &interpreter);
+    set_function<tcp_control>(state, "tip_control", &interpreter);
 }
 
 }  // namespace gsim::script

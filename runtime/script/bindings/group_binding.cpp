@@ -11,7 +11,7 @@
 #include "base/text/nearest_name.h"
 #include "machine/model/machine.h"
 #include "runtime/script/bindings/bindings.h"
-#include "runtime/script/lua/choice.h"
+#include "runtime/script/lua/check_option.h"
 #include "runtime/script/lua/group_table.h"
 #include "runtime/script/lua/lua_state.h"
 
@@ -31,7 +31,7 @@ std::vector<std::string_view> group_names(const machine::Machine& machine) {
     return names;
 }
 
-std::string letters_of(const machine::Machine& machine, const machine::AxisGroup& group) {
+std::string group_letters(const machine::Machine& machine, const machine::AxisGroup& group) {
     std::string letters;
     for (const std::size_t axis : group.axes) {
         letters += letters.empty() ? "" : ", ";
@@ -40,7 +40,7 @@ std::string letters_of(const machine::Machine& machine, const machine::AxisGroup
     return letters;
 }
 
-bool leads_groups(const machine::Machine& machine) {
+bool can_coordinate_groups(const machine::Machine& machine) {
     return machine.inverse == machine::InverseKind::numeric;
 }
 
@@ -54,7 +54,7 @@ std::size_t check_group_axis(lua_State* state, Interpreter& interpreter, const m
     }
     interpreter.alarm(state, DiagnosticKind::word_out_of_place,
                       fmt::format("the group '{}' has no axis '{}'; its axes: {}", group.name, key,
-                                  letters_of(machine, group)));
+                                  group_letters(machine, group)));
 }
 
 void read_targets(lua_State* state, Interpreter& interpreter, const machine::AxisGroup& group,
@@ -62,7 +62,7 @@ void read_targets(lua_State* state, Interpreter& interpreter, const machine::Axi
     if (!lua_istable(state, -1)) {
         interpreter.alarm(state, DiagnosticKind::script,
                           fmt::format("where a group goes is told by a table of its axes ({}): {} = {{...}}",
-                                      letters_of(interpreter.simulator().machine(), group), group.name));
+                                      group_letters(interpreter.simulator().machine(), group), group.name));
     }
     const std::size_t first = targets.size();
     for (lua_pushnil(state); lua_next(state, -2) != 0; lua_pop(state, 1)) {
@@ -94,7 +94,7 @@ std::size_t check_group(lua_State* state, Interpreter& interpreter, int index) {
                                                   : fmt::format("there are: {}", text::joined(names, ", "))));
 }
 
-void check_led(lua_State* state, Interpreter& interpreter, const machine::AxisGroup& group) {
+void check_coordinated(lua_State* state, Interpreter& interpreter, const machine::AxisGroup& group) {
     const auto index = static_cast<std::size_t>(&group - interpreter.simulator().machine().groups.data());
     if (interpreter.simulator().group_motion(index) != machine::GroupMotion::independent) return;
     interpreter.alarm(
@@ -106,7 +106,7 @@ void check_led(lua_State* state, Interpreter& interpreter, const machine::AxisGr
 int push_group_names(lua_State* state) {
     lua_newtable(state);
     int index = 0;
-    for (const machine::AxisGroup& group : interpreter_of(state).simulator().machine().groups) {
+    for (const machine::AxisGroup& group : bound_interpreter(state).simulator().machine().groups) {
         lua_pushlstring(state, group.name.data(), group.name.size());
         lua_rawseti(state, -2, ++index);
     }
@@ -115,7 +115,7 @@ int push_group_names(lua_State* state) {
 
 /// core.group_motion(name): "synchronous", "coordinated" or "independent".
 int group_motion(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     interpreter.locate(state);
     const std::size_t group = check_group(state, interpreter, 1);
     lua_pushstring(state, kMotions[static_cast<std::size_t>(interpreter.simulator().group_motion(group))]);
@@ -124,11 +124,12 @@ int group_motion(lua_State* state) {
 
 /// core.set_group_motion(name, motion): for the moves that follow.
 int set_group_motion(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     interpreter.locate(state);
     const std::size_t group = check_group(state, interpreter, 1);
-    const auto motion = static_cast<machine::GroupMotion>(check_choice(state, 2, nullptr, kMotions));
-    if (motion == machine::GroupMotion::coordinated && !leads_groups(interpreter.simulator().machine())) {
+    const auto motion = static_cast<machine::GroupMotion>(check_option(state, 2, nullptr, kMotions));
+    if (motion == machine::GroupMotion::coordinated &&
+        !can_coordinate_groups(interpreter.simulator().machine())) {
         interpreter.alarm(
             state, DiagnosticKind::mode,
             "groups are coordinated on machines with inverse = \"numeric\"; where X, Y and Z carry "
@@ -140,7 +141,7 @@ int set_group_motion(lua_State* state) {
 
 /// core.move_group(name, {c = 90}): an independent group moves by itself.
 int move_group(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     interpreter.locate(state);
     interpreter.attach(state);
     const std::size_t group = check_group(state, interpreter, 1);
@@ -155,16 +156,16 @@ int move_group(lua_State* state) {
     lua_settop(state, 2);
     std::vector<simulation::GroupTarget> targets;
     read_targets(state, interpreter, moved, targets);
-    interpreter.check(state, interpreter.simulator().move_group(group, targets, interpreter.place()));
+    interpreter.check(state, interpreter.simulator().move_group(group, targets, interpreter.location()));
     return 0;
 }
 
 /// core.wait_for_groups(): waits until none moves by itself.
 int wait_for_groups(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     interpreter.locate(state);
     interpreter.attach(state);
-    interpreter.check(state, interpreter.simulator().wait_for_groups(interpreter.place()));
+    interpreter.check(state, interpreter.simulator().wait_for_groups(interpreter.location()));
     return 0;
 }
 
@@ -177,13 +178,13 @@ std::vector<simulation::GroupTarget> check_group_targets(lua_State* state, Inter
     for (const machine::AxisGroup& group : machine.groups) {
         lua_getfield(state, index, group.name.c_str());
         if (!lua_isnil(state, -1)) {
-            if (!leads_groups(machine)) {
+            if (!can_coordinate_groups(machine)) {
                 interpreter.alarm(state, DiagnosticKind::mode,
                                   fmt::format("the inverse of this machine finds the axes of the group '{}' "
                                               "itself; words such as G1 lead them",
                                               group.name));
             }
-            check_led(state, interpreter, group);
+            check_coordinated(state, interpreter, group);
             read_targets(state, interpreter, group, targets);
         }
         lua_pop(state, 1);

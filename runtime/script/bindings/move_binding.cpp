@@ -9,7 +9,7 @@
 #include "runtime/script/bindings/arc_reader.h"
 #include "runtime/script/bindings/bindings.h"
 #include "runtime/script/lua/axis_table.h"
-#include "runtime/script/lua/choice.h"
+#include "runtime/script/lua/check_option.h"
 #include "runtime/script/lua/lua_state.h"
 
 namespace gsim::script {
@@ -19,7 +19,7 @@ using text::DiagnosticKind;
 using simulation::AxisVector;
 using simulation::Feed;
 using simulation::MoveKind;
-using simulation::Place;
+using simulation::SourceLocation;
 
 namespace {
 
@@ -43,7 +43,7 @@ void push_feed(lua_State* state, const Feed& feed) {
 
 /// Returns the feed at `index`, or the active one if it is missing; `sweep_rad` for an arc.
 Feed check_feed(lua_State* state, int index, std::optional<double> sweep_rad) {
-    if (lua_isnoneornil(state, index)) return interpreter_of(state).feed(state, sweep_rad);
+    if (lua_isnoneornil(state, index)) return bound_interpreter(state).feed(state, sweep_rad);
     luaL_checktype(state, index, LUA_TTABLE);
     Feed feed;
     feed.linear_mm_min = number_field(state, index, "linear_mm_min");
@@ -54,17 +54,17 @@ Feed check_feed(lua_State* state, int index, std::optional<double> sweep_rad) {
     return feed;
 }
 
-Place check_place(lua_State* state, int index) {
-    if (lua_isnoneornil(state, index)) return interpreter_of(state).place();
+SourceLocation check_location(lua_State* state, int index) {
+    if (lua_isnoneornil(state, index)) return bound_interpreter(state).location();
     const auto code = static_cast<std::uint64_t>(luaL_checkinteger(state, index));
     return {static_cast<std::uint32_t>(code >> 32U), static_cast<std::uint32_t>(code)};
 }
 
-/// core.take_feed(sweep_rad or nil): the active feed; an F of inverse time feed is used up.
-int take_feed(lua_State* state) {
+/// core.consume_feed(sweep_rad or nil): the active feed; an F of inverse time feed is used up.
+int consume_feed(lua_State* state) {
     std::optional<double> sweep_rad;
     if (!lua_isnoneornil(state, 1)) sweep_rad = luaL_checknumber(state, 1);
-    push_feed(state, interpreter_of(state).feed(state, sweep_rad));
+    push_feed(state, bound_interpreter(state).feed(state, sweep_rad));
     return 1;
 }
 
@@ -77,8 +77,8 @@ int feed_mm_min(lua_State* state) {
     return 1;
 }
 
-int place(lua_State* state) {
-    const Place current = interpreter_of(state).place();
+int location(lua_State* state) {
+    const SourceLocation current = bound_interpreter(state).location();
     lua_pushinteger(
         state, static_cast<lua_Integer>((static_cast<std::uint64_t>(current.file) << 32U) | current.line));
     return 1;
@@ -88,11 +88,11 @@ int place(lua_State* state) {
 
 /// core.rapid_to(target, place)
 int rapid_to(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     simulation::LineMove move;
     move.kind = MoveKind::rapid;
     move.target = check_axes(state, interpreter, 1);
-    move.place = check_place(state, 2);
+    move.location = check_location(state, 2);
     interpreter.check(state, interpreter.simulator().move(move));
     return 0;
 }
@@ -101,12 +101,12 @@ int rapid_to(lua_State* state) {
 int line_to(lua_State* state) {
     static const char* const kNames[] = {"linear", "thread", "spline", nullptr};
     static constexpr MoveKind kKinds[] = {MoveKind::linear, MoveKind::thread, MoveKind::spline};
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     simulation::LineMove move;
     move.target = check_axes(state, interpreter, 1);
     move.feed = check_feed(state, 2, std::nullopt);
-    move.place = check_place(state, 3);
-    move.kind = kKinds[check_choice(state, 4, "linear", kNames)];
+    move.location = check_location(state, 3);
+    move.kind = kKinds[check_option(state, 4, "linear", kNames)];
     interpreter.check(state, interpreter.simulator().move(move));
     return 0;
 }
@@ -116,18 +116,18 @@ int line_to(lua_State* state) {
 /// Returns whether it came, whether it was present before the move, and the machine coordinates at that
 /// instant.
 int probe(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     simulation::ProbeMove move;
     move.line.kind = MoveKind::probe;
     move.line.target = check_axes(state, interpreter, 1, interpreter.simulator().position());
     move.line.feed = check_feed(state, 2, std::nullopt);
-    move.line.place = check_place(state, 3);
+    move.line.location = check_location(state, 3);
     move.away = lua_toboolean(state, 4) != 0;
     if (lua_isnumber(state, 5) != 0) {
-        move.answer = simulation::ProbeMove::Answer::at_part;
-        move.part = lua_tonumber(state, 5);
+        move.response = simulation::ProbeMove::ProbeResponse::at_fraction;
+        move.fraction = lua_tonumber(state, 5);
     } else if (!lua_isnoneornil(state, 5)) {
-        move.answer = simulation::ProbeMove::Answer::never;
+        move.response = simulation::ProbeMove::ProbeResponse::never;
     }
     simulation::ProbeResult result;
     interpreter.check(state, interpreter.simulator().probe(move, result));
@@ -139,11 +139,11 @@ int probe(lua_State* state) {
 
 /// core.joint_to(target): all joints together, the slowest at its limits.
 int joint_to(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     simulation::LineMove move;
     move.kind = MoveKind::rapid;
     move.target = check_axes(state, interpreter, 1);
-    move.place = interpreter.place();
+    move.location = interpreter.location();
     interpreter.check(state, interpreter.simulator().move(move));
     return 0;
 }
@@ -152,78 +152,78 @@ int joint_to(lua_State* state) {
 /// is a name, or { first = {x=, y=, z=}, second = {...} }, two unit vectors at right angles along which the
 /// centre is counted.
 int arc(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     simulation::ArcMove move;
     const ArcBasis basis = check_arc_plane(state, 1);
     const Eigen::Vector3d axis = basis.first.cross(basis.second);
-    move.normal = simulation::told_normal(axis);
+    move.normal = simulation::canonical_normal(axis);
     const bool counterclockwise = (lua_toboolean(state, 2) != 0) == (move.normal.dot(axis) > 0);
     move.kind = counterclockwise ? MoveKind::arc_ccw : MoveKind::arc_cw;
     move.center_mm = luaL_checknumber(state, 3) * basis.first + luaL_checknumber(state, 4) * basis.second;
     move.sweep_rad = luaL_checknumber(state, 5);
     move.target = check_axes(state, interpreter, 6);
     move.feed = check_feed(state, 7, move.sweep_rad);
-    move.place = check_place(state, 8);
+    move.location = check_location(state, 8);
     interpreter.check(state, interpreter.simulator().move(move));
     return 0;
 }
 
 /// core.arc_via(via, target, sweep_rad): an arc through a point.
 int arc_via(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     simulation::ViaMove move;
     move.via = check_axes(state, interpreter, 1);
     move.target = check_axes(state, interpreter, 2);
     move.feed = interpreter.feed(state, luaL_checknumber(state, 3));
-    move.place = interpreter.place();
+    move.location = interpreter.location();
     interpreter.check(state, interpreter.simulator().move(move));
     return 0;
 }
 
 int dwell(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     const double seconds = luaL_checknumber(state, 1);
     if (!(seconds >= 0) || !std::isfinite(seconds))
         interpreter.alarm(state, DiagnosticKind::word_value,
                           fmt::format("a dwell takes 0 seconds or more, not {:.10g}", seconds));
-    interpreter.check(state, interpreter.simulator().dwell(seconds, check_place(state, 2)));
+    interpreter.check(state, interpreter.simulator().dwell(seconds, check_location(state, 2)));
     return 0;
 }
 
-/// core.event(kind, detail, place, "at_rest" | "in_passing" | "with_motion")
+/// core.event(kind, detail, place, "at_standstill" | "in_passing" | "with_motion")
 int event(lua_State* state) {
     static constexpr std::array<const char*, 4> kWhen{"at_rest", "in_passing", "with_motion", nullptr};
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     interpreter.simulator().event(
-        luaL_checkstring(state, 1), luaL_optstring(state, 2, ""), check_place(state, 3),
-        static_cast<simulation::Simulator::When>(check_choice(state, 4, "at_rest", kWhen)));
+        luaL_checkstring(state, 1), luaL_optstring(state, 2, ""), check_location(state, 3),
+        static_cast<simulation::Simulator::EventTiming>(check_option(state, 4, "at_rest", kWhen)));
     return 0;
 }
 
 /// core.exact_stop_once(): the next move ends in an exact stop.
 int exact_stop_once(lua_State* state) {
-    interpreter_of(state).simulator().exact_stop_once();
+    bound_interpreter(state).simulator().exact_stop_once();
     return 0;
 }
 
-/// core.take_time(s, key, place): the machine is at standstill for something that a word has started.
-int take_time(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+/// core.dwell_for_word(s, key, place): the machine is at standstill for something that a word has started.
+int dwell_for_word(lua_State* state) {
+    Interpreter& interpreter = bound_interpreter(state);
     const double seconds = luaL_checknumber(state, 1);
     const std::string key = luaL_checkstring(state, 2);
-    interpreter.check(state, interpreter.simulator().take_time(seconds, key, check_place(state, 3)));
+    interpreter.check(state, interpreter.simulator().dwell_for_word(seconds, key, check_location(state, 3)));
     return 0;
 }
 
 /// core.wait(): the controller reads on when all moves have been made.
 int wait(lua_State* state) {
-    interpreter_of(state).simulator().wait();
+    bound_interpreter(state).simulator().wait();
     return 0;
 }
 
 /// core.set_spindle_speed(rev_min): for what follows, in the order of the moves.
 int set_spindle_speed(lua_State* state) {
-    interpreter_of(state).simulator().set_spindle_speed(luaL_checknumber(state, 1));
+    bound_interpreter(state).simulator().set_spindle_speed(luaL_checknumber(state, 1));
     return 0;
 }
 
@@ -234,14 +234,14 @@ int select_work_offset(lua_State* state) {
     luaL_checktype(state, 2, LUA_TTABLE);
     for (lua_pushnil(state); lua_next(state, 2) != 0; lua_pop(state, 1)) {
         luaL_argcheck(state, lua_type(state, -2) == LUA_TSTRING, 2, "letters of axes are expected");
-        const int axis = interpreter_of(state).axis(*lua_tostring(state, -2));
+        const int axis = bound_interpreter(state).axis(*lua_tostring(state, -2));
         if (axis < 0) continue;
-        const auto& axes = interpreter_of(state).simulator().machine().axes;
+        const auto& axes = bound_interpreter(state).simulator().machine().axes;
         offset.origin[axes[static_cast<std::size_t>(axis)].letter] = luaL_checknumber(state, -1);
     }
     offset.rotation_deg = luaL_optnumber(state, 3, 0);
     offset.moved = lua_toboolean(state, 4) != 0;
-    interpreter_of(state).simulator().select_work_offset(offset);
+    bound_interpreter(state).simulator().select_work_offset(offset);
     return 0;
 }
 
@@ -249,7 +249,7 @@ int select_work_offset(lua_State* state) {
 /// obey.
 int lock_overrides(lua_State* state) {
     const auto is_locked = [state](int index) { return lua_toboolean(state, index) != 0; };
-    interpreter_of(state).simulator().lock_overrides(
+    bound_interpreter(state).simulator().lock_overrides(
         {.feed = is_locked(1), .rapid = is_locked(2), .spindle = is_locked(3)});
     return 0;
 }
@@ -257,40 +257,40 @@ int lock_overrides(lua_State* state) {
 /// core.set_path_mode("exact_stop" | "exact_path" | "continuous", tolerance_mm, merge_tolerance_mm)
 int set_path_mode(lua_State* state) {
     static constexpr std::array<const char*, 4> kNames{"exact_stop", "exact_path", "continuous", nullptr};
-    const auto mode = static_cast<rrs::PathMode>(check_choice(state, 1, nullptr, kNames));
-    interpreter_of(state).simulator().set_path_mode(mode, luaL_optnumber(state, 2, 0),
-                                                    luaL_optnumber(state, 3, 0));
+    const auto mode = static_cast<rrs::PathMode>(check_option(state, 1, nullptr, kNames));
+    bound_interpreter(state).simulator().set_path_mode(mode, luaL_optnumber(state, 2, 0),
+                                                       luaL_optnumber(state, 3, 0));
     return 0;
 }
 
 /// core.set_ramps("machine" | "linear" | "s_curve" | "infinite")
 int set_ramps(lua_State* state) {
     static constexpr std::array<const char*, 5> kNames{"machine", "linear", "s_curve", "infinite", nullptr};
-    interpreter_of(state).simulator().set_ramps(
-        static_cast<rrs::RampMode>(check_choice(state, 1, nullptr, kNames)));
+    bound_interpreter(state).simulator().set_ramps(
+        static_cast<rrs::RampMode>(check_option(state, 1, nullptr, kNames)));
     return 0;
 }
 
 /// core.set_ramp_limits("acceleration" | "deceleration" | "jerk", values by letter)
 int set_ramp_limits(lua_State* state) {
     static constexpr std::array<const char*, 4> kNames{"acceleration", "deceleration", "jerk", nullptr};
-    const auto limit = static_cast<rrs::RampLimit>(check_choice(state, 1, nullptr, kNames));
+    const auto limit = static_cast<rrs::RampLimit>(check_option(state, 1, nullptr, kNames));
     luaL_checktype(state, 2, LUA_TTABLE);
     std::map<int, double> values;  // in the order of the axes, which that of a table is not
     for (lua_pushnil(state); lua_next(state, 2) != 0; lua_pop(state, 1)) {
         luaL_argcheck(state, lua_type(state, -2) == LUA_TSTRING, 2, "letters of axes are expected");
-        const int axis = interpreter_of(state).axis(*lua_tostring(state, -2));
+        const int axis = bound_interpreter(state).axis(*lua_tostring(state, -2));
         luaL_argcheck(state, axis >= 0, 2, "there is no such axis");
         values[axis] = luaL_checknumber(state, -1);
     }
     for (const auto& [axis, value] : values)
-        interpreter_of(state).simulator().set_ramp_limit(limit, axis, value);
+        bound_interpreter(state).simulator().set_ramp_limit(limit, axis, value);
     return 0;
 }
 
 /// core.reset_ramp_limits(): those of the machine.
 int reset_ramp_limits(lua_State* state) {
-    interpreter_of(state).simulator().reset_ramp_limits();
+    bound_interpreter(state).simulator().reset_ramp_limits();
     return 0;
 }
 
@@ -304,7 +304,7 @@ int set_path_limits(lua_State* state) {
         lua_pop(state, 1);
         return value;
     };
-    interpreter_of(state).simulator().set_path_limits(
+    bound_interpreter(state).simulator().set_path_limits(
         {.speed_mm_s = field("speed"),
          .acceleration_mm_s2 = field("acceleration"),
          .square_corner_velocity_mm_s = field("square_corner_velocity"),
@@ -315,9 +315,9 @@ int set_path_limits(lua_State* state) {
 }  // namespace
 
 void add_moves(lua_State* state, Interpreter& interpreter) {
-    set_function<take_feed>(state, "take_feed", &interpreter);
+    set_function<consume_feed>(state, "take_feed", &interpreter);
     set_function<feed_mm_min>(state, "feed_mm_min", &interpreter);
-    set_function<place>(state, "place", &interpreter);
+    set_function<location>(state, "place", &interpreter);
     set_function<rapid_to>(state, "rapid_to", &interpreter);
     set_function<line_to>(state, "line_to", &interpreter);
     set_function<probe>(state, "probe", &interpreter);
@@ -328,7 +328,7 @@ void add_moves(lua_State* state, Interpreter& interpreter) {
     set_function<event>(state, "event", &interpreter);
     set_function<exact_stop_once>(state, "exact_stop_once", &interpreter);
     set_function<wait>(state, "wait", &interpreter);
-    set_function<take_time>(state, "take_time", &interpreter);
+    set_function<dwell_for_word>(state, "take_time", &interpreter);
     set_function<set_spindle_speed>(state, "set_spindle_speed", &interpreter);
     set_function<select_work_offset>(state, "select_work_offset", &interpreter);
     set_function<lock_overrides>(state, "lock_overrides", &interpreter);

@@ -29,11 +29,11 @@ rrs::CartPos check_rpy_pose(lua_State* state, int index) {
 /// core.pose_axes{x=, y=, z=, roll=, pitch=, yaw=}: axis values that bring the tool to a pose in mm and
 /// degrees; groups of axes, by their names, are at the pose's values, or else at their current ones.
 int pose_axes(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
-    const tl::expected<simulation::AxisVector, std::string> axes =
-        interpreter.simulator().axes_of(check_rpy_pose(state, 1), check_group_targets(state, interpreter, 1));
+    Interpreter& interpreter = bound_interpreter(state);
+    const tl::expected<simulation::AxisVector, std::string> axes = interpreter.simulator().solve_axes(
+        check_rpy_pose(state, 1), check_group_targets(state, interpreter, 1));
     if (!axes) interpreter.alarm(state, DiagnosticKind::unreachable, axes.error());
-    interpreter.simulator().warn_if_singular(*axes, interpreter.place());
+    interpreter.simulator().warn_if_singular(*axes, interpreter.location());
     push_axes(state, interpreter, *axes);
     return 1;
 }
@@ -41,20 +41,20 @@ int pose_axes(lua_State* state) {
 /// core.pose_move(pose, via or nil): moves the tool in a line, or by the pose `via` in an arc, with
 /// superimposed groups of axes.
 int pose_move(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     simulation::PoseMove move;
     move.target = check_rpy_pose(state, 1);
     move.groups = check_group_targets(state, interpreter, 1);
     if (!lua_isnoneornil(state, 2)) move.via = check_rpy_pose(state, 2);
     move.feed = interpreter.feed(state, move.via ? std::optional(1.0) : std::nullopt);
-    move.place = interpreter.place();
+    move.location = interpreter.location();
     interpreter.check(state, interpreter.simulator().move(move));
     return 0;
 }
 
-/// core.tip_turns(): true if a line of the axes between two poses is not one of the tool.
-int tip_turns(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(interpreter_of(state).simulator().tip_turns()));
+/// core.rotary_joints_move_tcp(): true if a line of the axes between two poses is not one of the tool.
+int rotary_joints_move_tcp(lua_State* state) {
+    lua_pushboolean(state, static_cast<int>(bound_interpreter(state).simulator().rotary_joints_move_tcp()));
     return 1;
 }
 
@@ -63,7 +63,7 @@ int tip_turns(lua_State* state) {
 void add_poses(lua_State* state, Interpreter& interpreter) {
     set_function<pose_axes>(state, "pose_axes", &interpreter);
     set_function<pose_move>(state, "pose_move", &interpreter);
-    set_function<tip_turns>(state, "tip_turns", &interpreter);
+    set_function<rotary_joints_move_tcp>(state, "tip_turns", &interpreter);
 }
 
 }  // namespace gsim::script

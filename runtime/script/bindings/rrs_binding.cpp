@@ -44,42 +44,42 @@ int service(lua_State* state) {
 /// True for services that no script may call: they are extensions for the words of programs, which call them
 /// through the simulator.
 template <auto method>
-inline constexpr bool kOfWords = false;
+inline constexpr bool kForWordsOnly = false;
 template <>
-inline constexpr bool kOfWords<&Shell::SetNextArcTarget> = true;
+inline constexpr bool kForWordsOnly<&Shell::SetNextArcTarget> = true;
 template <>
-inline constexpr bool kOfWords<&Shell::SetPathMode> = true;
+inline constexpr bool kForWordsOnly<&Shell::SetPathMode> = true;
 template <>
-inline constexpr bool kOfWords<&Shell::SetNextRest> = true;
+inline constexpr bool kForWordsOnly<&Shell::SetNextRest> = true;
 template <>
-inline constexpr bool kOfWords<&Shell::GetTargetOfLastStep> = true;
+inline constexpr bool kForWordsOnly<&Shell::GetTargetOfLastStep> = true;
 template <>
-inline constexpr bool kOfWords<&Shell::SetTipControl> = true;
+inline constexpr bool kForWordsOnly<&Shell::SetTipControl> = true;
 template <>
-inline constexpr bool kOfWords<&Shell::ComeToRest> = true;
+inline constexpr bool kForWordsOnly<&Shell::ComeToRest> = true;
 
 // Services that scripts call in a special form, or that need more than a response of the controller.
 
 template <>
 int service<&Shell::Initialize>(lua_State* state) {  // the run has opened the session
-    return answer(state, Status::RRS_SUCCESS);
+    return push_status(state, Status::RRS_SUCCESS);
 }
 
 template <>
 int service<&Shell::Reset>(lua_State* state) {  // the run owns it
-    return answer(state, Status::RRS_SERVICE_NOT_SUPPORTED);
+    return push_status(state, Status::RRS_SERVICE_NOT_SUPPORTED);
 }
 
 template <>
 int service<&Shell::Terminate>(lua_State* state) {
-    return answer(state, Status::RRS_SERVICE_NOT_SUPPORTED);
+    return push_status(state, Status::RRS_SERVICE_NOT_SUPPORTED);
 }
 
 template <>
 int service<&Shell::GetMessage>(lua_State* state) {
     std::string message;
-    const Status status = shell_of(state).GetMessage(message);
-    answer(state, status);
+    const Status status = bound_shell(state).GetMessage(message);
+    push_status(state, status);
     lua_pushlstring(state, message.data(), message.size());
     return 2;
 }
@@ -87,52 +87,53 @@ int service<&Shell::GetMessage>(lua_State* state) {
 template <>
 int service<&Shell::GetInverseKinematics>(lua_State* state) {
     rrs::JointPos joints;
-    const rrs::JointPos near = lua_isnoneornil(state, 2) ? interpreter_of(state).simulator().joints()
+    const rrs::JointPos near = lua_isnoneornil(state, 2) ? bound_interpreter(state).simulator().joints()
                                                          : check_joints(state, 2, joint_count(state));
-    const Status status = shell_of(state).GetInverseKinematics(check_pose(state, 1), near, joints);
-    return answer(state, status, joints);
+    const Status status = bound_shell(state).GetInverseKinematics(check_pose(state, 1), near, joints);
+    return push_status(state, status, joints);
 }
 
 template <>
 int service<&Shell::GetCellFrame>(lua_State* state) {
     rrs::CartPos frame;
-    const Status status = interpreter_of(state).simulator().get_cell_frame(luaL_checkstring(state, 1), frame);
-    return answer(state, status, frame);
+    const Status status =
+        bound_interpreter(state).simulator().get_cell_frame(luaL_checkstring(state, 1), frame);
+    return push_status(state, status, frame);
 }
 
 template <>
 int service<&Shell::ModifyCellFrame>(lua_State* state) {
-    return answer(state, interpreter_of(state).simulator().modify_cell_frame(luaL_checkstring(state, 1),
-                                                                             check_pose(state, 2)));
+    return push_status(state, bound_interpreter(state).simulator().modify_cell_frame(
+                                  luaL_checkstring(state, 1), check_pose(state, 2)));
 }
 
 template <>
 int service<&Shell::SetInitialPosition>(lua_State* state) {
     const Target target = check_target(state, 1);
-    return answer(state, interpreter_of(state).simulator().set_start([&] {
-        return shell_of(state).SetInitialPosition(target.pose, target.joints, {});
+    return push_status(state, bound_interpreter(state).simulator().set_start([&] {
+        return bound_shell(state).SetInitialPosition(target.pose, target.joints, {});
     }));
 }
 
 /// rrs.SetNextTarget(target [, "via"]) and rrs.SetNextNamedTarget(target, name).
 int queue(lua_State* state, rrs::TargetParam param, const std::string& name) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     interpreter.locate(state);
     const Target target = check_target(state, 1);
     const auto call = [&](rrs::TargetId id) {
-        return shell_of(state).SetNextNamedTarget(id, param, target.pose, target.joints, {}, 0, name);
+        return bound_shell(state).SetNextNamedTarget(id, param, target.pose, target.joints, {}, 0, name);
     };
-    if (param == rrs::TargetParam::via) return answer(state, call(0));
+    if (param == rrs::TargetParam::via) return push_status(state, call(0));
     const Status status =
-        interpreter.simulator().queue_target(simulation::MoveKind::linear, interpreter.place(), call);
+        interpreter.simulator().queue_target(simulation::MoveKind::linear, interpreter.location(), call);
     LuaState::of(state).restart_steps();
-    return answer(state, status);
+    return push_status(state, status);
 }
 
 template <>
 int service<&Shell::SetNextTarget>(lua_State* state) {
     static const char* const kParams[] = {"end", "via", nullptr};
-    return queue(state, static_cast<rrs::TargetParam>(check_choice(state, 2, "end", kParams)), {});
+    return queue(state, static_cast<rrs::TargetParam>(check_option(state, 2, "end", kParams)), {});
 }
 
 template <>
@@ -142,18 +143,18 @@ int service<&Shell::SetNextNamedTarget>(lua_State* state) {
 
 template <>
 int service<&Shell::CancelMotion>(lua_State* state) {
-    return answer(state, interpreter_of(state).simulator().cancel_motion());
+    return push_status(state, bound_interpreter(state).simulator().cancel_motion());
 }
 
 template <>
 int service<&Shell::SelectTracking>(lua_State* state) {
-    return answer(state, interpreter_of(state).simulator().select_tracking(Arguments(state).next<int>(),
-                                                                           lua_toboolean(state, 2) != 0));
+    return push_status(state, bound_interpreter(state).simulator().select_tracking(
+                                  Arguments(state).next<int>(), lua_toboolean(state, 2) != 0));
 }
 
 template <>
 int service<&Shell::SetObjectNextTarget>(lua_State* state) {
-    return answer(state, shell_of(state).SetObjectNextTarget(0, check_pose(state, 1)));
+    return push_status(state, bound_shell(state).SetObjectNextTarget(0, check_pose(state, 1)));
 }
 
 /// rrs.status_name(status)
@@ -165,7 +166,7 @@ int status_name(lua_State* state) {
 
 template <auto method>
 void add_service(lua_State* state, Interpreter& interpreter, const char* name) {
-    if constexpr (!kOfWords<method>) {
+    if constexpr (!kForWordsOnly<method>) {
         lua_pushlightuserdata(state, &interpreter);
         lua_pushcclosure(state, trampoline<service<method>>, 1);
         lua_setfield(state, -2, name);
@@ -175,7 +176,7 @@ void add_service(lua_State* state, Interpreter& interpreter, const char* name) {
 }  // namespace
 
 void add_rrs(lua_State* state, Interpreter& interpreter) {
-#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, answers, parameters, arguments) \
+#define GSIM_RCS_SERVICE(method, opcode, number, rrs, input, statuses, parameters, arguments) \
     add_service<&Shell::method>(state, interpreter, #method);
 #include "controller/module/rcs_services.def"
     lua_pushcfunction(state, trampoline<status_name>);

@@ -11,7 +11,7 @@
 
 #include "controller/services/service_call.h"
 #include "runtime/script/bindings/bindings.h"
-#include "runtime/script/lua/choice.h"
+#include "runtime/script/lua/check_option.h"
 #include "runtime/script/lua/pose_table.h"
 
 // Service as scripts call it, made from its method of Shell: arguments in its order, then the status, then
@@ -57,7 +57,7 @@ struct ScriptNames<rrs::RampLimit> {
 };
 
 inline std::size_t joint_count(lua_State* state) {
-    return interpreter_of(state).simulator().machine().axes.size();
+    return bound_interpreter(state).simulator().machine().axes.size();
 }
 
 /// Arguments of a script's call, one after the other.
@@ -67,17 +67,17 @@ class Arguments {
 
     template <typename Parameter>
     auto next() {
-        using Given = std::remove_cvref_t<Parameter>;
-        if constexpr (std::is_same_v<Given, bool>) {
+        using ValueType = std::remove_cvref_t<Parameter>;
+        if constexpr (std::is_same_v<ValueType, bool>) {
             return lua_toboolean(state_, ++at_) != 0;
-        } else if constexpr (std::is_enum_v<Given>) {
-            using Names = ScriptNames<Given>;
+        } else if constexpr (std::is_enum_v<ValueType>) {
+            using Names = ScriptNames<ValueType>;
             return Names::values[static_cast<std::size_t>(
-                check_choice(state_, ++at_, nullptr, Names::names))];
-        } else if constexpr (std::integral<Given>) {
-            return static_cast<Given>(luaL_checkinteger(state_, ++at_));
+                check_option(state_, ++at_, nullptr, Names::names))];
+        } else if constexpr (std::integral<ValueType>) {
+            return static_cast<ValueType>(luaL_checkinteger(state_, ++at_));
         } else {
-            return read(std::type_identity<Given>());
+            return read(std::type_identity<ValueType>());
         }
     }
 
@@ -125,22 +125,22 @@ inline void push_output(lua_State* state, std::integral auto number) {
     lua_pushinteger(state, number);
 }
 
-inline rrs::Shell& shell_of(lua_State* state) {
-    interpreter_of(state).attach(state);
-    return interpreter_of(state).simulator().shell();
+inline rrs::Shell& bound_shell(lua_State* state) {
+    bound_interpreter(state).attach(state);
+    return bound_interpreter(state).simulator().shell();
 }
 
 /// Pushes the status alone; returns the number of results.
-inline int answer(lua_State* state, rrs::Status status) {
+inline int push_status(lua_State* state, rrs::Status status) {
     lua_pushinteger(state, static_cast<lua_Integer>(status));
     return 1;
 }
 
 /// Pushes the status, and the results of the service unless it was rejected.
 template <typename... Outputs>
-int answer(lua_State* state, rrs::Status status, const Outputs&... outputs) {
-    answer(state, status);
-    if (rrs::is_refused(status)) return 1;
+int push_status(lua_State* state, rrs::Status status, const Outputs&... outputs) {
+    push_status(state, status);
+    if (rrs::is_error_status(status)) return 1;
     (push_output(state, outputs), ...);
     return 1 + static_cast<int>(sizeof...(outputs));
 }
@@ -148,16 +148,16 @@ int answer(lua_State* state, rrs::Status status, const Outputs&... outputs) {
 template <typename... Parameters>
 int call_service(lua_State* state, rrs::Status (rrs::Shell::*method)(Parameters...)) {
     using Traits = rrs::ServiceTraits<rrs::Status (rrs::Shell::*)(Parameters...)>;
-    using All = std::tuple<Parameters...>;
-    rrs::Shell& shell = shell_of(state);
+    using Inputs = std::tuple<Parameters...>;
+    rrs::Shell& shell = bound_shell(state);
     Arguments arguments(state);
     const auto inputs = [&]<std::size_t... at>(std::index_sequence<at...>) {
-        return std::tuple{arguments.next<std::tuple_element_t<at, All>>()...};  // one after the other
+        return std::tuple{arguments.next<std::tuple_element_t<at, Inputs>>()...};  // one after the other
     }
     (std::make_index_sequence<Traits::kInputs>());
     typename Traits::Outputs outputs{};
     const rrs::Status status = rrs::call(shell, method, inputs, outputs);
-    return std::apply([&](const auto&... values) { return answer(state, status, values...); }, outputs);
+    return std::apply([&](const auto&... values) { return push_status(state, status, values...); }, outputs);
 }
 
 }  // namespace gsim::script

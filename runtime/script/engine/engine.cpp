@@ -13,11 +13,11 @@ namespace gsim::script {
 
 using text::DiagnosticKind;
 
-using simulation::Place;
+using simulation::SourceLocation;
 
 namespace {
 
-std::vector<Robot> only_robot(simulation::Simulator& simulator, const Engine::Options& options) {
+std::vector<Robot> single_robot(simulation::Simulator& simulator, const Engine::Options& options) {
     std::vector<Robot> robots;
     robots.push_back({.name = "",
                       .simulator = simulator,
@@ -30,37 +30,40 @@ std::vector<Robot> only_robot(simulation::Simulator& simulator, const Engine::Op
     return robots;
 }
 
-std::vector<std::unique_ptr<Control>> make_controls(std::vector<Robot> robots, PlaceFinder& places) {
-    std::vector<std::unique_ptr<Control>> controls;
-    controls.reserve(robots.size());
-    for (Robot& robot : robots) controls.push_back(std::make_unique<Control>(std::move(robot), places));
-    return controls;
+std::vector<std::unique_ptr<RobotController>> make_controllers(std::vector<Robot> robots,
+                                                               SourceLocator& locations) {
+    std::vector<std::unique_ptr<RobotController>> controllers;
+    controllers.reserve(robots.size());
+    for (Robot& robot : robots)
+        controllers.push_back(std::make_unique<RobotController>(std::move(robot), locations));
+    return controllers;
 }
 
-std::vector<Control*> pointers(const std::vector<std::unique_ptr<Control>>& controls) {
-    std::vector<Control*> list;
-    list.reserve(controls.size());
-    for (const std::unique_ptr<Control>& control : controls) list.push_back(control.get());
+std::vector<RobotController*> pointers(const std::vector<std::unique_ptr<RobotController>>& controllers) {
+    std::vector<RobotController*> list;
+    list.reserve(controllers.size());
+    for (const std::unique_ptr<RobotController>& controller : controllers) list.push_back(controller.get());
     return list;
 }
 
 }  // namespace
 
 Engine::Engine(simulation::Simulator& simulator, const Options& options)
-    : Engine(only_robot(simulator, options), {}, options) {}
+    : Engine(single_robot(simulator, options), {}, options) {}
 
 Engine::Engine(std::vector<Robot> robots, std::vector<process::Conveyor> conveyors, Options options)
     : options_(std::move(options)),
-      controls_(make_controls(std::move(robots), places_)),
+      controllers_(make_controllers(std::move(robots), source_locator_)),
       lua_(options_.limits),
-      processes_(lua_, places_, pointers(controls_), std::move(conveyors)) {
-    processes_.share_zones(options_.zones);
-    if (options_.robots_watch != nullptr) processes_.watch_robots(*options_.robots_watch);
-    lua_.on_last_step([this](lua_State* state) { last_step_place_ = places_.current(state, 0); });
-    const int status = call_protected([](Engine& engine) { engine.open_controls(); });
-    if (!judge(status, lua_.get(), *controls_.front())) {
+      processes_(lua_, source_locator_, pointers(controllers_), std::move(conveyors)) {
+    processes_.set_zones(options_.zones);
+    if (options_.multi_robot_monitor != nullptr)
+        processes_.set_multi_robot_monitor(*options_.multi_robot_monitor);
+    lua_.on_last_step([this](lua_State* state) { last_step_location_ = source_locator_.current(state, 0); });
+    const int status = call_protected([](Engine& engine) { engine.open_controllers(); });
+    if (!process_result(status, lua_.get(), *controllers_.front())) {
         throw std::runtime_error("the library in Lua cannot be loaded: " +
-                                 controls_.front()->simulator().alarm()->message);
+                                 controllers_.front()->simulator().alarm()->message);
     }
 }
 
@@ -82,45 +85,46 @@ int Engine::do_work(lua_State* state) {
     return 0;
 }
 
-void Engine::open_controls() {
+void Engine::open_controllers() {
     lua_State* state = lua_.get();
     make_nil_vacant(state);
-    const Control::Switches switches{options_.block_delete, options_.optional_stop, options_.passes};
+    const RobotController::ProgramOptions switches{options_.block_delete, options_.optional_stop,
+                                                   options_.passes};
     lua_gc(state, LUA_GCSTOP);  // nearly all that the library makes stays
-    for (const std::unique_ptr<Control>& control : controls_) {
-        control->open(state, options_.library, switches,
-                      [this](lua_State* at, Control& of) { add_core_functions(at, of); });
+    for (const std::unique_ptr<RobotController>& controller : controllers_) {
+        controller->open(state, options_.library, switches,
+                         [this](lua_State* at, RobotController& of) { add_core_functions(at, of); });
     }
     lua_gc(state, LUA_GCRESTART);
 }
 
 /// Adds functions that the library of a controller needs from the engine.
-void Engine::add_core_functions(lua_State* state, Control& control) {
+void Engine::add_core_functions(lua_State* state, RobotController& controller) {
     const auto set = [&](const char* name, lua_CFunction function) {
         lua_pushlightuserdata(state, this);
-        lua_pushlightuserdata(state, &control);
+        lua_pushlightuserdata(state, &controller);
         lua_pushcclosure(state, function, 2);
         lua_setfield(state, -2, name);
     };
     set("load_program", trampoline<load_program>);
     set("load_module", trampoline<load_module>);
     set("run_to_end", trampoline<run_to_end>);
-    add_processes(state, processes_, control);
+    add_processes(state, processes_, controller);
 }
 
 // --- Running ---
 
 bool Engine::run(Script script) {
-    lua_.end_by(options_.cpu);
+    lua_.set_time_limit(options_.cpu);
     pending_.push_back(std::move(script));
     if (options_.setup) pending_.push_back(std::move(*options_.setup));
-    return judge_processes(call_protected([](Engine& engine) { engine.run_processes(); }));
+    return process_outcome(call_protected([](Engine& engine) { engine.run_processes(); }));
 }
 
 /// Runs the main process, which is the library's; next_script passes the scripts to it.
 void Engine::run_processes() {
     lua_State* state = lua_.get();
-    controls_.front()->push_library(state, "main_process");
+    controllers_.front()->push_library(state, "main_process");
     lua_pushlightuserdata(state, this);
     lua_pushcclosure(state, trampoline<next_script>, 1);
     lua_call(state, 1, 1);
@@ -134,24 +138,24 @@ int Engine::next_script(lua_State* state) {
     if (engine.pending_.empty()) return 0;
     Script script = std::move(engine.pending_.back());
     engine.pending_.pop_back();
-    engine.push_script(state, engine.keep_script(state, std::move(script), *engine.controls_.front()));
+    engine.push_script(state, engine.add_script(state, std::move(script), *engine.controllers_.front()));
     return 1;
 }
 
 tl::expected<std::map<int, double>, std::string> Engine::permanent_variables() {
     permanent_.clear();
-    return read_kept([](Engine& engine) { engine.read_permanent(); }).map([this] { return permanent_; });
+    return read_retained([](Engine& engine) { engine.read_permanent(); }).map([this] { return permanent_; });
 }
 
 tl::expected<machine::MachineData, std::string> Engine::machine_data() {
     stored_ = options_.data;
-    return read_kept([](Engine& engine) { engine.read_stored(); }).map([this] { return stored_; });
+    return read_retained([](Engine& engine) { engine.read_stored(); }).map([this] { return stored_; });
 }
 
 /// Restarts the steps and ends the time limit, because a run that has used them up has none left for this.
-tl::expected<void, std::string> Engine::read_kept(void (*read)(Engine&)) {
+tl::expected<void, std::string> Engine::read_retained(void (*read)(Engine&)) {
     lua_.restart_steps();
-    lua_.end_by(nullptr);
+    lua_.set_time_limit(nullptr);
     error_.clear();
     if (call_protected(read) == LUA_OK) return {};
     return tl::unexpected(fmt::format("what the control keeps cannot be read: {}",
@@ -160,7 +164,7 @@ tl::expected<void, std::string> Engine::read_kept(void (*read)(Engine&)) {
 
 void Engine::read_permanent() {
     lua_State* state = lua_.get();
-    controls_.front()->push_library(state, "permanent_variables");
+    controllers_.front()->push_library(state, "permanent_variables");
     lua_call(state, 0, 1);
     lua_pushnil(state);
     while (lua_next(state, -2) != 0) {
@@ -171,7 +175,7 @@ void Engine::read_permanent() {
 }
 
 void Engine::report(simulation::Report& report) const {
-    if (!processes_.several() && controls_.size() == 1) return;
+    if (!processes_.several() && controllers_.size() == 1) return;
     report.processes = processes_.summaries();
     report.signals = processes_.signals().changes();
     if (const std::uint64_t dropped = processes_.signals().dropped(); dropped > 0)
@@ -185,7 +189,7 @@ void Engine::report(simulation::Report& report) const {
 
 void Engine::read_stored() {
     lua_State* state = lua_.get();
-    controls_.front()->push_library(state, "stored_data");
+    controllers_.front()->push_library(state, "stored_data");
     lua_call(state, 0, 1);
     read_data_tables(state, stored_);
     lua_pop(state, 1);
@@ -195,56 +199,58 @@ void Engine::read_stored() {
 
 /// Records the error and its location, while the stack still exists. The error is at `index`, and was raised
 /// `level` levels up.
-void Engine::note_error(lua_State* state, int index, int level) {
+void Engine::record_error(lua_State* state, int index, int level) {
     const char* text = lua_tostring(state, index);
     error_ = text != nullptr ? text
                              : fmt::format("an error that is no text but a {}", luaL_typename(state, index));
-    error_place_ = places_.strip(error_);
-    if (error_place_.line == 0) error_place_ = places_.current(state, level);
+    error_location_ = source_locator_.strip(error_);
+    if (error_location_.line == 0) error_location_ = source_locator_.current(state, level);
 }
 
 int Engine::handle_error(lua_State* state) {
-    if (!LuaState::is_stop(state, 1)) bound<Engine>(state).note_error(state, 1, 1);
+    if (!LuaState::is_stop(state, 1)) bound<Engine>(state).record_error(state, 1, 1);
     return 1;
 }
 
 /// Applies the end of the processes to the run.
-bool Engine::judge_processes(int status) {
-    Control& first = *controls_.front();
-    if (status != LUA_OK) return judge(status, lua_.get(), first);
+bool Engine::process_outcome(int status) {
+    RobotController& first = *controllers_.front();
+    if (status != LUA_OK) return process_result(status, lua_.get(), first);
     Processes::Outcome& outcome = *outcome_;
-    if (outcome.end == Processes::End::error) {
-        if (!LuaState::is_stop(outcome.fault, -1)) note_error(outcome.fault, -1, 0);
-        judge(outcome.status, outcome.fault, *outcome.control);
+    if (outcome.end == Processes::RunEnd::error) {
+        if (!LuaState::is_stop(outcome.error_thread, -1)) record_error(outcome.error_thread, -1, 0);
+        process_result(outcome.status, outcome.error_thread, *outcome.controller);
     }
-    if (outcome.end == Processes::End::deadlock)
-        outcome.control->simulator().fail(DiagnosticKind::script, std::move(outcome.message), outcome.place);
-    return std::none_of(controls_.begin(), controls_.end(), [](const std::unique_ptr<Control>& control) {
-        return control->simulator().alarm().has_value();
-    });
+    if (outcome.end == Processes::RunEnd::deadlock)
+        outcome.controller->simulator().fail(DiagnosticKind::script, std::move(outcome.message),
+                                             outcome.location);
+    return std::none_of(controllers_.begin(), controllers_.end(),
+                        [](const std::unique_ptr<RobotController>& controller) {
+                            return controller->simulator().alarm().has_value();
+                        });
 }
 
 /// Applies the end of a protected call to the run; the error is on top of the stack.
-bool Engine::judge(int status, lua_State* state, Control& control) {
-    simulation::Simulator& simulator = control.simulator();
+bool Engine::process_result(int status, lua_State* state, RobotController& controller) {
+    simulation::Simulator& simulator = controller.simulator();
     if (status == LUA_OK) return !simulator.alarm();
-    const Place place = control.interpreter().place();
-    if (status == LUA_ERRMEM || lua_.ended() == LuaState::Ended::memory) {
-        return simulator.stop(DiagnosticKind::run_limit, lua_.memory_refusal(), place);
+    const SourceLocation location = controller.interpreter().location();
+    if (status == LUA_ERRMEM || lua_.ended() == LuaState::StopReason::memory) {
+        return simulator.stop(DiagnosticKind::run_limit, lua_.memory_error(), location);
     }
-    if (lua_.ended() == LuaState::Ended::steps) {
+    if (lua_.ended() == LuaState::StopReason::steps) {
         return simulator.stop(
             DiagnosticKind::run_limit,
             fmt::format(
                 "{} steps of the script without a motion or a dwell (--max-steps): is this an endless loop?",
                 lua_.limits().steps),
-            last_step_place_.line > 0 ? last_step_place_ : place);
+            last_step_location_.line > 0 ? last_step_location_ : location);
     }
-    if (lua_.ended() == LuaState::Ended::cpu)
-        return simulator.has_cpu_time(last_step_place_.line > 0 ? last_step_place_ : place);
+    if (lua_.ended() == LuaState::StopReason::cpu)
+        return simulator.has_cpu_time(last_step_location_.line > 0 ? last_step_location_ : location);
     if (LuaState::is_stop(state, -1)) return !simulator.alarm();
     return simulator.fail(DiagnosticKind::script,
-                          error_.empty() ? "an error in the handling of an error" : error_, error_place_);
+                          error_.empty() ? "an error in the handling of an error" : error_, error_location_);
 }
 
 }  // namespace gsim::script

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "machine/data/machine_data.h"
-#include "runtime/script/engine/control.h"
+#include "runtime/script/engine/robot_controller.h"
 #include "runtime/script/lua/library.h"
 #include "runtime/script/lua/lua_state.h"
-#include "runtime/script/lua/place_finder.h"
 #include "runtime/script/lua/script.h"
+#include "runtime/script/lua/source_locator.h"
 #include "runtime/script/processes/processes.h"
 #include "runtime/simulator/simulator.h"
 
@@ -40,8 +40,9 @@ class Engine {
         bool optional_stop = false;
         std::uint64_t passes = 1;  ///< For a main program that leads back to its start (M99); at least 1.
         std::function<void(std::uint64_t done, std::uint64_t total)> progress;
-        simulation::RobotsWatch* robots_watch = nullptr;  ///< For several robots; it outlives the engine.
-        std::vector<process::SharedZone> zones;           ///< That processes share.
+        simulation::MultiRobotMonitor* multi_robot_monitor =
+            nullptr;                             ///< For several robots; it outlives the engine.
+        std::vector<process::SharedZone> zones;  ///< That processes share.
     };
 
     /// Loads the library. Throws std::runtime_error with a message if that is impossible.
@@ -61,64 +62,66 @@ class Engine {
     /// Adds results of processes, if more than the main one ran, or of several robots.
     void report(simulation::Report& report) const;
     /// Returns the time in which a robot, by its number from 0, waited for others.
-    double idle_s(std::size_t robot) const { return controls_[robot]->idle_s(); }
+    double idle_s(std::size_t robot) const { return controllers_[robot]->idle_s(); }
 
   private:
-    static constexpr const char* kTextOfScript = "the text of the script";
+    static constexpr const char* kScriptText = "the text of the script";
 
-    struct BodyWalk;
-    struct Loaded {
+    struct BodyExecution;
+    struct LoadedScript {
         Script script;
-        Control* control = nullptr;  ///< Controller of its words.
+        RobotController* controller = nullptr;  ///< Controller of its words.
         std::uint32_t file = 0;
         std::map<std::uint64_t, std::uint32_t> texts;  ///< Numbers for locations, by the start of the text.
         std::map<std::size_t, int> compiled;           ///< By function: what its only chunk became.
     };
 
     int call_protected(void (*work)(Engine&));
-    void open_controls();
-    void add_core_functions(lua_State* state, Control& control);
+    void open_controllers();
+    void add_core_functions(lua_State* state, RobotController& controller);
     void run_processes();
-    bool judge(int status, lua_State* state, Control& control);
-    bool judge_processes(int status);
-    tl::expected<void, std::string> read_kept(void (*read)(Engine&));
+    bool process_result(int status, lua_State* state, RobotController& controller);
+    bool process_outcome(int status);
+    tl::expected<void, std::string> read_retained(void (*read)(Engine&));
     void read_permanent();
     void read_stored();
-    Loaded& keep_script(lua_State* state, Script script, Control& control);
-    void push_script(lua_State* state, Loaded& loaded);
-    void compile(lua_State* state, Loaded& loaded, const ScriptChunk& chunk);
-    std::uint32_t text_at(Loaded& loaded, std::uint64_t begin, std::uint32_t line);
-    void note_error(lua_State* state, int index, int level);
-    int run_again(lua_State* state, Loaded& loaded, const ScriptChunk& chunk, int& compiled);
-    int run_body(lua_State* state, BodyWalk& walk);
-    void run_plain_lines(lua_State* state, Loaded& loaded, BodyWalk& walk, const ScriptChunk& chunk);
+    LoadedScript& add_script(lua_State* state, Script script, RobotController& controller);
+    void push_script(lua_State* state, LoadedScript& loaded_script);
+    void compile(lua_State* state, LoadedScript& loaded_script, const ScriptChunk& chunk);
+    std::uint32_t text_number(LoadedScript& loaded_script, std::uint64_t begin, std::uint32_t line);
+    void record_error(lua_State* state, int index, int level);
+    int run_compiled(lua_State* state, LoadedScript& loaded_script, const ScriptChunk& chunk, int& compiled);
+    int run_body(lua_State* state, BodyExecution& execution);
+    void run_plain_lines(lua_State* state, LoadedScript& loaded_script, BodyExecution& execution,
+                         const ScriptChunk& chunk);
 
     static int do_work(lua_State* state);
     static int handle_error(lua_State* state);
     static int next_script(lua_State* state);
     static int register_functions(lua_State* state);
     static int function_body(lua_State* state);
-    static int go_on_with_body(lua_State* state, int status, lua_KContext);
+    static int continue_body(lua_State* state, int status, lua_KContext);
     static int load_program(lua_State* state);
     static int load_module(lua_State* state);
     static int run_to_end(lua_State* state);
     static int finish_run(lua_State* state, int status, lua_KContext context);
 
     Options options_;
-    PlaceFinder places_;
-    std::vector<std::unique_ptr<Control>> controls_;
+    SourceLocator source_locator_;
+    std::vector<std::unique_ptr<RobotController>> controllers_;
     LuaState lua_;
     Processes processes_;
     void (*work_)(Engine&) = nullptr;
-    std::vector<std::unique_ptr<Loaded>> loaded_;
-    std::map<std::pair<const Control*, std::string>, Loaded*> programs_;  ///< Files that were called.
-    std::vector<Script> pending_;                                         ///< The last one is loaded first.
+    std::vector<std::unique_ptr<LoadedScript>> loaded_scripts_;
+    std::map<std::pair<const RobotController*, std::string>, LoadedScript*>
+        programs_;                 ///< Files that were called.
+    std::vector<Script> pending_;  ///< The last one is loaded first.
     std::optional<Processes::Outcome> outcome_;
     std::map<int, double> permanent_;
     machine::MachineData stored_;
     std::string error_;
-    simulation::Place error_place_;
-    simulation::Place last_step_place_;  ///< Location at which a step limit was reached.
+    simulation::SourceLocation error_location_;
+    simulation::SourceLocation last_step_location_;  ///< Location at which a step limit was reached.
 };
 
 }  // namespace gsim::script

@@ -58,7 +58,7 @@ int push_values(lua_State* state, const PlainCall& call) {
     return 1;
 }
 
-bool lines_are_watched(lua_State* state) {
+bool has_line_hook(lua_State* state) {
     return (lua_gethookmask(state) & LUA_MASKLINE) != 0;
 }
 
@@ -70,46 +70,47 @@ int return_result(lua_State*, int, lua_KContext) {
 }  // namespace
 
 /// Progress of the run of a body; the first value on its stack.
-struct Engine::BodyWalk {
-    LinePosition position;    ///< Position of the current line in the script.
-    std::size_t chunk;        ///< The one that runs.
-    std::uint64_t offset;     ///< Current line, as an offset of the text.
-    std::size_t calls_begun;  ///< Calls of that line.
-    bool waited;              ///< It has yielded to other processes in this chunk.
-    bool compiled;            ///< The remainder of the chunk runs as Lua compiled it.
+struct Engine::BodyExecution {
+    LinePosition position;      ///< Position of the current line in the script.
+    std::size_t chunk;          ///< The one that runs.
+    std::uint64_t offset;       ///< Current line, as an offset of the text.
+    std::size_t calls_started;  ///< Calls of that line.
+    bool has_waited;            ///< It has yielded to other processes in this chunk.
+    bool compiled;              ///< The remainder of the chunk runs as Lua compiled it.
 
-    void begin(const ScriptChunk& chunk_begun) {
-        offset = chunk_begun.begin;
-        position.line = chunk_begun.line;
-        compiled = waited = false;
+    void begin(const ScriptChunk& started_chunk) {
+        offset = started_chunk.begin;
+        position.line = started_chunk.line;
+        compiled = has_waited = false;
     }
 };
 
 /// Runs the body of a function that comes in parts; upvalues: engine, script, number of the function in it.
 int Engine::function_body(lua_State* state) {
     Engine& engine = bound<Engine>(state);
-    auto& loaded = *static_cast<Loaded*>(lua_touserdata(state, lua_upvalueindex(2)));
+    auto& loaded_script = *static_cast<LoadedScript*>(lua_touserdata(state, lua_upvalueindex(2)));
     const auto index = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
-    const std::vector<ScriptChunk>& chunks = loaded.script.functions[index].chunks;
+    const std::vector<ScriptChunk>& chunks = loaded_script.script.functions[index].chunks;
     if (chunks.size() == 1) {
-        const auto [again, is_new] = loaded.compiled.try_emplace(index, LUA_NOREF);
-        if (!is_new) return engine.run_again(state, loaded, chunks.front(), again->second);
+        const auto [relist, is_new] = loaded_script.compiled.try_emplace(index, LUA_NOREF);
+        if (!is_new) return engine.run_compiled(state, loaded_script, chunks.front(), relist->second);
     }
     lua_settop(state, 0);
     luaL_checkstack(state, kFirstKey + kLetters + kStackForCall, nullptr);
-    static_assert(std::is_trivially_destructible_v<BodyWalk>);
-    auto& walk = *new (lua_newuserdatauv(state, sizeof(BodyWalk), 0)) BodyWalk();
-    walk.position = PlaceFinder::begin(engine.text_at(loaded, 0, 1));
-    walk.begin(chunks.front());
-    loaded.control->push_environment(state);
+    static_assert(std::is_trivially_destructible_v<BodyExecution>);
+    auto& execution = *new (lua_newuserdatauv(state, sizeof(BodyExecution), 0)) BodyExecution();
+    execution.position = SourceLocator::begin(engine.text_number(loaded_script, 0, 1));
+    execution.begin(chunks.front());
+    loaded_script.controller->push_environment(state);
     for (char letter = 'a'; letter <= 'z'; ++letter) lua_pushlstring(state, &letter, 1);
-    return engine.run_body(state, walk);
+    return engine.run_body(state, execution);
 }
 
 /// Runs a subprogram that is called again, which is worth compiling.
-int Engine::run_again(lua_State* state, Loaded& loaded, const ScriptChunk& chunk, int& compiled) {
+int Engine::run_compiled(lua_State* state, LoadedScript& loaded_script, const ScriptChunk& chunk,
+                         int& compiled) {
     if (compiled == LUA_NOREF) {
-        compile(state, loaded, chunk);
+        compile(state, loaded_script, chunk);
         compiled = luaL_ref(state, LUA_REGISTRYINDEX);
     }
     lua_rawgeti(state, LUA_REGISTRYINDEX, compiled);
@@ -118,35 +119,36 @@ int Engine::run_again(lua_State* state, Loaded& loaded, const ScriptChunk& chunk
 }
 
 /// Continues the body of function_body(), with its upvalues in the state.
-int Engine::run_body(lua_State* state, BodyWalk& walk) {
-    auto& loaded = *static_cast<Loaded*>(lua_touserdata(state, lua_upvalueindex(2)));
+int Engine::run_body(lua_State* state, BodyExecution& execution) {
+    auto& loaded_script = *static_cast<LoadedScript*>(lua_touserdata(state, lua_upvalueindex(2)));
     const auto index = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
-    const std::vector<ScriptChunk>& chunks = loaded.script.functions[index].chunks;
+    const std::vector<ScriptChunk>& chunks = loaded_script.script.functions[index].chunks;
     for (;;) {
-        const ScriptChunk& chunk = chunks[walk.chunk];
-        if (!walk.compiled) {
-            run_plain_lines(state, loaded, walk, chunk);
-            if (walk.offset < chunk.end) {
-                walk.compiled = true;
-                const auto line = static_cast<std::uint32_t>(walk.position.line);
-                compile(state, loaded, {walk.offset, chunk.end, line});
-                lua_callk(state, 0, 1, 0, go_on_with_body);
+        const ScriptChunk& chunk = chunks[execution.chunk];
+        if (!execution.compiled) {
+            run_plain_lines(state, loaded_script, execution, chunk);
+            if (execution.offset < chunk.end) {
+                execution.compiled = true;
+                const auto line = static_cast<std::uint32_t>(execution.position.line);
+                compile(state, loaded_script, {execution.offset, chunk.end, line});
+                lua_callk(state, 0, 1, 0, continue_body);
                 if (!lua_isnil(state, -1)) return 1;
                 lua_pop(state, 1);
             }
         }
-        if (options_.progress && chunks.size() > 1) options_.progress(chunk.end, loaded.script.size);
-        if (++walk.chunk == chunks.size()) return 0;
-        walk.begin(chunks[walk.chunk]);
+        if (options_.progress && chunks.size() > 1) options_.progress(chunk.end, loaded_script.script.size);
+        if (++execution.chunk == chunks.size()) return 0;
+        execution.begin(chunks[execution.chunk]);
     }
 }
 
 /// Runs lines from that of the walk on, up to the end of the chunk or to one that is no plain call; the walk
 /// is then there.
-void Engine::run_plain_lines(lua_State* state, Loaded& loaded, BodyWalk& walk, const ScriptChunk& chunk) {
-    const HeldMemory copy(state, chunk.end - walk.offset, kTextOfScript);
-    const auto read = loaded.script.read(walk.offset, chunk.end);
-    if (!read) loaded.control->interpreter().alarm(state, text::DiagnosticKind::file, read.error());
+void Engine::run_plain_lines(lua_State* state, LoadedScript& loaded_script, BodyExecution& execution,
+                             const ScriptChunk& chunk) {
+    const ExternalMemoryGuard copy(state, chunk.end - execution.offset, kScriptText);
+    const auto read = loaded_script.script.read(execution.offset, chunk.end);
+    if (!read) loaded_script.controller->interpreter().alarm(state, text::DiagnosticKind::file, read.error());
     const std::string& text = *read;
     PlainLine line;
     std::size_t begin = 0;
@@ -154,36 +156,36 @@ void Engine::run_plain_lines(lua_State* state, Loaded& loaded, BodyWalk& walk, c
         const std::size_t end = std::min(text.find('\n', begin), text.size());
         if (!line.read(std::string_view(text).substr(begin, end - begin))) return;
         const std::span<const PlainCall> calls = line.calls();
-        if (walk.calls_begun == 0 && (walk.waited || lines_are_watched(state))) return;
-        while (walk.calls_begun < calls.size()) {
-            const PlainCall& call = calls[walk.calls_begun];
+        if (execution.calls_started == 0 && (execution.has_waited || has_line_hook(state))) return;
+        while (execution.calls_started < calls.size()) {
+            const PlainCall& call = calls[execution.calls_started];
             if (!push_word(state, call.word)) {
                 lua_pop(state, 1);
-                walk.offset += static_cast<std::uint64_t>(call.word.data() - &text[begin]);
-                walk.calls_begun = 0;
+                execution.offset += static_cast<std::uint64_t>(call.word.data() - &text[begin]);
+                execution.calls_started = 0;
                 return;
             }
-            ++walk.calls_begun;
+            ++execution.calls_started;
             lua_.count_instructions(state, kStepsOfCall + call.field_count);
-            lua_callk(state, push_values(state, call), 0, 0, go_on_with_body);
+            lua_callk(state, push_values(state, call), 0, 0, continue_body);
         }
-        walk.calls_begun = 0;
-        walk.offset += end + 1 - begin;
-        ++walk.position.line;
+        execution.calls_started = 0;
+        execution.offset += end + 1 - begin;
+        ++execution.position.line;
         begin = end + 1;
     }
 }
 
 /// Continues after a call that has waited for other processes.
-int Engine::go_on_with_body(lua_State* state, int, lua_KContext) {
-    auto& walk = *static_cast<BodyWalk*>(lua_touserdata(state, 1));
+int Engine::continue_body(lua_State* state, int, lua_KContext) {
+    auto& execution = *static_cast<BodyExecution*>(lua_touserdata(state, 1));
     try {
-        walk.waited = true;
-        if (walk.compiled) {
+        execution.has_waited = true;
+        if (execution.compiled) {
             if (!lua_isnil(state, -1)) return 1;
             lua_pop(state, 1);
         }
-        return bound<Engine>(state).run_body(state, walk);
+        return bound<Engine>(state).run_body(state, execution);
     } catch (const std::exception& error) {
         lua_pushstring(state, error.what());
     }

@@ -23,15 +23,15 @@ void push_axes(lua_State* state, const Interpreter& interpreter, const AxisVecto
     }
 }
 
-AxisVector check_axes(lua_State* state, const Interpreter& interpreter, int index, AxisVector rest) {
+AxisVector check_axes(lua_State* state, const Interpreter& interpreter, int index, AxisVector defaults) {
     luaL_checktype(state, index, LUA_TTABLE);
     const auto& axes = interpreter.simulator().machine().axes;
     for (std::size_t i = 0; i < axes.size(); ++i) {
         lua_getfield(state, index, AxisKey(axes[i].letter).text);
-        if (!lua_isnil(state, -1)) rest[static_cast<Eigen::Index>(i)] = luaL_checknumber(state, -1);
+        if (!lua_isnil(state, -1)) defaults[static_cast<Eigen::Index>(i)] = luaL_checknumber(state, -1);
         lua_pop(state, 1);
     }
-    return rest;
+    return defaults;
 }
 
 AxisVector check_axes(lua_State* state, const Interpreter& interpreter, int index) {

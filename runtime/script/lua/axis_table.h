@@ -11,7 +11,7 @@ void push_axes(lua_State* state, const Interpreter& interpreter, const simulatio
 
 /// Returns the axis values of the table at `index`; axes that are not named have the value in `rest`.
 simulation::AxisVector check_axes(lua_State* state, const Interpreter& interpreter, int index,
-                                  simulation::AxisVector rest);
+                                  simulation::AxisVector defaults);
 /// Returns the same, but axes that are not named stay at the program's position.
 simulation::AxisVector check_axes(lua_State* state, const Interpreter& interpreter, int index);
 

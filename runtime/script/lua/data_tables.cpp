@@ -24,7 +24,7 @@ constexpr std::array kToolFields{ToolField{"length", &Tool::length_mm},
                                  ToolField{"diameter_wear", &Tool::diameter_wear_mm},
                                  ToolField{"front_angle", &Tool::front_angle_deg},
                                  ToolField{"back_angle", &Tool::back_angle_deg}};
-constexpr std::size_t kAlwaysThere = 2;
+constexpr std::size_t kRequiredFields = 2;
 constexpr const char* kAxisLetters = "abcuvwxyz";
 
 void set_axis_values(lua_State* state, const AxisValues& values) {
@@ -38,7 +38,7 @@ void push_tool(lua_State* state, const Tool& tool) {
     lua_newtable(state);
     for (std::size_t i = 0; i < kToolFields.size(); ++i) {
         const double value = tool.*kToolFields[i].value;
-        if (i < kAlwaysThere || value != 0) set_number(state, kToolFields[i].name, value);
+        if (i < kRequiredFields || value != 0) set_number(state, kToolFields[i].name, value);
     }
     if (tool.orientation != 0) set_number(state, "orientation", tool.orientation);
     set_axis_values(state, tool.offsets);
@@ -81,7 +81,7 @@ void set_points(lua_State* state, const char* name, const std::map<int, AxisValu
 
 /// Calls read() for each entry of a table in the table on top, with the entry's value on top.
 template <typename Read>
-void each_entry(lua_State* state, const char* table, Read read) {
+void for_each_entry(lua_State* state, const char* table, Read read) {
     lua_getfield(state, -1, table);
     luaL_checktype(state, -1, LUA_TTABLE);
     lua_pushnil(state);
@@ -126,15 +126,16 @@ void set_data_tables(lua_State* state, const machine::MachineData& data) {
 void read_data_tables(lua_State* state, machine::MachineData& data) {
     luaL_checktype(state, -1, LUA_TTABLE);
     data.offsets.clear();
-    each_entry(state, "offsets", [&] {
+    for_each_entry(state, "offsets", [&] {
         luaL_checktype(state, -1, LUA_TTABLE);
         luaL_checktype(state, -2, LUA_TSTRING);
         data.offsets[lua_tostring(state, -2)] = read_axis_values(state);
     });
     data.variables.clear();
-    each_entry(state, "variables", [&] { data.variables[key_number(state)] = luaL_checknumber(state, -1); });
+    for_each_entry(state, "variables",
+                   [&] { data.variables[key_number(state)] = luaL_checknumber(state, -1); });
     std::map<int, Tool> before = std::exchange(data.tools, {});
-    each_entry(state, "tools", [&] {
+    for_each_entry(state, "tools", [&] {
         Tool tool = before[key_number(state)];
         read_tool(state, tool);
         data.tools[key_number(state)] = std::move(tool);

@@ -15,7 +15,7 @@ using text::DiagnosticKind;
 
 using simulation::AxisVector;
 using simulation::Feed;
-using simulation::Place;
+using simulation::SourceLocation;
 
 namespace {
 
@@ -31,9 +31,9 @@ std::array<int, 26> index_axes(const machine::Machine& machine) {
 
 }  // namespace
 
-Interpreter::Interpreter(simulation::Simulator& simulator, PlaceFinder& places)
+Interpreter::Interpreter(simulation::Simulator& simulator, SourceLocator& locations)
     : simulator_(simulator),
-      places_(places),
+      source_locator_(locations),
       axis_by_letter_(index_axes(simulator.machine())),
       frame_(simulator.machine().axes.size(), {axis('X'), axis('Y'), axis('Z')}) {
     word_factors_.setOnes(static_cast<Eigen::Index>(simulator.machine().axes.size()));
@@ -66,12 +66,12 @@ int Interpreter::axis(char letter) const {
 
 void Interpreter::enter(lua_State* state, std::size_t word_id) {
     attach(state);
-    const Place place = places_.current(state);
-    if (place.line != place_.line || place.file != place_.file || words_in_block_[word_id]) {
+    const SourceLocation location = source_locator_.current(state);
+    if (location.line != location_.line || location.file != location_.file || words_in_block_[word_id]) {
         words_in_block_.reset();
         modal_.machine_frame_once = false;
-        place_ = place;
-        if (!simulator_.count_block(place)) LuaState::raise_stop(state);
+        location_ = location;
+        if (!simulator_.count_block(location)) LuaState::raise_stop(state);
     }
     words_in_block_[word_id] = true;
 }
@@ -94,7 +94,7 @@ void Interpreter::push_motion(lua_State* state) const {
 }
 
 void Interpreter::alarm(lua_State* state, DiagnosticKind kind, const std::string& message) {
-    simulator_.fail(kind, message, place_);
+    simulator_.fail(kind, message, location_);
     LuaState::raise_stop(state);
 }
 
@@ -103,7 +103,7 @@ void Interpreter::check(lua_State* state, bool done) {
     LuaState& lua = LuaState::of(state);
     lua.restart_steps();
     if (const std::size_t bytes = simulator_.observed_bytes(); bytes > observed_bytes_) {
-        lua.hold(state, bytes - observed_bytes_, "the path of the run (--record)");
+        lua.add_external_bytes(state, bytes - observed_bytes_, "the path of the run (--record)");
         observed_bytes_ = bytes;
     }
 }
@@ -134,7 +134,7 @@ Feed Interpreter::feed(lua_State* state, std::optional<double> sweep_rad) {
     return feed;
 }
 
-bool Interpreter::set_axis(char letter, double value, AxisVector& target, std::uint32_t& seen) {
+bool Interpreter::set_axis(char letter, double value, AxisVector& target, std::uint32_t& seen_axes) {
     int index = axis(letter);
     bool incremental = modal_.incremental;
     if (index < 0 && modal_.uvw_increments && letter >= 'u' &&
@@ -144,69 +144,77 @@ bool Interpreter::set_axis(char letter, double value, AxisVector& target, std::u
     }
     if (index < 0) return false;
     if (!std::isfinite(value)) {
-        note_fault({&letter, 1}, DiagnosticKind::script,
-                   fmt::format("the value of {} is no number", static_cast<char>(letter - 'a' + 'A')));
+        record_word_error_message(
+            {&letter, 1}, DiagnosticKind::script,
+            fmt::format("the value of {} is no number", static_cast<char>(letter - 'a' + 'A')));
     }
-    if ((seen & (1U << static_cast<unsigned>(index))) != 0) {
+    if ((seen_axes & (1U << static_cast<unsigned>(index))) != 0) {
         const char axis = simulator_.machine().axes[static_cast<std::size_t>(index)].letter;
         const char key = static_cast<char>(axis - 'A' + 'a');
-        note_fault({&key, 1}, DiagnosticKind::word_twice,
-                   fmt::format("axis {} is given twice, as itself and as its increment", axis));
+        record_word_error_message(
+            {&key, 1}, DiagnosticKind::word_twice,
+            fmt::format("axis {} is given twice, as itself and as its increment", axis));
     }
-    seen |= 1U << static_cast<unsigned>(index);
+    seen_axes |= 1U << static_cast<unsigned>(index);
     const machine::Axis& moved = simulator_.machine().axes[static_cast<std::size_t>(index)];
     const double distance = value * word_mm_[index];
     if (modal_.machine_frame_once) {
-        target[index] = machine::turned_target(moved, distance, target[index], 0);
+        target[index] = machine::rotary_target(moved, distance, target[index], 0);
     } else if (incremental) {
         target[index] += distance;
     } else if (frame_.has_matrix()) {
-        target[index] = machine::turned_target(moved, distance, target[index], frame_.offset(index));
+        target[index] = machine::rotary_target(moved, distance, target[index], frame_.offset(index));
     } else {
-        target[index] = machine::turned_target(moved, distance + frame_.offset(index), target[index], 0);
+        target[index] = machine::rotary_target(moved, distance + frame_.offset(index), target[index], 0);
     }
     return true;
 }
 
 /// Reports, of several errors, that of the first key by its letters, because Lua's order of keys differs from
 /// run to run.
-void Interpreter::note_fault(std::string_view key, DiagnosticKind kind, std::string message) {
-    if (!word_fault_ || key < word_fault_->key)
-        word_fault_ = WordFault{.key = std::string(key), .kind = kind, .message = std::move(message)};
+void Interpreter::record_word_error_message(std::string_view key, DiagnosticKind kind, std::string message) {
+    if (!word_error_ || key < word_error_->key)
+        word_error_ = WordError{.key = std::string(key), .kind = kind, .message = std::move(message)};
 }
 
-void Interpreter::refuse_value(std::string_view key, const OtherWords* others) {
-    if (key.size() == 1 && key[0] >= 'A' && key[0] <= 'Z') return refuse_word(key, std::nullopt, others);
-    note_fault(key, DiagnosticKind::script, fmt::format("the value of '{}' is no number", key));
+void Interpreter::record_value_error(std::string_view key, const NonAxisWords* others) {
+    if (key.size() == 1 && key[0] >= 'A' && key[0] <= 'Z')
+        return record_word_error(key, std::nullopt, others);
+    record_word_error_message(key, DiagnosticKind::script,
+                              fmt::format("the value of '{}' is no number", key));
 }
 
-void Interpreter::refuse_word(std::string_view key, std::optional<double> value, const OtherWords* others) {
+void Interpreter::record_word_error(std::string_view key, std::optional<double> value,
+                                    const NonAxisWords* others) {
     if (key.size() == 1 && kArcWords.find(key) != std::string_view::npos && others == nullptr) {
-        return note_fault(key, DiagnosticKind::word_out_of_place,
-                          "I, J, K and R belong to an arc, and the motion in force is a straight one");
+        return record_word_error_message(
+            key, DiagnosticKind::word_out_of_place,
+            "I, J, K and R belong to an arc, and the motion in force is a straight one");
     }
     if (key.size() == 1 && std::string_view("abcuvwxyz").find(key) != std::string_view::npos) {
-        return note_fault(key, DiagnosticKind::axis,
-                          fmt::format("the machine '{}' has no axis {}", simulator_.machine().name,
-                                      static_cast<char>(key[0] - 'a' + 'A')));
+        return record_word_error_message(
+            key, DiagnosticKind::axis,
+            fmt::format("the machine '{}' has no axis {}", simulator_.machine().name,
+                        static_cast<char>(key[0] - 'a' + 'A')));
     }
     std::vector<std::string> letters;
     for (const machine::Axis& axis : simulator_.machine().axes)
         letters.emplace_back(1, static_cast<char>(axis.letter | 0x20));
-    std::vector<std::string_view> taken(letters.begin(), letters.end());
+    std::vector<std::string_view> used_letters(letters.begin(), letters.end());
     if (others != nullptr) {
         const std::vector<std::string_view> further = others->names();
-        taken.insert(taken.end(), further.begin(), further.end());
+        used_letters.insert(used_letters.end(), further.begin(), further.end());
     }
-    note_fault(key, DiagnosticKind::word_out_of_place,
-               fmt::format("'{}' is no word that this motion takes{}", key, word_advice(key, value, taken)));
+    record_word_error_message(
+        key, DiagnosticKind::word_out_of_place,
+        fmt::format("'{}' is no word that this motion takes{}", key, word_advice(key, value, used_letters)));
 }
 
 /// `target` is in program coordinates here if a matrix is active, else in machine coordinates. Returns false
 /// if the target is in polar form.
-bool Interpreter::read_words(lua_State* state, int index, OtherWords* others, AxisVector& target,
-                             std::uint32_t& seen) {
-    word_fault_.reset();
+bool Interpreter::read_words(lua_State* state, int index, NonAxisWords* others, AxisVector& target,
+                             std::uint32_t& seen_axes) {
+    word_error_.reset();
     for (lua_pushnil(state); lua_next(state, index) != 0; lua_pop(state, 1)) {
         if (lua_type(state, -2) != LUA_TSTRING)
             alarm(state, DiagnosticKind::script, "the words of a motion are named: x=1, y=2");
@@ -216,35 +224,36 @@ bool Interpreter::read_words(lua_State* state, int index, OtherWords* others, Ax
         int is_number = 0;
         const double value = lua_tonumberx(state, -1, &is_number);
         if (is_number == 0) {
-            refuse_value(key, others);
+            record_value_error(key, others);
             continue;
         }
-        if (size == 1 && key[0] >= 'a' && key[0] <= 'z' && set_axis(key[0], value, target, seen)) continue;
+        if (size == 1 && key[0] >= 'a' && key[0] <= 'z' && set_axis(key[0], value, target, seen_axes))
+            continue;
         if (on_polar != LUA_NOREF && (key == "radius" || key == "angle")) {
             lua_pop(state, 2);
             return false;
         }
-        if (others == nullptr || !others->take(key, value)) refuse_word(key, value, others);
+        if (others == nullptr || !others->accept_word(key, value)) record_word_error(key, value, others);
     }
-    if (word_fault_) alarm(state, word_fault_->kind, word_fault_->message);
+    if (word_error_) alarm(state, word_error_->kind, word_error_->message);
     return true;
 }
 
-bool Interpreter::read_target(lua_State* state, int index, OtherWords* others, AxisVector& target) {
+bool Interpreter::read_target(lua_State* state, int index, NonAxisWords* others, AxisVector& target) {
     target = programmed();
     if (lua_isnoneornil(state, index)) return false;
     luaL_checktype(state, index, LUA_TTABLE);
-    std::uint32_t seen = 0;
-    const bool mapped = frame_.has_matrix() && !modal_.machine_frame_once;
-    AxisVector values = mapped ? frame_.to_program(target) : target;
-    if (!read_words(state, index, others, values, seen)) {
+    std::uint32_t seen_axes = 0;
+    const bool is_transformed = frame_.has_matrix() && !modal_.machine_frame_once;
+    AxisVector values = is_transformed ? frame_.to_program(target) : target;
+    if (!read_words(state, index, others, values, seen_axes)) {
         lua_rawgeti(state, LUA_REGISTRYINDEX, on_polar);
         lua_pushvalue(state, index);
         lua_call(state, 1, 1);
         return read_target(state, lua_gettop(state), others, target);
     }
-    if (seen != 0) target = mapped ? frame_.to_machine(values) : values;
-    return seen != 0;
+    if (seen_axes != 0) target = is_transformed ? frame_.to_machine(values) : values;
+    return seen_axes != 0;
 }
 
 void Interpreter::line(lua_State* state, bool rapid, int index) {
@@ -252,7 +261,7 @@ void Interpreter::line(lua_State* state, bool rapid, int index) {
     if (!read_target(state, index, nullptr, move.target)) return;
     move.kind = rapid ? simulation::MoveKind::rapid : simulation::MoveKind::linear;
     if (!rapid) move.feed = feed(state, std::nullopt);
-    move.place = place_;
+    move.location = location_;
     check(state, simulator_.move(move));
 }
 

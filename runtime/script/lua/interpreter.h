@@ -12,7 +12,7 @@
 
 #include <lua.hpp>
 
-#include "runtime/script/lua/place_finder.h"
+#include "runtime/script/lua/source_locator.h"
 #include "runtime/script/words/arc_solution.h"
 #include "runtime/script/words/program_frame.h"
 #include "runtime/simulator/simulator.h"
@@ -42,11 +42,11 @@ struct ModalState {
 };
 
 /// Words that a motion accepts in addition to axis words.
-class OtherWords {
+class NonAxisWords {
   public:
-    virtual ~OtherWords() = default;
+    virtual ~NonAxisWords() = default;
     /// Returns false if the motion accepts no such word.
-    virtual bool take(std::string_view name, double value) = 0;
+    virtual bool accept_word(std::string_view name, double value) = 0;
     /// Returns the names of these words.
     virtual std::vector<std::string_view> names() const = 0;
 };
@@ -55,11 +55,11 @@ class OtherWords {
 /// source location in the script.
 class Interpreter {
   public:
-    Interpreter(simulation::Simulator& simulator, PlaceFinder& places);
+    Interpreter(simulation::Simulator& simulator, SourceLocator& locations);
 
     simulation::Simulator& simulator() { return simulator_; }
     const simulation::Simulator& simulator() const { return simulator_; }
-    PlaceFinder& places() { return places_; }
+    SourceLocator& locations() { return source_locator_; }
     ModalState& modal() { return modal_; }
     /// Returns the length of a program unit on linear axes in mm: 1, or 25.4 in inch mode.
     double unit_mm() const { return unit_mm_; }
@@ -75,7 +75,7 @@ class Interpreter {
         return programmed_ ? *programmed_ : simulator_.position();
     }
     void set_programmed(const std::optional<simulation::AxisVector>& point) { programmed_ = point; }
-    const simulation::Place& place() const { return place_; }
+    const simulation::SourceLocation& location() const { return location_; }
     /// Returns the index of the axis with this lower or upper case letter, or -1.
     int axis(char letter) const;
 
@@ -94,15 +94,15 @@ class Interpreter {
     /// Ends the program here, by one of its own words.
     void end_program() { program_ended_ = true; }
     /// Returns true if the program has ended since the last call.
-    bool take_program_end() { return std::exchange(program_ended_, false); }
+    bool consume_program_end() { return std::exchange(program_ended_, false); }
     /// Makes this motion modal: `move` continues with it.
     void make_modal(lua_State* state, std::size_t word_id);
     /// Pushes the name of the modal motion.
     void push_motion(lua_State* state) const;
     /// Updates only the source location, for functions that are no words.
     void locate(lua_State* state, int level = 1) {
-        const simulation::Place place = places_.current(state, level);
-        if (place.line > 0) place_ = place;
+        const simulation::SourceLocation location = source_locator_.current(state, level);
+        if (location.line > 0) location_ = location;
     }
 
     /// Ends the run with an alarm at the current source location; does not return.
@@ -116,7 +116,7 @@ class Interpreter {
     /// Reads axis words of the table at `index` into a target in machine coordinates. Keys that are no axis
     /// are passed to `others`, if given; keys that it does not accept raise an alarm. Returns true if one or
     /// more axes were given.
-    bool read_target(lua_State* state, int index, OtherWords* others, simulation::AxisVector& target);
+    bool read_target(lua_State* state, int index, NonAxisWords* others, simulation::AxisVector& target);
     /// Makes the move of a plain rapid or linear word with its words at `index`.
     void line(lua_State* state, bool rapid, int index);
 
@@ -132,33 +132,33 @@ class Interpreter {
     ModalTables modal_tables;
 
   private:
-    struct WordFault {
+    struct WordError {
         std::string key;
         text::DiagnosticKind kind = text::DiagnosticKind::script;
         std::string message;
     };
 
     void count_words();
-    bool set_axis(char letter, double value, simulation::AxisVector& target, std::uint32_t& seen);
-    bool read_words(lua_State* state, int index, OtherWords* others, simulation::AxisVector& target,
-                    std::uint32_t& seen);
-    void refuse_value(std::string_view key, const OtherWords* others);
-    void refuse_word(std::string_view key, std::optional<double> value, const OtherWords* others);
-    void note_fault(std::string_view key, text::DiagnosticKind kind, std::string message);
+    bool set_axis(char letter, double value, simulation::AxisVector& target, std::uint32_t& seen_axes);
+    bool read_words(lua_State* state, int index, NonAxisWords* others, simulation::AxisVector& target,
+                    std::uint32_t& seen_axes);
+    void record_value_error(std::string_view key, const NonAxisWords* others);
+    void record_word_error(std::string_view key, std::optional<double> value, const NonAxisWords* others);
+    void record_word_error_message(std::string_view key, text::DiagnosticKind kind, std::string message);
 
     simulation::Simulator& simulator_;
-    PlaceFinder& places_;
+    SourceLocator& source_locator_;
     ModalState modal_;
     double unit_mm_ = 1;
     simulation::AxisVector word_factors_;
     simulation::AxisVector word_mm_;  ///< Value of 1 in a word of an axis, mm or deg.
-    simulation::Place place_;
+    simulation::SourceLocation location_;
     std::array<int, 26> axis_by_letter_{};
     ProgramFrame frame_;
     std::optional<simulation::AxisVector> programmed_;
     std::bitset<kMaxWordIds> words_in_block_;
     std::function<void(lua_State*, Interpreter&)> on_foreign_word_;
-    std::optional<WordFault> word_fault_;  ///< First error by key, of the words that are read.
+    std::optional<WordError> word_error_;  ///< First error by key, of the words that are read.
     std::size_t observed_bytes_ = 0;       ///< Already counted in the script's memory.
     bool attached_ = true;
     bool program_ended_ = false;

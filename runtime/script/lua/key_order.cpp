@@ -20,18 +20,19 @@ enum class Rank : std::uint8_t { number, text, no, yes, table, other };
 struct Key {
     Rank rank = Rank::other;
     bool integer = false;
-    lua_Integer whole = 0;       ///< Value of an integer.
-    lua_Number number = 0;       ///< Value of another number.
-    std::string_view text = {};  ///< As long as the table holds it.
-    std::uint64_t serial = 0;    ///< Serial of a table.
-    lua_Integer found = 0;       ///< The how many-th of its table it is, by Lua's order.
+    lua_Integer integer_value = 0;  ///< Value of an integer.
+    lua_Number number = 0;          ///< Value of another number.
+    std::string_view text = {};     ///< As long as the table holds it.
+    std::uint64_t serial = 0;       ///< Serial of a table.
+    lua_Integer found = 0;          ///< The how many-th of its table it is, by Lua's order.
 };
 
 /// Compares exactly even if one is an integer and the other is not: a long double has all digits of both.
-std::partial_ordering order_of_numbers(const Key& a, const Key& b) {
-    if (a.integer && b.integer) return a.whole <=> b.whole;
+std::partial_ordering compare_numbers(const Key& a, const Key& b) {
+    if (a.integer && b.integer) return a.integer_value <=> b.integer_value;
     const auto value = [](const Key& key) {
-        return key.integer ? static_cast<long double>(key.whole) : static_cast<long double>(key.number);
+        return key.integer ? static_cast<long double>(key.integer_value)
+                           : static_cast<long double>(key.number);
     };
     return value(a) <=> value(b);
 }
@@ -39,7 +40,7 @@ std::partial_ordering order_of_numbers(const Key& a, const Key& b) {
 bool is_before(const Key& a, const Key& b) {
     if (a.rank != b.rank) return a.rank < b.rank;
     switch (a.rank) {
-        case Rank::number: return order_of_numbers(a, b) < 0;
+        case Rank::number: return compare_numbers(a, b) < 0;
         case Rank::text: return a.text < b.text;
         case Rank::table: return a.serial < b.serial;
         default: return false;
@@ -53,7 +54,7 @@ Key key_at(lua_State* state, int index) {
             key.rank = Rank::number;
             key.integer = lua_isinteger(state, index) != 0;
             if (key.integer) {
-                key.whole = lua_tointeger(state, index);
+                key.integer_value = lua_tointeger(state, index);
             } else {
                 key.number = lua_tonumber(state, index);
             }
@@ -67,7 +68,7 @@ Key key_at(lua_State* state, int index) {
         }
         case LUA_TBOOLEAN: key.rank = lua_toboolean(state, index) != 0 ? Rank::yes : Rank::no; break;
         case LUA_TTABLE:
-            key.serial = LuaState::of(state).serial_of_table(lua_topointer(state, index));
+            key.serial = LuaState::of(state).table_serial(lua_topointer(state, index));
             key.rank = key.serial > 0 ? Rank::table : Rank::other;
             break;
         default: break;
@@ -76,20 +77,20 @@ Key key_at(lua_State* state, int index) {
 }
 
 /// Raises an error for a second key that has no known position among the others.
-void count_others(lua_State* state, const Key& key, int& others) {
+void count_unordered(lua_State* state, const Key& key, int& others) {
     if (key.rank != Rank::other || ++others < 2) return;
     luaL_error(state,
                "pairs and next cannot go through a table with several functions or userdata as keys: their "
                "order would differ from run to run; keep them in a list");
 }
 
-struct Survey {
+struct KeySummary {
     lua_Integer count = 0;
     bool sequence = true;  ///< The keys are 1, 2, .. count, and Lua has them in that order.
 };
 
-Survey survey(lua_State* state) {
-    Survey found;
+KeySummary summarize_keys(lua_State* state) {
+    KeySummary found;
     for (lua_pushnil(state); lua_next(state, 1) != 0; lua_pop(state, 1)) {
         ++found.count;
         found.sequence =
@@ -99,7 +100,7 @@ Survey survey(lua_State* state) {
 }
 
 /// Continues the list 1, 2, ..; upvalues: its length, and the current position.
-int next_of_sequence(lua_State* state) {
+int next_in_sequence(lua_State* state) {
     luaL_checktype(state, 1, LUA_TTABLE);
     const lua_Integer count = lua_tointeger(state, lua_upvalueindex(1));
     lua_Integer at = lua_tointeger(state, lua_upvalueindex(2));
@@ -119,7 +120,7 @@ int next_of_sequence(lua_State* state) {
 }
 
 /// Continues through keys in their order; upvalues: their list, and the current position.
-int next_of_keys(lua_State* state) {
+int next_in_keys(lua_State* state) {
     luaL_checktype(state, 1, LUA_TTABLE);
     lua_Integer at = lua_tointeger(state, lua_upvalueindex(2));
     while (lua_rawgeti(state, lua_upvalueindex(1), ++at) != LUA_TNIL) {
@@ -148,7 +149,7 @@ void push_keys(lua_State* state, lua_Integer count) {
     for (lua_pushnil(state); lua_next(state, 1) != 0;) {
         lua_pop(state, 1);
         Key key = key_at(state, -1);
-        count_others(state, key, others);
+        count_unordered(state, key, others);
         key.found = ++found;
         keys[static_cast<std::size_t>(found) - 1] = key;
         lua_pushvalue(state, -1);
@@ -167,7 +168,7 @@ void push_keys(lua_State* state, lua_Integer count) {
 int ordered_pairs(lua_State* state) {
     luaL_checktype(state, 1, LUA_TTABLE);
     lua_settop(state, 1);
-    const Survey found = survey(state);
+    const KeySummary found = summarize_keys(state);
     LuaState::of(state).charge(state, static_cast<std::uint64_t>(found.count) * kBytesOfKey);
     if (found.sequence) {
         lua_pushinteger(state, found.count);
@@ -175,7 +176,7 @@ int ordered_pairs(lua_State* state) {
         push_keys(state, found.count);
     }
     lua_pushinteger(state, 0);
-    lua_pushcclosure(state, found.sequence ? next_of_sequence : next_of_keys, 2);
+    lua_pushcclosure(state, found.sequence ? next_in_sequence : next_in_keys, 2);
     lua_pushvalue(state, 1);
     lua_pushnil(state);
     return 3;
@@ -189,15 +190,15 @@ int ordered_next(lua_State* state) {
     const Key after = key_at(state, 2);
     lua_pushnil(state);  // 3: the smallest key so far, and
     lua_pushnil(state);  // 4: its value
-    Key least;
+    Key min_key;
     std::uint64_t count = 0;
     for (lua_pushnil(state); lua_next(state, 1) != 0; lua_pop(state, 1)) {
         ++count;
         const Key key = key_at(state, -2);
-        count_others(state, key, others);
+        count_unordered(state, key, others);
         if (!first && !is_before(after, key)) continue;
-        if (!lua_isnil(state, 3) && !is_before(key, least)) continue;
-        least = key;
+        if (!lua_isnil(state, 3) && !is_before(key, min_key)) continue;
+        min_key = key;
         lua_copy(state, -2, 3);
         lua_copy(state, -1, 4);
     }

@@ -10,7 +10,7 @@
 #include <tl/expected.hpp>
 
 #include "base/os/files.h"
-#include "runtime/script/lua/compiled_library.h"
+#include "runtime/script/lua/compiled_library_cache.h"
 
 namespace gsim::script {
 
@@ -20,7 +20,7 @@ class Library {
     /// Uses the built-in files.
     Library() = default;
     /// Uses the built-in files, compiled once for all that share it.
-    explicit Library(std::shared_ptr<CompiledLibrary> compiled) : compiled_(std::move(compiled)) {}
+    explicit Library(std::shared_ptr<CompiledLibraryCache> compiled) : compiled_(std::move(compiled)) {}
     /// Uses the files of a folder of `files`, which must outlive this object.
     explicit Library(std::filesystem::path folder, const os::Files& files = os::disk())
         : folder_(std::move(folder)), folder_files_(&files) {}
@@ -29,10 +29,10 @@ class Library {
     tl::expected<std::string, std::string> read(std::string_view file_name) const;
 
     /// Returns null if each file is compiled when it is needed.
-    CompiledLibrary* compiled() const { return compiled_.get(); }
+    CompiledLibraryCache* compiled() const { return compiled_.get(); }
 
   private:
-    std::shared_ptr<CompiledLibrary> compiled_ = nullptr;
+    std::shared_ptr<CompiledLibraryCache> compiled_ = nullptr;
     std::optional<std::filesystem::path> folder_;
     const os::Files* folder_files_ = nullptr;
 };

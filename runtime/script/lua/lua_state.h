@@ -10,7 +10,7 @@
 #include <lua.hpp>
 
 #include "base/os/cpu_limit.h"
-#include "runtime/script/lua/small_blocks.h"
+#include "runtime/script/lua/small_block_allocator.h"
 
 namespace gsim::script {
 
@@ -23,7 +23,7 @@ class LuaState {
         std::uint64_t steps = 200'000'000;  ///< Instructions without a motion or a dwell in between.
     };
     /// Reason why the state itself raised kStop.
-    enum class Ended : std::uint8_t { no, memory, steps, cpu };
+    enum class StopReason : std::uint8_t { no, memory, steps, cpu };
 
     /// Cost to copy one of the many values that a call may have.
     static constexpr std::uint64_t kBytesOfValue = 4;
@@ -37,9 +37,9 @@ class LuaState {
     LuaState& operator=(const LuaState&) = delete;
 
     lua_State* get() const { return state_; }
-    Ended ended() const { return refused_ ? Ended::memory : ended_; }
+    StopReason ended() const { return refused_ ? StopReason::memory : stop_reason_; }
     /// Limits the processor time from here on; null: no limit. `cpu` must outlive the state.
-    void end_by(os::CpuLimit* cpu) { cpu_ = cpu; }
+    void set_time_limit(os::CpuLimit* cpu) { cpu_ = cpu; }
     /// Restarts the count of steps, because the machine has moved on.
     void restart_steps() { steps_ = 0; }
     /// Counts work inside one instruction, by the bytes that it touches. Long strings and tables take time in
@@ -55,18 +55,18 @@ class LuaState {
     }
     /// Notes a string or a list of values of so many bytes, which any instruction may read. From here on each
     /// instruction counts as that much work.
-    void note_large(std::uint64_t bytes);
+    void register_large_value(std::uint64_t bytes);
     /// Counts memory outside of Lua that is kept for the script as its own from here on. Ends the run if that
     /// is too much. `what` is stored and names the consumer: "the text of the script".
-    void hold(lua_State* state, std::size_t bytes, const char* what);
+    void add_external_bytes(lua_State* state, std::size_t bytes, const char* what);
     /// Releases memory that is no longer kept; `what` as in hold().
-    void give_back(std::size_t bytes, const char* what);
+    void release_memory(std::size_t bytes, const char* what);
     /// Returns the message about what needs more memory than available, if that ended the run: the largest
     /// holder, or the consumer that requested it.
-    std::string memory_refusal() const;
+    std::string memory_error() const;
     /// Returns the ordinal number of a table of this state; 0 if it is not known. Lua orders tables as keys
     /// by their addresses, which differ from run to run.
-    std::uint64_t serial_of_table(const void* table) const;
+    std::uint64_t table_serial(const void* table) const;
     const Limits& limits() const { return limits_; }
     /// Sets a function that is called before the run ends for its steps or its processor time, while the
     /// script's stack still exists.
@@ -76,7 +76,7 @@ class LuaState {
     void set_running(lua_State* thread);
     /// Sets a function that is called for each line of a monitored thread; it may yield.
     void on_line(std::function<void(lua_State*, lua_Debug*)> call) { on_line_ = std::move(call); }
-    void watch_lines(lua_State* thread, bool on) const;
+    void set_line_hook(lua_State* thread, bool on) const;
 
     /// Returns the LuaState of a lua_State.
     static LuaState& of(lua_State* state);
@@ -85,7 +85,7 @@ class LuaState {
     /// Returns true if the value at `index` is the one that raise_stop() raises.
     static bool is_stop(lua_State* state, int index);
     /// Raises an error that no script may catch again. Must be called on each caught error.
-    static void pass_on(lua_State* state, int status);
+    static void stop_if_out_of_memory(lua_State* state, int status);
 
     /// Returns the text to write for a line that a script prints.
     std::string printed(std::string line);
@@ -94,47 +94,47 @@ class LuaState {
     static constexpr int kStepsBetweenCounts = 10'000;
 
     /// Request for memory that was not fulfilled.
-    struct Refusal {
+    struct MemoryError {
         const char* what = "the script";
-        std::size_t asked_bytes = 0;
-        std::size_t held_bytes = 0;
+        std::size_t requested_bytes = 0;
+        std::size_t retained_bytes = 0;
         bool by_system = false;
     };
 
     static void* allocate(void* self, void* block, std::size_t old_size, std::size_t new_size);
-    void* resize(void* block, std::size_t held, std::size_t new_size);
-    void release(void* block, std::size_t held);
+    void* resize(void* block, std::size_t block_size, std::size_t new_size);
+    void release(void* block, std::size_t block_size);
     /// Memory outside of Lua, by its purpose.
-    struct Held {
+    struct ExternalMemory {
         const char* what;
         std::size_t bytes;
     };
 
-    std::nullptr_t refuse(const Refusal& refusal);
-    std::size_t& held_for(const char* what);
-    const char* holder_of_most() const;
+    std::nullptr_t reject(const MemoryError& memory_request_error);
+    std::size_t& external_bytes(const char* what);
+    const char* largest_holder() const;
     static void on_hook(lua_State* state, lua_Debug* event);
     void count_steps(lua_State* state);
     void check_limits(lua_State* state);
-    [[noreturn]] void end_for(Ended reason, lua_State* state);
-    void number_table(void* table, std::size_t size);
+    [[noreturn]] void stop_for(StopReason reason, lua_State* state);
+    void assign_table_serial(void* table, std::size_t size);
     int steps_between_counts() const;
     static void set_hook(lua_State* thread, int steps);
 
     Limits limits_;
     os::CpuLimit* cpu_ = nullptr;
-    SmallBlocks small_blocks_;
+    SmallBlockAllocator small_block_allocator_;
     std::size_t printed_bytes_ = 0;
     std::size_t bytes_ = 0;
-    std::vector<Held> held_;  ///< A part of bytes_.
+    std::vector<ExternalMemory> allocations_;  ///< A part of bytes_.
     std::uint64_t steps_ = 0;
     std::uint64_t unchecked_ = 0;  ///< Instructions since the limits were last looked at.
     std::uint64_t weight_ = 1;     ///< Weight of an instruction.
     std::uint64_t tables_ = 0;     ///< That were made.
     std::size_t table_bytes_ = 0;
-    Ended ended_ = Ended::no;
+    StopReason stop_reason_ = StopReason::no;
     bool refused_ = false;  ///< The last request for more memory was.
-    Refusal refusal_;
+    MemoryError memory_error_;
     std::function<void(lua_State*)> on_last_step_;
     std::function<void(lua_State*, lua_Debug*)> on_line_;
     lua_State* state_ = nullptr;
@@ -142,15 +142,15 @@ class LuaState {
 };
 
 /// Memory outside of Lua that counts as the script's during the lifetime of this object.
-class HeldMemory {
+class ExternalMemoryGuard {
   public:
-    HeldMemory(lua_State* state, std::size_t bytes, const char* what)
+    ExternalMemoryGuard(lua_State* state, std::size_t bytes, const char* what)
         : lua_(LuaState::of(state)), bytes_(bytes), what_(what) {
-        lua_.hold(state, bytes, what);
+        lua_.add_external_bytes(state, bytes, what);
     }
-    ~HeldMemory() { lua_.give_back(bytes_, what_); }
-    HeldMemory(const HeldMemory&) = delete;
-    HeldMemory& operator=(const HeldMemory&) = delete;
+    ~ExternalMemoryGuard() { lua_.release_memory(bytes_, what_); }
+    ExternalMemoryGuard(const ExternalMemoryGuard&) = delete;
+    ExternalMemoryGuard& operator=(const ExternalMemoryGuard&) = delete;
 
   private:
     LuaState& lua_;

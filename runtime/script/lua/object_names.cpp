@@ -31,7 +31,7 @@ void push_numbers(lua_State* state) {
     lua_rawsetp(state, LUA_REGISTRYINDEX, &numbers_key);
 }
 
-lua_Integer number_of(lua_State* state, int index) {
+lua_Integer object_number(lua_State* state, int index) {
     push_numbers(state);
     lua_pushvalue(state, index);
     if (lua_rawget(state, -2) == LUA_TNIL) {
@@ -57,7 +57,7 @@ std::string_view push_text(lua_State* state, int index) {
     std::size_t size = 0;
     if (has_address(state, at) && luaL_getmetafield(state, at, "__tostring") == LUA_TNIL) {
         lua_pushfstring(state, "%s: %I", luaL_typename(state, at),
-                        static_cast<LUAI_UACINT>(number_of(state, at)));
+                        static_cast<LUAI_UACINT>(object_number(state, at)));
         const char* const text = lua_tolstring(state, -1, &size);
         return {text, size};
     }

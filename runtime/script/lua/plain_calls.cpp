@@ -22,8 +22,8 @@ class LineReader {
     bool at_end() {
         skip_blanks();
         if (at_ == end_) return true;
-        const std::string_view rest(at_, static_cast<std::size_t>(end_ - at_));
-        return rest.starts_with("--") && !rest.starts_with("--[");
+        const std::string_view remainder(at_, static_cast<std::size_t>(end_ - at_));
+        return remainder.starts_with("--") && !remainder.starts_with("--[");
     }
 
     bool read(PlainCall& call) {
@@ -32,8 +32,8 @@ class LineReader {
         call.word = name();
         if (call.word.empty() || at_ == end_) return false;
         call.has_table = *at_ == '{';
-        if (take('{')) return fields(call);
-        return take('(') && argument(call);
+        if (consume('{')) return fields(call);
+        return consume('(') && argument(call);
     }
 
   private:
@@ -41,7 +41,7 @@ class LineReader {
         while (at_ != end_ && *at_ == ' ') ++at_;
     }
 
-    bool take(char c) {
+    bool consume(char c) {
         if (at_ == end_ || *at_ != c) return false;
         ++at_;
         return true;
@@ -57,17 +57,17 @@ class LineReader {
     /// Reads a decimal number with an optional sign. A number that Lua reads as an integer becomes one.
     bool number(PlainCall::Number& value) {
         const char* const begin = at_;
-        take('-');
+        consume('-');
         const char* const digits = at_;
         bool point = false;
         for (; at_ != end_ && (text::is_digit(*at_) || (*at_ == '.' && !point)); ++at_) point |= *at_ == '.';
         const bool more = at_ != end_ && (is_letter(*at_) || *at_ == '.');
         if (more || at_ - digits == (point ? 1 : 0)) return false;
-        return point ? read_as<lua_Number>(begin, value) : read_as<lua_Integer>(begin, value);
+        return point ? parse_as<lua_Number>(begin, value) : parse_as<lua_Integer>(begin, value);
     }
 
     template <typename Kind>
-    bool read_as(const char* begin, PlainCall::Number& value) {
+    bool parse_as(const char* begin, PlainCall::Number& value) {
         Kind read = 0;
         std::from_chars_result result;
         if constexpr (std::is_floating_point_v<Kind>)
@@ -79,20 +79,20 @@ class LineReader {
     }
 
     bool argument(PlainCall& call) {
-        if (take(')')) return true;
-        return number(call.argument.emplace()) && take(')');
+        if (consume(')')) return true;
+        return number(call.argument.emplace()) && consume(')');
     }
 
     bool fields(PlainCall& call) {
         skip_blanks();
-        if (take('}')) return true;
-        while (call.field_count < PlainCall::kMostFields) {
+        if (consume('}')) return true;
+        while (call.field_count < PlainCall::kMaxFields) {
             PlainCall::Field& field = call.all_fields[call.field_count++];
             skip_blanks();
             field.key = name();
-            if (field.key.empty() || !take('=') || !number(field.value)) return false;
-            if (take('}')) return true;
-            if (!take(',')) return false;
+            if (field.key.empty() || !consume('=') || !number(field.value)) return false;
+            if (consume('}')) return true;
+            if (!consume(',')) return false;
         }
         return false;
     }

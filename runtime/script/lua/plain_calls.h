@@ -21,12 +21,12 @@ struct PlainCall {
         std::string_view key;
         Number value;
     };
-    static constexpr std::size_t kMostFields = 16;
+    static constexpr std::size_t kMaxFields = 16;
 
     std::string_view word;
     std::optional<Number> argument;  ///< In parentheses.
     bool has_table = false;          ///< Braces instead, with `fields`.
-    std::array<Field, kMostFields> all_fields;
+    std::array<Field, kMaxFields> all_fields;
     std::size_t field_count = 0;
 
     std::span<const Field> fields() const { return {all_fields.data(), field_count}; }

@@ -28,7 +28,7 @@ void copy_fields(lua_State* state, const char* library, const std::array<const c
 /// Ends a pcall; `status` is LUA_YIELD if the function has waited for other processes.
 int finish_pcall(lua_State* state, int status, lua_KContext) {
     const bool done = status == LUA_OK || status == LUA_YIELD;
-    if (!done) LuaState::pass_on(state, status);
+    if (!done) LuaState::stop_if_out_of_memory(state, status);
     lua_pushboolean(state, static_cast<int>(done));
     lua_insert(state, 1);
     return lua_gettop(state);

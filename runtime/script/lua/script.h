@@ -41,14 +41,14 @@ struct Script {
     bool inch = false;            ///< It begins in inches, whatever the run has.
     std::string
         file_name;  ///< For source locations: the G-code file if lines are known to match, else the Lua.
-    std::int64_t line_difference =
+    std::int64_t line_offset =
         0;  ///< Line in that file minus line in the Lua: -1 for unedited generated Lua.
     std::uint64_t size = 0;
-    std::size_t held_bytes = 0;  ///< Bytes of memory, as long as it is kept.
+    std::size_t retained_bytes = 0;  ///< Bytes of memory, as long as it is kept.
     std::function<tl::expected<std::string, std::string>(std::uint64_t begin, std::uint64_t end)> read;
     std::vector<ScriptFunction> functions;
 
-    static Script from_text(std::string text, std::string file_name, std::int64_t line_difference);
+    static Script from_text(std::string text, std::string file_name, std::int64_t line_offset);
 };
 
 /// Finds a program that is called, by number ("12") or name, and is not in the script. Returns the Lua of its

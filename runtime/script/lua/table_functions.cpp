@@ -12,13 +12,13 @@ namespace {
 /// Cost of one table element, in bytes of a string.
 constexpr std::uint64_t kBytesOfElement = 256;
 /// Longer ranges end in an error by themselves, or by the memory.
-constexpr lua_Number kMostElements = 1e9;
+constexpr lua_Number kMaxElements = 1e9;
 
 // Stack of stable_sort().
 constexpr int kList = 1;
-constexpr int kIsBefore = 2;
-constexpr int kOne = 3;
-constexpr int kOther = 4;
+constexpr int kComparison = 2;
+constexpr int kFirst = 3;
+constexpr int kSecond = 4;
 
 /// Returns the number of elements that a function processes with these arguments; 0 also if it will reject
 /// them.
@@ -40,18 +40,18 @@ lua_Number elements_of_range(lua_State* state) {
 
 /// Counts the elements that table.insert(t, position, value) and table.remove(t, position) move.
 template <int Arguments>
-lua_Number elements_behind(lua_State* state) {
+lua_Number elements_after(lua_State* state) {
     return lua_gettop(state) < Arguments ? 0 : length(state) - lua_tonumber(state, 2) + 1;
 }
 
 /// Calls the function in the upvalue after its work has been counted.
 template <CountElements Count, bool ManyResults>
-int counted(lua_State* state) {
+int charge_and_call(lua_State* state) {
     if (lua_istable(state, 1)) {
         LuaState& lua = LuaState::of(state);
-        const auto count = static_cast<std::uint64_t>(std::min(kMostElements, std::max(0.0, Count(state))));
+        const auto count = static_cast<std::uint64_t>(std::min(kMaxElements, std::max(0.0, Count(state))));
         lua.charge(state, count * kBytesOfElement);
-        if (ManyResults) lua.note_large(count * LuaState::kBytesOfValue);
+        if (ManyResults) lua.register_large_value(count * LuaState::kBytesOfValue);
     }
     lua_pushvalue(state, lua_upvalueindex(1));
     lua_insert(state, 1);
@@ -61,8 +61,8 @@ int counted(lua_State* state) {
 
 /// Returns true if the value on top of the stack comes before the one under it.
 bool top_is_before(lua_State* state) {
-    if (lua_isnil(state, kIsBefore)) return lua_compare(state, -1, -2, LUA_OPLT) != 0;
-    lua_pushvalue(state, kIsBefore);
+    if (lua_isnil(state, kComparison)) return lua_compare(state, -1, -2, LUA_OPLT) != 0;
+    lua_pushvalue(state, kComparison);
     lua_pushvalue(state, -2);
     lua_pushvalue(state, -4);
     lua_call(state, 2, 1);
@@ -77,14 +77,14 @@ void merge(lua_State* state, int from, int to, lua_Integer begin, lua_Integer mi
     lua_Integer one = begin;
     lua_Integer other = middle;
     for (lua_Integer at = begin; at < end; ++at) {
-        bool take_other = one == middle;
-        if (!take_other && other < end) {
+        bool take_second = one == middle;
+        if (!take_second && other < end) {
             lua_rawgeti(state, from, one);
             lua_rawgeti(state, from, other);
-            take_other = top_is_before(state);
+            take_second = top_is_before(state);
             lua_pop(state, 2);
         }
-        lua_rawgeti(state, from, take_other ? other++ : one++);
+        lua_rawgeti(state, from, take_second ? other++ : one++);
         lua_rawseti(state, to, at);
     }
 }
@@ -93,22 +93,22 @@ void merge(lua_State* state, int from, int to, lua_Integer begin, lua_Integer mi
 /// comparison.
 int stable_sort(lua_State* state) {
     luaL_checktype(state, kList, LUA_TTABLE);
-    if (!lua_isnoneornil(state, kIsBefore)) luaL_checktype(state, kIsBefore, LUA_TFUNCTION);
+    if (!lua_isnoneornil(state, kComparison)) luaL_checktype(state, kComparison, LUA_TFUNCTION);
     const lua_Integer count = luaL_len(state, kList);
     luaL_argcheck(state, count < std::numeric_limits<int>::max(), kList, "the list is too long");
     if (count < 2) return 0;
     LuaState& lua = LuaState::of(state);
     const std::uint64_t work = static_cast<std::uint64_t>(count) * kBytesOfElement;
     lua.charge(state, work);
-    lua_settop(state, kIsBefore);
+    lua_settop(state, kComparison);
     lua_createtable(state, static_cast<int>(count), 0);
     lua_createtable(state, static_cast<int>(count), 0);
     for (lua_Integer i = 1; i <= count; ++i) {
         lua_geti(state, kList, i);
-        lua_rawseti(state, kOne, i);
+        lua_rawseti(state, kFirst, i);
     }
-    int from = kOne;
-    int to = kOther;
+    int from = kFirst;
+    int to = kSecond;
     for (lua_Integer width = 1; width < count; width *= 2) {
         lua.charge(state, work);
         for (lua_Integer begin = 1; begin <= count; begin += 2 * width) {
@@ -125,9 +125,9 @@ int stable_sort(lua_State* state) {
 }
 
 template <CountElements Count, bool ManyResults = false>
-void count_work_of(lua_State* state, const char* name) {
+void wrap_counted(lua_State* state, const char* name) {
     lua_getfield(state, -1, name);
-    lua_pushcclosure(state, trampoline<counted<Count, ManyResults>>, 1);
+    lua_pushcclosure(state, trampoline<charge_and_call<Count, ManyResults>>, 1);
     lua_setfield(state, -2, name);
 }
 
@@ -135,10 +135,10 @@ void count_work_of(lua_State* state, const char* name) {
 
 void set_table_functions(lua_State* state) {
     lua_getfield(state, -1, "table");
-    count_work_of<elements_of_range<3>>(state, "concat");
-    count_work_of<elements_of_range<2>, true>(state, "unpack");
-    count_work_of<elements_behind<3>>(state, "insert");
-    count_work_of<elements_behind<2>>(state, "remove");
+    wrap_counted<elements_of_range<3>>(state, "concat");
+    wrap_counted<elements_of_range<2>, true>(state, "unpack");
+    wrap_counted<elements_after<3>>(state, "insert");
+    wrap_counted<elements_after<2>>(state, "remove");
     lua_pushcfunction(state, trampoline<stable_sort>);
     lua_setfield(state, -2, "sort");
     lua_pop(state, 1);

@@ -42,7 +42,7 @@ int print_to_error(lua_State* state) {
 }
 
 /// Calls the function in the first upvalue with all arguments.
-int call_own(lua_State* state) {
+int call_original(lua_State* state) {
     lua_pushvalue(state, lua_upvalueindex(1));
     lua_insert(state, 1);
     lua_call(state, lua_gettop(state) - 1, LUA_MULTRET);
@@ -52,7 +52,7 @@ int call_own(lua_State* state) {
 /// Implements tonumber(value [, base]): a text is read to its end.
 int to_number(lua_State* state) {
     if (lua_type(state, 1) == LUA_TSTRING) LuaState::of(state).charge(state, lua_rawlen(state, 1));
-    return call_own(state);
+    return call_original(state);
 }
 
 /// Implements string.find(s, text [, from]): a plain search, in a time proportional to the length of s.
@@ -62,18 +62,18 @@ int plain_find(lua_State* state) {
     constexpr std::size_t kShort = 256;
     constexpr std::size_t kBytesAtOnce = 16;
     std::size_t size = 0;
-    std::size_t wanted_size = 0;
+    std::size_t required_size = 0;
     const char* text = luaL_checklstring(state, 1, &size);
-    const char* wanted = luaL_checklstring(state, 2, &wanted_size);
+    const char* requested = luaL_checklstring(state, 2, &required_size);
     const lua_Integer from = luaL_optinteger(state, 3, 1);
     const std::size_t begin = from < 1 ? 0 : static_cast<std::size_t>(from) - 1;
     if (begin > size) return 0;
-    LuaState::of(state).charge(state, (size - begin) * (1 + std::min(wanted_size, kShort) / kBytesAtOnce));
-    const void* const found = ::memmem(text + begin, size - begin, wanted, wanted_size);
+    LuaState::of(state).charge(state, (size - begin) * (1 + std::min(required_size, kShort) / kBytesAtOnce));
+    const void* const found = ::memmem(text + begin, size - begin, requested, required_size);
     if (found == nullptr) return 0;
     const auto first = static_cast<lua_Integer>(static_cast<const char*>(found) - text) + 1;
     lua_pushinteger(state, first);
-    lua_pushinteger(state, first + static_cast<lua_Integer>(wanted_size) - 1);
+    lua_pushinteger(state, first + static_cast<lua_Integer>(required_size) - 1);
     return 2;
 }
 
@@ -85,15 +85,15 @@ int bounded_rep(lua_State* state) {
     luaL_checklstring(state, 1, &size);
     luaL_checkinteger(state, 2);
     luaL_optlstring(state, 3, "", &separator_size);
-    if (size + separator_size > 0) return call_own(state);
+    if (size + separator_size > 0) return call_original(state);
     lua_pushliteral(state, "");
     return 1;
 }
 
 /// Implements string.byte(s [, first [, last]]): returns as many values as bytes.
 int counted_byte(lua_State* state) {
-    const int count = call_own(state);
-    LuaState::of(state).note_large(static_cast<std::uint64_t>(count) * LuaState::kBytesOfValue);
+    const int count = call_original(state);
+    LuaState::of(state).register_large_value(static_cast<std::uint64_t>(count) * LuaState::kBytesOfValue);
     LuaState::of(state).charge(state, static_cast<std::uint64_t>(count) * LuaState::kBytesOfValue);
     return count;
 }
@@ -122,7 +122,7 @@ int repeatable_format(lua_State* state) {
         push_text(state, argument);
         lua_replace(state, argument);
     }
-    return call_own(state);
+    return call_original(state);
 }
 
 void wrap(lua_State* state, const char* name, lua_CFunction function) {

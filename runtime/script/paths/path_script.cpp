@@ -38,16 +38,16 @@ struct Handle {
     std::optional<std::size_t> frame = {};  ///< In Builder::frames.
 };
 
-constexpr const char* kPoints = "the path of the script";
+constexpr const char* kPathMemoryLabel = "the path of the script";
 
 /// State of what the script has made so far.
 struct Builder {
-    struct MadePoint {
+    struct CreatedPoint {
         path::Target point;  ///< No sub-path.
-        path::Place place;
+        path::SourceLocation location;
     };
     PathFile file;
-    std::vector<MadePoint> points;
+    std::vector<CreatedPoint> points;
     std::vector<path::WorkFrame> frames;  // of uses of paths
     std::uint32_t last_line = 1;          ///< Line at which a limit was reached.
 };
@@ -63,12 +63,13 @@ const Handle* handle_at(lua_State* state, int index) {
 }
 
 /// Returns the approximate bytes of a point, with its source location.
-std::size_t bytes_of(const path::Target& target) {
+std::size_t memory_size(const path::Target& target) {
     constexpr std::size_t kBytesOfLetter = 64;  // a node of a map
-    std::size_t bytes = sizeof(path::Target) + sizeof(path::Place);
-    for (const std::string& action : path::actions_of(target)) bytes += sizeof(std::string) + action.size();
-    if (const auto* place = std::get_if<path::MachinePoint>(&target))
-        return bytes + place->name.size() + place->called.size();
+    std::size_t bytes = sizeof(path::Target) + sizeof(path::SourceLocation);
+    for (const std::string& action : path::target_actions(target))
+        bytes += sizeof(std::string) + action.size();
+    if (const auto* location = std::get_if<path::MachinePoint>(&target))
+        return bytes + location->name.size() + location->alias.size();
     const auto& point = std::get<path::Point>(target);
     bytes += point.name.size();
     if (point.orientation) {
@@ -78,12 +79,12 @@ std::size_t bytes_of(const path::Target& target) {
     return bytes;
 }
 
-std::size_t bytes_of(const path::WorkFrame& frame) {
+std::size_t memory_size(const path::WorkFrame& frame) {
     return sizeof(frame) + frame.touches.size() * sizeof(path::Touch);
 }
 
 /// Returns the source location of the function `level` levels up; if that is none of Lua, that of its caller.
-path::Place calling_place(lua_State* state, int level = 1) {
+path::SourceLocation calling_location(lua_State* state, int level = 1) {
     lua_Debug caller{};
     do {
         if (lua_getstack(state, level++, &caller) == 0 || lua_getinfo(state, "l", &caller) == 0) return {};
@@ -115,15 +116,15 @@ int make_point(lua_State* state) {
         lua_pushlstring(state, kPointKeys[i].data(), kPointKeys[i].size());
         if (lua_rawget(state, 1) != LUA_TNIL) {
             const auto key = static_cast<TargetKey>(i);
-            draft.mark(key);
+            draft.mark_present(key);
             path_values::read_value(state, draft, key);
         }
         lua_pop(state, 1);
     }
     tl::expected<path::Target, std::string> target = draft.finish();
     if (!target) raise(state, target.error());
-    LuaState::of(state).hold(state, bytes_of(*target), kPoints);
-    builder.points.push_back({*std::move(target), calling_place(state)});
+    LuaState::of(state).add_external_bytes(state, memory_size(*target), kPathMemoryLabel);
+    builder.points.push_back({*std::move(target), calling_location(state)});
     push(state, {Handle::Kind::point, builder.points.size() - 1, 1});
     return 1;
 }
@@ -141,7 +142,7 @@ std::optional<std::size_t> read_frame(lua_State* state) {
     auto frame = read_set_up(state, 3, kFrameKeys.size()).finish_frame();
     if (!frame) raise(state, frame.error());
     auto& frames = bound<Builder>(state).frames;
-    LuaState::of(state).hold(state, 2 * bytes_of(*frame), kPoints);
+    LuaState::of(state).add_external_bytes(state, 2 * memory_size(*frame), kPathMemoryLabel);
     frames.push_back(*std::move(frame));
     return frames.size() - 1;
 }
@@ -152,9 +153,9 @@ int make_repeated(lua_State* state) {
     if (handle == nullptr || handle->kind != Handle::Kind::path) {
         raise(state, "repeated(n, p) takes a number and what path{..} made");
     }
-    constexpr lua_Integer kMost = 1'000'000'000;
+    constexpr lua_Integer kMax = 1'000'000'000;
     const lua_Integer count = luaL_checkinteger(state, 1);
-    if (count < 1 || count > kMost) raise(state, "repeated(n, p): n is a whole number from 1 to 1000000000");
+    if (count < 1 || count > kMax) raise(state, "repeated(n, p): n is a whole number from 1 to 1000000000");
     const std::size_t path = handle->index;
     push(state, {Handle::Kind::repeated, path, static_cast<int>(count), read_frame(state)});
     return 1;
@@ -165,7 +166,7 @@ void check_path_keys(lua_State* state) {
         if (lua_type(state, -2) == LUA_TNUMBER) continue;
         const std::string_view name =
             lua_type(state, -2) == LUA_TSTRING ? text_at(state, -2) : std::string_view();
-        const bool is_known = name == path::name_of(PathKey::name) ||
+        const bool is_known = name == path::key_name(PathKey::name) ||
                               std::find(kSetUpKeys.begin(), kSetUpKeys.end(), name) != kSetUpKeys.end();
         if (!is_known)
             raise(state,
@@ -179,45 +180,46 @@ int make_path(lua_State* state) {
     auto& builder = bound<Builder>(state);
     luaL_checktype(state, 1, LUA_TTABLE);
     check_path_keys(state);
-    path::Path made;
+    path::Path new_path;
     if (lua_getfield(state, 1, "name") != LUA_TSTRING) raise(state, "a path lacks 'name', a string");
-    made.name = text_at(state, -1);
-    check(state, read_set_up(state, 1, kSetUpKeys.size()).finish(made));
+    new_path.name = text_at(state, -1);
+    check(state, read_set_up(state, 1, kSetUpKeys.size()).finish(new_path));
     const auto count = static_cast<lua_Integer>(lua_rawlen(state, 1));
-    std::vector<path::Place> places;
-    const path::Place here = calling_place(state);
+    std::vector<path::SourceLocation> locations;
+    const path::SourceLocation current = calling_location(state);
     for (lua_Integer i = 1; i <= count; ++i) {
         lua_rawgeti(state, 1, i);
         const Handle* handle = handle_at(state, -1);
         if (handle == nullptr) {
             raise(state,
-                  fmt::format("target {} of the path '{}' is neither a point nor a path", i, made.name));
+                  fmt::format("target {} of the path '{}' is neither a point nor a path", i, new_path.name));
         }
         if (handle->kind == Handle::Kind::point) {
             // The vector may have grown to twice the size that it needs.
-            LuaState::of(state).hold(state, 2 * bytes_of(builder.points[handle->index].point), kPoints);
-            made.targets.emplace_back(builder.points[handle->index].point);
-            places.push_back(builder.points[handle->index].place);
+            LuaState::of(state).add_external_bytes(
+                state, 2 * memory_size(builder.points[handle->index].point), kPathMemoryLabel);
+            new_path.targets.emplace_back(builder.points[handle->index].point);
+            locations.push_back(builder.points[handle->index].location);
         } else {
-            LuaState::of(state).hold(state, 2 * sizeof(path::Target), kPoints);
+            LuaState::of(state).add_external_bytes(state, 2 * sizeof(path::Target), kPathMemoryLabel);
             const path::WorkFrame frame = handle->frame ? builder.frames[*handle->frame] : path::WorkFrame();
-            LuaState::of(state).hold(state, bytes_of(frame), kPoints);
-            made.targets.emplace_back(path::SubPath{handle->index, handle->repeats, frame});
-            places.push_back(here);
+            LuaState::of(state).add_external_bytes(state, memory_size(frame), kPathMemoryLabel);
+            new_path.targets.emplace_back(path::SubPath{handle->index, handle->repeats, frame});
+            locations.push_back(current);
         }
         lua_pop(state, 1);
     }
-    builder.file.program.paths.push_back(std::move(made));
-    builder.file.paths.push_back(here);
-    builder.file.targets.push_back(std::move(places));
+    builder.file.program.paths.push_back(std::move(new_path));
+    builder.file.paths.push_back(current);
+    builder.file.targets.push_back(std::move(locations));
     push(state, {Handle::Kind::path, builder.file.program.paths.size() - 1, 1});
     return 1;
 }
 
-std::string ended_by(const LuaState& lua, const Builder& builder, os::CpuLimit* cpu) {
+std::string stop_error(const LuaState& lua, const Builder& builder, os::CpuLimit* cpu) {
     std::string reason = "the script takes more steps than it may";
-    if (lua.ended() == LuaState::Ended::memory) reason = lua.memory_refusal();
-    if (lua.ended() == LuaState::Ended::cpu)
+    if (lua.ended() == LuaState::StopReason::memory) reason = lua.memory_error();
+    if (lua.ended() == LuaState::StopReason::cpu)
         reason = fmt::format("the limit of {:.10g} s of processor time is reached (--max-cpu-seconds)",
                              cpu->seconds());
     return fmt::format("{}:{}: {}", builder.file.file_name, builder.last_line, reason);
@@ -240,7 +242,7 @@ int run_path_task(lua_State* state) {
     set_function<make_path>(state, "path", &task.builder);
     set_function<make_repeated>(state, "repeated", &task.builder);
     lua_setupvalue(state, -2, 1);
-    LuaState::of(state).end_by(task.cpu);
+    LuaState::of(state).set_time_limit(task.cpu);
     lua_call(state, 0, 1);
     return 1;
 }
@@ -250,13 +252,13 @@ int run_path_task(lua_State* state) {
 tl::expected<void, std::string> run(LuaState& lua, std::string_view text, Builder& builder,
                                     os::CpuLimit* cpu) {
     lua_State* state = lua.get();
-    lua.on_last_step([&builder](lua_State* at) { builder.last_line = calling_place(at, 0).line; });
+    lua.on_last_step([&builder](lua_State* at) { builder.last_line = calling_location(at, 0).line; });
     PathTask task{text, builder, cpu};
     lua_pushcfunction(state, trampoline<run_path_task>);
     lua_pushlightuserdata(state, &task);
     if (lua_pcall(state, 1, 1, 0) == LUA_OK) return {};
-    if (lua.ended() != LuaState::Ended::no || LuaState::is_stop(state, -1)) {
-        return tl::unexpected(ended_by(lua, builder, cpu));
+    if (lua.ended() != LuaState::StopReason::no || LuaState::is_stop(state, -1)) {
+        return tl::unexpected(stop_error(lua, builder, cpu));
     }
     std::string message(push_text(state, -1));
     std::replace(message.begin(), message.end(), '\n', ' ');
@@ -278,8 +280,8 @@ tl::expected<PathFile, std::string> run_path_script(std::string_view text, std::
     }
     builder.file.program.root = root->index;
     builder.file.program.name = builder.file.program.paths[root->index].name;
-    if (const auto fault = path::validate(builder.file.program)) {
-        return tl::unexpected(builder.file.located(fault->where, fault->sentence));
+    if (const auto error = path::validate(builder.file.program)) {
+        return tl::unexpected(builder.file.with_location(error->where, error->message));
     }
     return std::move(builder.file);
 }

@@ -6,7 +6,7 @@
 #include <tl/expected.hpp>
 
 #include "runtime/script/lua/lua_state.h"
-#include "toolpath/model/place.h"
+#include "toolpath/model/source_location.h"
 
 namespace gsim::script {
 

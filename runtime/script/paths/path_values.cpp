@@ -18,9 +18,9 @@ using path::TargetKey;
 using path::TouchDraft;
 using path::TouchKey;
 
-void raise(lua_State* state, const std::string& sentence) {
+void raise(lua_State* state, const std::string& message) {
     luaL_where(state, 1);
-    lua_pushlstring(state, sentence.data(), sentence.size());
+    lua_pushlstring(state, message.data(), message.size());
     lua_concat(state, 2);
     lua_error(state);
     std::abort();  // lua_error does not return
@@ -79,8 +79,8 @@ void read_actions(lua_State* state, TargetDraft& draft, int table) {
 // The value is on top of the stack.
 void read_value(lua_State* state, TouchDraft& draft, TouchKey key) {
     const int value = lua_gettop(state);
-    const std::string_view name = path::name_of(key);
-    switch (TouchDraft::kind_of(key)) {
+    const std::string_view name = path::key_name(key);
+    switch (TouchDraft::value_kind(key)) {
         case TouchDraft::ValueKind::text:
             if (lua_type(state, value) != LUA_TSTRING)
                 raise(state, fmt::format("'{}' must be a string", name));
@@ -106,7 +106,7 @@ path::Touch read_touch(lua_State* state, int table) {
     for (std::size_t i = 0; i < path::kTouchKeys.size(); ++i) {
         lua_pushlstring(state, path::kTouchKeys[i].data(), path::kTouchKeys[i].size());
         if (lua_rawget(state, table) != LUA_TNIL) {
-            draft.mark(static_cast<TouchKey>(i));
+            draft.mark_present(static_cast<TouchKey>(i));
             read_value(state, draft, static_cast<TouchKey>(i));
         }
         lua_pop(state, 1);
@@ -131,8 +131,8 @@ void read_touches(lua_State* state, Draft& draft, int table) {
 // The value is on top of the stack.
 void read_value(lua_State* state, PathDraft& draft, PathKey key) {
     const int value = lua_gettop(state);
-    const std::string_view name = path::name_of(key);
-    switch (PathDraft::kind_of(key)) {
+    const std::string_view name = path::key_name(key);
+    switch (PathDraft::value_kind(key)) {
         case PathDraft::ValueKind::text:
             if (lua_type(state, value) != LUA_TSTRING)
                 raise(state, fmt::format("'{}' must be a string", name));
@@ -152,8 +152,8 @@ void read_value(lua_State* state, PathDraft& draft, PathKey key) {
 
 void read_value(lua_State* state, TargetDraft& draft, TargetKey key) {
     const int value = lua_gettop(state);
-    const std::string_view name = path::name_of(key);
-    switch (TargetDraft::kind_of(key)) {
+    const std::string_view name = path::key_name(key);
+    switch (TargetDraft::value_kind(key)) {
         case TargetDraft::ValueKind::text:
             if (lua_type(state, value) != LUA_TSTRING)
                 raise(state, fmt::format("'{}' must be a string", name));
@@ -181,7 +181,7 @@ PathDraft read_set_up(lua_State* state, int table, std::size_t keys) {
     for (std::size_t i = 0; i < keys; ++i) {
         lua_pushlstring(state, kSetUpKeys[i].data(), kSetUpKeys[i].size());
         if (lua_rawget(state, table) != LUA_TNIL)
-            read_value(state, draft, static_cast<PathKey>(path::kNeededPathKeys + i));
+            read_value(state, draft, static_cast<PathKey>(path::kRequiredPathKeys + i));
         lua_pop(state, 1);
     }
     return draft;

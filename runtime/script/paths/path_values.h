@@ -16,7 +16,7 @@ namespace gsim::script::path_values {
 // Values of paths from tables of a script. Errors are raised as errors of Lua with the source location of the
 // script. They pass as exceptions, so that destructors run.
 
-[[noreturn]] void raise(lua_State* state, const std::string& sentence);
+[[noreturn]] void raise(lua_State* state, const std::string& message);
 void check(lua_State* state, const tl::expected<void, std::string>& done);
 
 /// Returns a string on the stack, valid as long as it stays there.
@@ -26,9 +26,9 @@ std::string_view text_at(lua_State* state, int index);
 void read_value(lua_State* state, path::TargetDraft& draft, path::TargetKey key);
 
 /// Keys of a path for its location and its tool; the first ones are also those of a use of it.
-inline constexpr auto kSetUpKeys = std::span(path::kPathKeys).subspan(path::kNeededPathKeys);
+inline constexpr auto kSetUpKeys = std::span(path::kPathKeys).subspan(path::kRequiredPathKeys);
 inline constexpr auto kFrameKeys = kSetUpKeys.first(3);
-static_assert(kFrameKeys.back() == path::name_of(path::PathKey::probe_offset));
+static_assert(kFrameKeys.back() == path::key_name(path::PathKey::probe_offset));
 
 /// Reads those of the first `keys` entries of kSetUpKeys that a table has.
 path::PathDraft read_set_up(lua_State* state, int table, std::size_t keys);

@@ -4,7 +4,7 @@
 
 #include "base/text/format.h"
 #include "base/text/nearest_name.h"
-#include "runtime/script/lua/choice.h"
+#include "runtime/script/lua/check_option.h"
 #include "runtime/script/processes/processes.h"
 
 // Functions of processes for the Lua library. Functions that wait for other processes yield: their last
@@ -22,21 +22,21 @@ using process::WaitKind;
 /// Size of a node of a map, without the name.
 constexpr std::size_t kBytesOfSignal = 128;
 
-Processes& processes_of(lua_State* state) {
+Processes& bound_processes(lua_State* state) {
     return bound<Processes>(state);
 }
 
 /// Returns the controller of the calling library.
-Control& control_of(lua_State* state) {
-    return *static_cast<Control*>(lua_touserdata(state, lua_upvalueindex(2)));
+RobotController& engine_control(lua_State* state) {
+    return *static_cast<RobotController*>(lua_touserdata(state, lua_upvalueindex(2)));
 }
 
 std::string check_name(lua_State* state, int index, const char* what) {
     std::size_t size = 0;
     const char* text = lua_type(state, index) == LUA_TSTRING ? lua_tolstring(state, index, &size) : nullptr;
     if (text == nullptr || size == 0)
-        processes_of(state).alarm(state, DiagnosticKind::process,
-                                  fmt::format("the name of a {} is a text that is not empty", what));
+        bound_processes(state).alarm(state, DiagnosticKind::process,
+                                     fmt::format("the name of a {} is a text that is not empty", what));
     return {text, size};
 }
 
@@ -44,8 +44,8 @@ Value check_value(lua_State* state, int index) {
     if (lua_isboolean(state, index)) return lua_toboolean(state, index) != 0;
     const double number = lua_type(state, index) == LUA_TNUMBER ? lua_tonumber(state, index) : NAN;
     if (!std::isfinite(number))
-        processes_of(state).alarm(state, DiagnosticKind::process,
-                                  "the value of a signal is true, false or a number that is finite");
+        bound_processes(state).alarm(state, DiagnosticKind::process,
+                                     "the value of a signal is true, false or a number that is finite");
     return number;
 }
 
@@ -60,8 +60,8 @@ void push_value(lua_State* state, const Value& value) {
 double check_seconds(lua_State* state, int index) {
     const double seconds = lua_type(state, index) == LUA_TNUMBER ? lua_tonumber(state, index) : NAN;
     if (!(seconds >= 0) || !std::isfinite(seconds))
-        processes_of(state).alarm(state, DiagnosticKind::process,
-                                  "a wait takes 0 seconds or more, as a number");
+        bound_processes(state).alarm(state, DiagnosticKind::process,
+                                     "a wait takes 0 seconds or more, as a number");
     return seconds;
 }
 
@@ -75,41 +75,42 @@ std::string hint(std::string_view name, const Names& names) {
 
 /// Implements join(): continues when no process is earlier.
 int join(lua_State* state) {
-    return processes_of(state).join(state);
+    return bound_processes(state).join(state);
 }
 
 /// Implements rest(): the robot of the process comes to a standstill, and their clocks agree.
-int rest(lua_State* state) {
-    processes_of(state).rest(state);
+int bring_to_standstill(lua_State* state) {
+    bound_processes(state).bring_to_standstill(state);
     return 0;
 }
 
 int wait_seconds(lua_State* state) {
-    return processes_of(state).wait(state, check_seconds(state, 1));
+    return bound_processes(state).wait(state, check_seconds(state, 1));
 }
 
 /// Implements start(name, f, background).
 int start(lua_State* state) {
     std::string name = check_name(state, 1, "process");
     if (!lua_isfunction(state, 2))
-        processes_of(state).alarm(state, DiagnosticKind::process, "a process is a name and a function");
+        bound_processes(state).alarm(state, DiagnosticKind::process, "a process is a name and a function");
     const bool background = lua_toboolean(state, 3) != 0;
     lua_settop(state, 2);
-    processes_of(state).start(state, std::move(name), background);
+    bound_processes(state).start(state, std::move(name), background);
     return 0;
 }
 
 int signal(lua_State* state) {
     const std::string name = check_name(state, 1, "signal");
     const Value value = check_value(state, 2);
-    if (!processes_of(state).signals().has(name))
-        LuaState::of(state).hold(state, kBytesOfSignal + name.size(), "the signals of the script");
-    processes_of(state).set_signal(name, value);
+    if (!bound_processes(state).signals().has(name))
+        LuaState::of(state).add_external_bytes(state, kBytesOfSignal + name.size(),
+                                               "the signals of the script");
+    bound_processes(state).set_signal(name, value);
     return 0;
 }
 
 int value(lua_State* state) {
-    push_value(state, processes_of(state).value(check_name(state, 1, "signal")));
+    push_value(state, bound_processes(state).value(check_name(state, 1, "signal")));
     return 1;
 }
 
@@ -118,36 +119,36 @@ int value(lua_State* state) {
 int wait_signal(lua_State* state) {
     static const char* const kNames[] = {"on", "off", "equals", "rises", "falls", "any", nullptr};
     process::Wait wait;
-    wait.kind = static_cast<WaitKind>(check_choice(state, 2, "on", kNames));
+    wait.kind = static_cast<WaitKind>(check_option(state, 2, "on", kNames));
     if (wait.kind != WaitKind::any_change) wait.signal = check_name(state, 1, "signal");
     if (wait.kind == WaitKind::equals) wait.value = check_value(state, 3);
-    if (!lua_isnoneornil(state, 4)) wait.until_s = processes_of(state).time_s() + check_seconds(state, 4);
-    return processes_of(state).wait_signal(state, std::move(wait));
+    if (!lua_isnoneornil(state, 4)) wait.until_s = bound_processes(state).time_s() + check_seconds(state, 4);
+    return bound_processes(state).wait_signal(state, std::move(wait));
 }
 
 int on_signal(lua_State* state) {
     const std::string name = check_name(state, 1, "signal");
     lua_settop(state, 2);
     if (!lua_isnil(state, 2) && !lua_isfunction(state, 2))
-        processes_of(state).alarm(state, DiagnosticKind::process,
-                                  "on_signal takes the name of a signal and a function, or nil");
-    processes_of(state).on_signal(state, name);
+        bound_processes(state).alarm(state, DiagnosticKind::process,
+                                     "on_signal takes the name of a signal and a function, or nil");
+    bound_processes(state).on_signal(state, name);
     return 0;
 }
 
 /// Implements several(): true if processes exist in addition to the main one.
 int several(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(processes_of(state).several()));
+    lua_pushboolean(state, static_cast<int>(bound_processes(state).several()));
     return 1;
 }
 
 int robot(lua_State* state) {
     const std::string name = check_name(state, 1, "robot");
-    const Control* found = processes_of(state).find_control(name);
+    const RobotController* found = bound_processes(state).find_controller(name);
     if (found == nullptr) {
-        processes_of(state).alarm(
-            state, DiagnosticKind::process,
-            fmt::format("there is no robot '{}'; {}", name, hint(name, processes_of(state).control_names())));
+        bound_processes(state).alarm(state, DiagnosticKind::process,
+                                     fmt::format("there is no robot '{}'; {}", name,
+                                                 hint(name, bound_processes(state).controller_names())));
     }
     found->push_environment(state);
     return 1;
@@ -155,50 +156,50 @@ int robot(lua_State* state) {
 
 /// Implements time(): the clock of the process.
 int process_time(lua_State* state) {
-    lua_pushnumber(state, processes_of(state).time_s());
+    lua_pushnumber(state, bound_processes(state).time_s());
     return 1;
 }
 
 std::size_t check_zone(lua_State* state, int index) {
     const std::string name = check_name(state, index, "zone");
-    const process::SharedZones& zones = processes_of(state).zones();
+    const process::SharedZones& zones = bound_processes(state).zones();
     if (const auto found = zones.find(name)) return *found;
-    processes_of(state).alarm(state, DiagnosticKind::process,
-                              fmt::format("there is no zone '{}'; {}", name, hint(name, zones.names())));
+    bound_processes(state).alarm(state, DiagnosticKind::process,
+                                 fmt::format("there is no zone '{}'; {}", name, hint(name, zones.names())));
 }
 
 /// Implements enter_zone(name): continues when the process has the zone.
 int enter_zone(lua_State* state) {
     const std::size_t zone = check_zone(state, 1);
-    if (processes_of(state).has_zone(zone)) {
-        processes_of(state).alarm(
+    if (bound_processes(state).has_zone(zone)) {
+        bound_processes(state).alarm(
             state, DiagnosticKind::process,
-            fmt::format("the process has the zone '{}' already", processes_of(state).zones().name(zone)));
+            fmt::format("the process has the zone '{}' already", bound_processes(state).zones().name(zone)));
     }
-    return processes_of(state).enter_zone(state, zone);
+    return bound_processes(state).enter_zone(state, zone);
 }
 
 int leave_zone(lua_State* state) {
     const std::size_t zone = check_zone(state, 1);
-    if (!processes_of(state).has_zone(zone)) {
-        processes_of(state).alarm(
-            state, DiagnosticKind::process,
-            fmt::format("the process does not have the zone '{}'", processes_of(state).zones().name(zone)));
+    if (!bound_processes(state).has_zone(zone)) {
+        bound_processes(state).alarm(state, DiagnosticKind::process,
+                                     fmt::format("the process does not have the zone '{}'",
+                                                 bound_processes(state).zones().name(zone)));
     }
-    processes_of(state).leave_zone(zone);
+    bound_processes(state).leave_zone(zone);
     return 0;
 }
 
 process::Conveyor& check_conveyor(lua_State* state, int index) {
     const std::string name = check_name(state, index, "conveyor");
-    process::Conveyor* found = processes_of(state).find_conveyor(name);
+    process::Conveyor* found = bound_processes(state).find_conveyor(name);
     if (found != nullptr) return *found;
     std::vector<std::string_view> names;
-    names.reserve(processes_of(state).conveyors().size());
-    for (const process::Conveyor& conveyor : processes_of(state).conveyors())
+    names.reserve(bound_processes(state).conveyors().size());
+    for (const process::Conveyor& conveyor : bound_processes(state).conveyors())
         names.push_back(conveyor.name());
-    processes_of(state).alarm(state, DiagnosticKind::process,
-                              fmt::format("there is no conveyor '{}'; {}", name, hint(name, names)));
+    bound_processes(state).alarm(state, DiagnosticKind::process,
+                                 fmt::format("there is no conveyor '{}'; {}", name, hint(name, names)));
 }
 
 /// Implements conveyor(name): raises an alarm if the conveyor does not exist.
@@ -209,7 +210,7 @@ int conveyor(lua_State* state) {
 
 /// Implements conveyor_position(name): mm of travel at the time of the process.
 int conveyor_position(lua_State* state) {
-    lua_pushnumber(state, check_conveyor(state, 1).position_mm(processes_of(state).time_s()));
+    lua_pushnumber(state, check_conveyor(state, 1).position_mm(bound_processes(state).time_s()));
     return 1;
 }
 
@@ -218,9 +219,9 @@ int conveyor_speed(lua_State* state) {
     process::Conveyor& conveyor = check_conveyor(state, 1);
     const double speed_mm_s = lua_type(state, 2) == LUA_TNUMBER ? lua_tonumber(state, 2) : NAN;
     if (!std::isfinite(speed_mm_s))
-        processes_of(state).alarm(state, DiagnosticKind::process,
-                                  "the speed of a conveyor is a number of mm/s");
-    processes_of(state).set_conveyor_speed(state, conveyor, speed_mm_s);
+        bound_processes(state).alarm(state, DiagnosticKind::process,
+                                     "the speed of a conveyor is a number of mm/s");
+    bound_processes(state).set_conveyor_speed(state, conveyor, speed_mm_s);
     return 0;
 }
 
@@ -230,25 +231,25 @@ int conveyor_reaches(lua_State* state) {
     const process::Conveyor& conveyor = check_conveyor(state, 1);
     const double position_mm = lua_type(state, 2) == LUA_TNUMBER ? lua_tonumber(state, 2) : NAN;
     if (!std::isfinite(position_mm))
-        processes_of(state).alarm(state, DiagnosticKind::process,
-                                  "the position of a conveyor is a number of mm");
-    const double now_s = processes_of(state).time_s();
-    const double then_s = conveyor.reaches_s(position_mm, now_s);
-    if (!std::isfinite(then_s)) return 0;
-    lua_pushnumber(state, then_s - now_s);
+        bound_processes(state).alarm(state, DiagnosticKind::process,
+                                     "the position of a conveyor is a number of mm");
+    const double now_s = bound_processes(state).time_s();
+    const double arrival_s = conveyor.arrival_time_s(position_mm, now_s);
+    if (!std::isfinite(arrival_s)) return 0;
+    lua_pushnumber(state, arrival_s - now_s);
     return 1;
 }
 
 /// Implements track(name or nil).
 int track(lua_State* state) {
-    process::Conveyor* wanted = lua_isnoneornil(state, 1) ? nullptr : &check_conveyor(state, 1);
-    processes_of(state).track(state, control_of(state), wanted);
+    process::Conveyor* requested = lua_isnoneornil(state, 1) ? nullptr : &check_conveyor(state, 1);
+    bound_processes(state).track(state, engine_control(state), requested);
     return 0;
 }
 
 constexpr luaL_Reg kProcessFunctions[] = {
     {"join", trampoline<join>},
-    {"rest", trampoline<rest>},
+    {"rest", trampoline<bring_to_standstill>},
     {"wait", trampoline<wait_seconds>},
     {"start", trampoline<start>},
     {"signal", trampoline<signal>},
@@ -269,11 +270,11 @@ constexpr luaL_Reg kProcessFunctions[] = {
 
 }  // namespace
 
-void add_processes(lua_State* state, Processes& processes, Control& control) {
+void add_processes(lua_State* state, Processes& processes, RobotController& controller) {
     lua_newtable(state);
     for (const luaL_Reg& function : kProcessFunctions) {
         lua_pushlightuserdata(state, &processes);
-        lua_pushlightuserdata(state, &control);
+        lua_pushlightuserdata(state, &controller);
         lua_pushcclosure(state, function.func, 2);
         lua_setfield(state, -2, function.name);
     }

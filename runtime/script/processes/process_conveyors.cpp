@@ -22,70 +22,74 @@ process::Conveyor* Processes::find_conveyor(std::string_view name) {
 }
 
 void Processes::set_conveyor_speed(lua_State* state, process::Conveyor& conveyor, double speed_mm_s) {
-    for (const auto& [control, followed] : tracked_) {
+    for (const auto& [controller, followed] : tracked_conveyors_) {
         if (followed != &conveyor) continue;
-        alarm(state, DiagnosticKind::process,
-              fmt::format("the speed of the conveyor '{}' cannot change while {} follows it", conveyor.name(),
-                          control->name().empty() ? "the robot" : fmt::format("'{}'", control->name())));
+        alarm(
+            state, DiagnosticKind::process,
+            fmt::format("the speed of the conveyor '{}' cannot change while {} follows it", conveyor.name(),
+                        controller->name().empty() ? "the robot" : fmt::format("'{}'", controller->name())));
     }
     conveyor.set_speed(speed_mm_s, time_s());
-    tell_conveyor(conveyor, time_s());
+    notify_conveyor(conveyor, time_s());
     set_signal(conveyor.name() + ".speed", speed_mm_s);
 }
 
-bool Processes::follows_conveyors() const {
-    return std::any_of(controls_.begin(), controls_.end(),
-                       [](Control* control) { return control->simulator().has_conveyors(); });
+bool Processes::tracks_conveyors() const {
+    return std::any_of(controllers_.begin(), controllers_.end(),
+                       [](RobotController* controller) { return controller->simulator().has_conveyors(); });
 }
 
 /// Sets the conveyor's motion from a time on in the cells of robots through which it runs.
-void Processes::tell_conveyor(const process::Conveyor& conveyor, double time_s) {
-    for (Control* control : controls_) {
-        const Eigen::Vector3d direction = control->base().linear().transpose() * conveyor.direction();
-        control->simulator().set_conveyor(conveyor.name(), conveyor.position_mm(time_s) * direction,
-                                          conveyor.speed_mm_s() * direction, time_s);
+void Processes::notify_conveyor(const process::Conveyor& conveyor, double time_s) {
+    for (RobotController* controller : controllers_) {
+        const Eigen::Vector3d direction = controller->base().linear().transpose() * conveyor.direction();
+        controller->simulator().set_conveyor(conveyor.name(), conveyor.position_mm(time_s) * direction,
+                                             conveyor.speed_mm_s() * direction, time_s);
     }
 }
 
 /// A process changes conveyors only at its own time, with its own robot at standstill.
-void Processes::tell_known_time_of_conveyors() {
-    for (Control* control : controls_) {
-        if (!control->simulator().has_conveyors()) continue;
+void Processes::notify_known_conveyor_time() {
+    for (RobotController* controller : controllers_) {
+        if (!controller->simulator().has_conveyors()) continue;
         double known_s = std::numeric_limits<double>::infinity();
-        for (ProcessId id = 0; id < strands_.size(); ++id) {
-            if (strands_[id]->control != control) known_s = std::min(known_s, schedule_.next_act_s(id));
+        for (ProcessId id = 0; id < lua_processes_.size(); ++id) {
+            if (lua_processes_[id]->controller != controller)
+                known_s = std::min(known_s, schedule_.next_action_s(id));
         }
-        control->simulator().know_conveyors_until(known_s);
+        controller->simulator().set_conveyors_known_until(known_s);
     }
 }
 
-void Processes::tell_known_time() {
-    tell_known_time_of_conveyors();
-    if (robots_watch_ == nullptr) return;
+void Processes::notify_known_time() {
+    notify_known_conveyor_time();
+    if (multi_robot_monitor_ == nullptr) return;
     double known_s = std::numeric_limits<double>::infinity();
-    for (ProcessId id = 0; id < strands_.size(); ++id) known_s = std::min(known_s, schedule_.next_act_s(id));
-    robots_watch_->know_until(known_s);
+    for (ProcessId id = 0; id < lua_processes_.size(); ++id)
+        known_s = std::min(known_s, schedule_.next_action_s(id));
+    multi_robot_monitor_->set_known_until(known_s);
 }
 
-void Processes::watch_robots(simulation::RobotsWatch& watch) {
-    robots_watch_ = &watch;
-    watch.on_far_ahead([this] {
-        if (!strand().threads.empty()) lua_.watch_lines(strand().threads.front().state, true);
+void Processes::set_multi_robot_monitor(simulation::MultiRobotMonitor& monitor) {
+    multi_robot_monitor_ = &monitor;
+    monitor.on_buffer_full([this] {
+        if (!lua_process().threads.empty()) lua_.set_line_hook(lua_process().threads.front().state, true);
     });
 }
 
-void Processes::track(lua_State* state, Control& control, process::Conveyor* conveyor) {
-    control.interpreter().attach(state);
-    control.interpreter().locate(state);
-    simulation::Simulator& simulator = control.simulator();
-    const simulation::Place place = control.interpreter().place();
-    if (tracked_.erase(&control) > 0) control.interpreter().check(state, simulator.untrack(place));
+void Processes::track(lua_State* state, RobotController& controller, process::Conveyor* conveyor) {
+    controller.interpreter().attach(state);
+    controller.interpreter().locate(state);
+    simulation::Simulator& simulator = controller.simulator();
+    const simulation::SourceLocation location = controller.interpreter().location();
+    if (tracked_conveyors_.erase(&controller) > 0)
+        controller.interpreter().check(state, simulator.untrack(location));
     if (conveyor != nullptr) {
-        tracked_.emplace(&control, conveyor);
-        const Eigen::Vector3d direction = control.base().linear().transpose() * conveyor->direction();
+        tracked_conveyors_.emplace(&controller, conveyor);
+        const Eigen::Vector3d direction = controller.base().linear().transpose() * conveyor->direction();
         const bool done = simulator.track(direction, conveyor->position_mm(simulator.time_s()),
-                                          conveyor->speed_mm_s(), place);
-        control.interpreter().check(state, done);
+                                          conveyor->speed_mm_s(), location);
+        controller.interpreter().check(state, done);
     }
     now().time_s = std::max(now().time_s, simulator.time_s());
 }

@@ -13,7 +13,7 @@ using Eigen::Vector2d;
 
 namespace {
 
-constexpr double kSamePoint_mm = 1e-6;
+constexpr double kPointTolerance_mm = 1e-6;
 
 double distance(const Vector2d& from, const Vector2d& to) {
     const double x = to.x() - from.x();
@@ -22,7 +22,7 @@ double distance(const Vector2d& from, const Vector2d& to) {
 }
 
 /// Returns the centre: from the middle of the chord at a signed distance to the left of start -> end.
-Vector2d beside_chord(const ArcEnds& ends, double left_mm) {
+Vector2d point_beside_chord(const ArcEnds& ends, double left_mm) {
     const double x = ends.end.x() - ends.start.x();
     const double y = ends.end.y() - ends.start.y();
     const double chord = distance(ends.start, ends.end);
@@ -33,8 +33,8 @@ Vector2d beside_chord(const ArcEnds& ends, double left_mm) {
 }  // namespace
 
 double ArcRules::radii_tolerance(double radius_mm, bool inches) const {
-    const double least = inches ? radii_tolerance_inch_mm : radii_tolerance_mm;
-    return std::max(least, std::min(radii_tolerance_share * radius_mm, radii_tolerance_growth * least));
+    const double min = inches ? radii_tolerance_inch_mm : radii_tolerance_mm;
+    return std::max(min, std::min(radii_tolerance_share * radius_mm, radii_tolerance_growth * min));
 }
 
 double swept_rad(const ArcEnds& ends, const Vector2d& center) {
@@ -57,16 +57,16 @@ tl::expected<ArcSolution, std::string> arc_by_center(const ArcEnds& ends, const 
             "the arc is impossible: its radius is {:.6f} mm at the start and {:.6f} mm at the end", at_start,
             at_end));
     }
-    if (at_start < kSamePoint_mm)
+    if (at_start < kPointTolerance_mm)
         return tl::unexpected<std::string>("the arc has no radius: its centre is the start");
-    const bool closed = distance(ends.start, ends.end) < kSamePoint_mm;
+    const bool closed = distance(ends.start, ends.end) < kPointTolerance_mm;
     return ArcSolution{center, closed ? kTurn_rad : swept_rad(ends, center)};
 }
 
 tl::expected<ArcSolution, std::string> arc_by_radius(const ArcEnds& ends, double radius_mm,
                                                      const ArcRules& rules) {
     const double half = distance(ends.start, ends.end) / 2;
-    if (half < kSamePoint_mm / 2)
+    if (half < kPointTolerance_mm / 2)
         return tl::unexpected<std::string>("a full circle cannot be given by R; give its centre");
     const double radius = std::abs(radius_mm);
     if (half - radius > rules.short_radius_mm) {
@@ -77,20 +77,20 @@ tl::expected<ArcSolution, std::string> arc_by_radius(const ArcEnds& ends, double
     const double height = std::sqrt(std::max(radius * radius - half * half, 0.0));
     const double angle = 2 * std::asin(std::min(half / radius, 1.0));
     const bool left = ends.ccw == (radius_mm > 0);
-    return ArcSolution{beside_chord(ends, left ? height : -height),
+    return ArcSolution{point_beside_chord(ends, left ? height : -height),
                        radius_mm > 0 ? angle : kTurn_rad - angle};
 }
 
 tl::expected<ArcSolution, std::string> arc_by_angle(const ArcEnds& ends, double angle_rad) {
     const double half = distance(ends.start, ends.end) / 2;
-    if (half < kSamePoint_mm / 2) {
+    if (half < kPointTolerance_mm / 2) {
         return tl::unexpected<std::string>(
             "an arc by its angle needs an end other than its start, or its centre");
     }
     if (angle_rad >= kTurn_rad)
         return tl::unexpected<std::string>("AR= of an arc with an end is below 360 degrees");
     const double left = half / std::tan(angle_rad / 2);
-    return ArcSolution{beside_chord(ends, ends.ccw ? left : -left), angle_rad};
+    return ArcSolution{point_beside_chord(ends, ends.ccw ? left : -left), angle_rad};
 }
 
 Vector2d end_by_angle(const ArcEnds& ends, const Vector2d& center, double angle_rad) {
@@ -107,12 +107,12 @@ tl::expected<double, std::string> arc_angle_rad(double degrees) {
     return degrees * kRadPerDeg;
 }
 
-tl::expected<double, std::string> further_turns_rad(double turns, const ArcRules& rules) {
-    const double whole = std::floor(turns + 0.5);
-    if (!(std::abs(turns - whole) <= rules.turns_tolerance) || whole < 1) {
+tl::expected<double, std::string> additional_turns_rad(double turns, const ArcRules& rules) {
+    const double rounded_turns = std::floor(turns + 0.5);
+    if (!(std::abs(turns - rounded_turns) <= rules.turns_tolerance) || rounded_turns < 1) {
         return tl::unexpected<std::string>("P of an arc is its number of turns, a whole number from 1 on");
     }
-    return (whole - 1) * kTurn_rad;
+    return (rounded_turns - 1) * kTurn_rad;
 }
 
 }  // namespace gsim::script

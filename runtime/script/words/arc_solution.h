@@ -50,6 +50,6 @@ Eigen::Vector2d end_by_angle(const ArcEnds& ends, const Eigen::Vector2d& center,
 /// Converts AR=, degrees above 0 and up to 360, to radians.
 tl::expected<double, std::string> arc_angle_rad(double degrees);
 /// Returns the sweep that P turns, an integer from 1 on, add to an arc.
-tl::expected<double, std::string> further_turns_rad(double turns, const ArcRules& rules);
+tl::expected<double, std::string> additional_turns_rad(double turns, const ArcRules& rules);
 
 }  // namespace gsim::script

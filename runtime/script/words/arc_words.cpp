@@ -24,13 +24,13 @@ void move_along_arc(lua_State* state, Interpreter& interpreter) {
     }
     simulation::ArcMove move = read_arc(state, interpreter, ccw, 1);
     move.feed = interpreter.feed(state, move.sweep_rad);
-    move.place = interpreter.place();
+    move.location = interpreter.location();
     interpreter.check(state, interpreter.simulator().move(move));
 }
 
 /// Implements G2{..} and G3{..}; upvalues as above.
 int arc_word(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     const auto id = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
     interpreter.enter(state, id);
     interpreter.make_modal(state, id);
@@ -40,7 +40,7 @@ int arc_word(lua_State* state) {
 
 /// Implements move{..} if a plain arc is modal; upvalues as above.
 int modal_arc_word(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     interpreter.enter(state, static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))));
     move_along_arc(state, interpreter);
     return 0;
@@ -63,7 +63,7 @@ int make_arc_word(lua_State* state) {
 /// Implements core.read_arc(ccw, words): returns the arc in machine coordinates, in the form of core.arc.
 /// These are its plane, its sense, its centre along the plane's two directions, its sweep and its target.
 int read_arc_words(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     luaL_checktype(state, 2, LUA_TTABLE);
     const simulation::ArcMove move = read_arc(state, interpreter, lua_toboolean(state, 1) != 0, 2);
     const ArcBasis basis = arc_basis(move.normal);
@@ -81,35 +81,35 @@ int read_arc_words(lua_State* state) {
 int plane_across(lua_State* state) {
     const Eigen::Vector3d vector(luaL_checknumber(state, 1), luaL_checknumber(state, 2),
                                  luaL_checknumber(state, 3));
-    const Eigen::Vector3d normal = simulation::told_normal(vector.normalized());
+    const Eigen::Vector3d normal = simulation::canonical_normal(vector.normalized());
     push_arc_plane(state, normal);
     lua_pushboolean(state, static_cast<int>(normal.dot(vector) > 0));
     return 2;
 }
 
 int plane(lua_State* state) {
-    push_plane(state, interpreter_of(state).modal().plane);
+    push_plane(state, bound_interpreter(state).modal().plane);
     return 1;
 }
 
 int has_absolute_arc_centers(lua_State* state) {
-    lua_pushboolean(state, static_cast<int>(interpreter_of(state).modal().absolute_arc_centers));
+    lua_pushboolean(state, static_cast<int>(bound_interpreter(state).modal().absolute_arc_centers));
     return 1;
 }
 
 int set_plane(lua_State* state) {
-    interpreter_of(state).modal().plane = check_plane(state, 1);
+    bound_interpreter(state).modal().plane = check_plane(state, 1);
     return 0;
 }
 
 /// Implements core.set_absolute_arc_centers(on): I, J and K are a point, or a vector from the start.
 int set_absolute_arc_centers(lua_State* state) {
-    interpreter_of(state).modal().absolute_arc_centers = lua_toboolean(state, 1) != 0;
+    bound_interpreter(state).modal().absolute_arc_centers = lua_toboolean(state, 1) != 0;
     return 0;
 }
 
 /// Reads a field of the table that is the first argument; a missing field leaves `value` as it is.
-void take_field(lua_State* state, const char* name, double& value) {
+void read_field(lua_State* state, const char* name, double& value) {
     lua_getfield(state, 1, name);
     value = luaL_optnumber(state, -1, value);
     lua_pop(state, 1);
@@ -118,13 +118,13 @@ void take_field(lua_State* state, const char* name, double& value) {
 /// Implements core.set_arc_rules{...}: the fields of ArcRules by their names.
 int set_arc_rules(lua_State* state) {
     luaL_checktype(state, 1, LUA_TTABLE);
-    ArcRules& rules = interpreter_of(state).modal().arc_rules;
-    take_field(state, "radii_tolerance_mm", rules.radii_tolerance_mm);
-    take_field(state, "radii_tolerance_inch_mm", rules.radii_tolerance_inch_mm);
-    take_field(state, "radii_tolerance_share", rules.radii_tolerance_share);
-    take_field(state, "radii_tolerance_growth", rules.radii_tolerance_growth);
-    take_field(state, "short_radius_mm", rules.short_radius_mm);
-    take_field(state, "turns_tolerance", rules.turns_tolerance);
+    ArcRules& rules = bound_interpreter(state).modal().arc_rules;
+    read_field(state, "radii_tolerance_mm", rules.radii_tolerance_mm);
+    read_field(state, "radii_tolerance_inch_mm", rules.radii_tolerance_inch_mm);
+    read_field(state, "radii_tolerance_share", rules.radii_tolerance_share);
+    read_field(state, "radii_tolerance_growth", rules.radii_tolerance_growth);
+    read_field(state, "short_radius_mm", rules.short_radius_mm);
+    read_field(state, "turns_tolerance", rules.turns_tolerance);
     return 0;
 }
 

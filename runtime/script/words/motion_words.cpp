@@ -8,7 +8,7 @@ namespace {
 
 /// Implements G0{..} and G1{..}; upvalues: interpreter, rapid, word id.
 int line_word(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     const bool rapid = lua_toboolean(state, lua_upvalueindex(2)) != 0;
     const auto id = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
     interpreter.enter(state, id);
@@ -19,7 +19,7 @@ int line_word(lua_State* state) {
 
 /// Implements move{..} if a plain line is modal; upvalues as above.
 int modal_line_word(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     interpreter.enter(state, static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3))));
     interpreter.line(state, lua_toboolean(state, lua_upvalueindex(2)) != 0, 1);
     return 0;
@@ -38,7 +38,7 @@ int make_line_word(lua_State* state) {
 
 /// Implements core.line(rapid, words): the move alone, for words that consist of it.
 int line(lua_State* state) {
-    interpreter_of(state).line(state, lua_toboolean(state, 1) != 0, 2);
+    bound_interpreter(state).line(state, lua_toboolean(state, 1) != 0, 2);
     return 0;
 }
 
@@ -46,7 +46,7 @@ int line(lua_State* state) {
 int set_modal_tables(lua_State* state) {
     for (int i = 1; i <= 3; ++i) luaL_checktype(state, i, LUA_TTABLE);
     lua_settop(state, 3);
-    Interpreter::ModalTables& tables = interpreter_of(state).modal_tables;
+    Interpreter::ModalTables& tables = bound_interpreter(state).modal_tables;
     for (int* reference : {&tables.moves, &tables.names, &tables.environment})
         *reference = luaL_ref(state, LUA_REGISTRYINDEX);
     return 0;
@@ -54,7 +54,7 @@ int set_modal_tables(lua_State* state) {
 
 /// Implements core.make_modal(id): that motion is modal, and `move` continues with it, whatever it was.
 int make_modal(lua_State* state) {
-    Interpreter& interpreter = interpreter_of(state);
+    Interpreter& interpreter = bound_interpreter(state);
     interpreter.modal().modal_word = kMaxWordIds;
     interpreter.make_modal(state, static_cast<std::size_t>(check_word_id(state, 1)));
     return 0;
@@ -62,13 +62,13 @@ int make_modal(lua_State* state) {
 
 /// Implements core.motion(): the name of the modal motion.
 int motion(lua_State* state) {
-    interpreter_of(state).push_motion(state);
+    bound_interpreter(state).push_motion(state);
     return 1;
 }
 
 /// Implements core.motion_id(), for core.make_modal().
 int motion_id(lua_State* state) {
-    lua_pushinteger(state, static_cast<lua_Integer>(interpreter_of(state).modal().modal_word));
+    lua_pushinteger(state, static_cast<lua_Integer>(bound_interpreter(state).modal().modal_word));
     return 1;
 }
 

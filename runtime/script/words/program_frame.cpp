@@ -9,7 +9,7 @@ using simulation::AxisVector;
 
 namespace {
 
-constexpr double kLeastDeterminant = 1e-12;
+constexpr double kMinDeterminant = 1e-12;
 
 }  // namespace
 
@@ -22,7 +22,7 @@ bool ProgramFrame::set_matrix(const std::optional<Eigen::Matrix3d>& matrix) {
         return true;
     }
     const double determinant = matrix->determinant();
-    if (!std::isfinite(determinant) || std::abs(determinant) < kLeastDeterminant) return false;
+    if (!std::isfinite(determinant) || std::abs(determinant) < kMinDeterminant) return false;
     matrix_ = matrix;
     inverse_ = matrix->inverse();
     return true;

@@ -14,30 +14,32 @@ namespace gsim::script {
 namespace {
 
 /// Letter that is a word by itself, and its meaning.
-struct Alone {
+struct StandaloneWord {
     std::string_view key, meaning;
 };
-constexpr std::array kAlone = {Alone{"f", "the feed"}, Alone{"s", "the spindle speed"},
-                               Alone{"t", "the tool"}, Alone{"d", "the number of the tool radius offset"},
-                               Alone{"h", "the number of the tool length offset"}};
+constexpr std::array kStandaloneWords = {
+    StandaloneWord{"f", "the feed"}, StandaloneWord{"s", "the spindle speed"},
+    StandaloneWord{"t", "the tool"}, StandaloneWord{"d", "the number of the tool radius offset"},
+    StandaloneWord{"h", "the number of the tool length offset"}};
 
 }  // namespace
 
 std::string word_advice(std::string_view key, std::optional<double> value,
-                        std::span<const std::string_view> taken) {
-    const std::string small = text::lower(key);
-    if (small != key && std::find(taken.begin(), taken.end(), small) != taken.end())
-        return fmt::format("; write {}", small);
-    for (const Alone& word : kAlone) {
-        if (word.key != small) continue;
-        return fmt::format("; {} is a word of its own, {}({:.10g})", word.meaning, text::upper(small),
+                        std::span<const std::string_view> used_letters) {
+    const std::string lower_key = text::lower(key);
+    if (lower_key != key &&
+        std::find(used_letters.begin(), used_letters.end(), lower_key) != used_letters.end())
+        return fmt::format("; write {}", lower_key);
+    for (const StandaloneWord& word : kStandaloneWords) {
+        if (word.key != lower_key) continue;
+        return fmt::format("; {} is a word of its own, {}({:.10g})", word.meaning, text::upper(lower_key),
                            value.value_or(1));
     }
     if (key.size() > 1) {
-        if (const auto nearest = text::nearest_name(small, taken))
+        if (const auto nearest = text::nearest_name(lower_key, used_letters))
             return fmt::format("; did you mean {}?", *nearest);
     }
-    return taken.empty() ? "" : fmt::format("; it takes {}", text::joined(taken, ", "));
+    return used_letters.empty() ? "" : fmt::format("; it takes {}", text::joined(used_letters, ", "));
 }
 
 }  // namespace gsim::script

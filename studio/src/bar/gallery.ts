@@ -49,7 +49,7 @@ export const samples: Sample[] = [
 ];
 
 /** Returns the unchanged setup of a sample, regardless of earlier choices. */
-export const setupOf = (sample: Sample): Setup => ({ ...emptySetup(), ...sample.setup });
+export const sampleSetup = (sample: Sample): Setup => ({ ...emptySetup(), ...sample.setup });
 
 export function showGallery(session: Session): void {
   const close = () => dialog.close();
@@ -60,7 +60,7 @@ export function showGallery(session: Session): void {
         class: "card",
         onclick: () => {
           close();
-          session.history.edit(gallery.opened(sample.title), { setup: setupOf(sample) });
+          session.history.edit(gallery.opened(sample.title), { setup: sampleSetup(sample) });
           void session.run();
         },
       },

@@ -52,18 +52,18 @@ function noticeLine(store: Store): HTMLElement {
 }
 
 /** Warns the user about unsaved text before the page is closed. */
-function guardEdits(session: Session, folder: Folder | null): void {
+function warnBeforeUnload(session: Session, folder: Folder | null): void {
   addEventListener("beforeunload", (event) => {
-    session.history.keepTyped();
-    if (session.documents.unsaved || (folder?.marked().size ?? 0) > 0) event.preventDefault();
+    session.history.flushTypedText();
+    if (session.documents.unsaved || (folder?.fileMarks().size ?? 0) > 0) event.preventDefault();
   });
 }
 
 /** Fills the bar. `folder`: the one that gsim-studio serves; null: the page is used without a server. */
 export function createBar(host: HTMLElement, store: Store, session: Session, folder: Folder | null): void {
   const controls = folder && createFolderControls(session, folder);
-  const choices = createChoices(session, controls?.markOf ?? (() => ""));
-  folder?.on(() => choices.renew());
+  const choices = createChoices(session, controls?.markFor ?? (() => ""));
+  folder?.on(() => choices.refresh());
   const save = element("button", { title: t.saveTitle, onclick: () => void session.save(session.setup.program) }, t.save);
   host.append(
     element("strong", { class: "name" }, texts.page.title),
@@ -76,7 +76,7 @@ export function createBar(host: HTMLElement, store: Store, session: Session, fol
     preferences(store, folder !== null),
   );
   host.append(element("div", { class: "notices" }, ...(controls ? [controls.standing] : []), noticeLine(store)));
-  guardEdits(session, folder);
+  warnBeforeUnload(session, folder);
   acceptDrops(session);
   document.addEventListener("keydown", (event) => {
     if (!event.defaultPrevented && event.key === "Enter" && (event.ctrlKey || event.metaKey)) void session.run();

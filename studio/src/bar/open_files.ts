@@ -2,7 +2,7 @@
 // can use.
 
 import type { FileContent } from "../core/file_content";
-import { askForFiles } from "../core/files";
+import { openFileDialog } from "../core/files";
 import { baseName, dialectOfName, kindOfFile, type FileKind } from "../core/kinds";
 import type { Session } from "../core/session";
 import type { Setup } from "../core/setup";
@@ -16,7 +16,7 @@ interface Opened {
   file: File;
 }
 
-const keyOf: Partial<Record<FileKind, keyof Setup>> = {
+const setupKeys: Partial<Record<FileKind, keyof Setup>> = {
   machine: "machine",
   cell: "cell",
   robots: "robots",
@@ -25,11 +25,11 @@ const keyOf: Partial<Record<FileKind, keyof Setup>> = {
 };
 
 /** Returns the changes of the setup by files, each in its field; of several programs the first. */
-function setupOf(files: Record<string, FileContent>): Partial<Setup> {
+function setupForFiles(files: Record<string, FileContent>): Partial<Setup> {
   const change: Record<string, string> = {};
   for (const [name, content] of Object.entries(files)) {
     const kind = kindOfFile(name, content);
-    const key = keyOf[kind];
+    const key = setupKeys[kind];
     if (!key || change[key]) continue;
     change[key] = name;
     if (key === "program") change.dialect = dialectOfName(name);
@@ -42,8 +42,8 @@ function setupOf(files: Record<string, FileContent>): Partial<Setup> {
  * Passes path files and drawings to the form of paths, variants to theirs; of several the first. Returns
  * those that are taken.
  */
-function takeForForms(files: Record<string, FileContent>, store: Store): string[] {
-  const first = (wanted: FileKind) => Object.keys(files).find((name) => kindOfFile(name, files[name]) === wanted);
+function openInForms(files: Record<string, FileContent>, store: Store): string[] {
+  const first = (requested: FileKind) => Object.keys(files).find((name) => kindOfFile(name, files[name]) === requested);
   const [path, drawing] = [first("path"), first("drawing")];
   if (path) store.set("pathFile", path);
   // The same name must trigger a change again.
@@ -56,36 +56,36 @@ function takeForForms(files: Record<string, FileContent>, store: Store): string[
 }
 
 /** Orders programs to choose the one to run: upper folders before those below, then by name. */
-const byFolder = (a: Opened, b: Opened): number =>
+const compareDepth = (a: Opened, b: Opened): number =>
   a.name.split("/").length - b.name.split("/").length || a.name.localeCompare(b.name);
 
 async function open(opened: Opened[], session: Session): Promise<void> {
   const { documents, history, store } = session;
-  opened.sort(byFolder);
+  opened.sort(compareDepth);
   const files: Record<string, FileContent> = {};
   for (const { name, file } of opened) files[name] = documents.read(name, new Uint8Array(await file.arrayBuffer()));
   const names = Object.keys(files);
-  const setup = setupOf(files);
+  const setup = setupForFiles(files);
   if (names.length > 0) history.edit(words.opened(names.map(baseName)), { documents: files, setup });
-  const taken = new Set<unknown>([...Object.values(setup), ...takeForForms(files, store)]);
-  const aside = names.filter((name) => !taken.has(name));
-  const said = aside.length > 0 ? words.aside(names.length - aside.length, aside) : "";
+  const taken = new Set<unknown>([...Object.values(setup), ...openInForms(files, store)]);
+  const unopened = names.filter((name) => !taken.has(name));
+  const said = unopened.length > 0 ? words.ignoredFiles(names.length - unopened.length, unopened) : "";
   if (Object.keys(setup).length > 0 && session.setup.program) await session.run();
   store.set("notice", said);
 }
 
 /** Returns the files of an entry, including subfolders; names are relative to the dropped folder. */
-async function filesOf(entry: FileSystemEntry, path: string): Promise<Opened[]> {
+async function entryFiles(entry: FileSystemEntry, path: string): Promise<Opened[]> {
   if (entry.isFile) {
-    const file = await new Promise<File>((take, fail) => (entry as FileSystemFileEntry).file(take, fail));
+    const file = await new Promise<File>((fulfil, fail) => (entry as FileSystemFileEntry).file(fulfil, fail));
     return [{ name: path + entry.name, file }];
   }
   const reader = (entry as FileSystemDirectoryEntry).createReader();
   const found: Opened[] = [];
   for (;;) {
-    const entries = await new Promise<FileSystemEntry[]>((take, fail) => reader.readEntries(take, fail));
+    const entries = await new Promise<FileSystemEntry[]>((fulfil, fail) => reader.readEntries(fulfil, fail));
     if (entries.length === 0) return found;
-    for (const each of entries) found.push(...(await filesOf(each, `${path}${entry.name}/`)));
+    for (const each of entries) found.push(...(await entryFiles(each, `${path}${entry.name}/`)));
   }
 }
 
@@ -97,22 +97,22 @@ interface Handle {
   values(): AsyncIterable<Handle>;
 }
 
-async function filesOfHandle(handle: Handle, path: string): Promise<Opened[]> {
+async function handleFiles(handle: Handle, path: string): Promise<Opened[]> {
   if (handle.kind === "file") return [{ name: path + handle.name, file: await handle.getFile() }];
   const found: Opened[] = [];
-  for await (const each of handle.values()) found.push(...(await filesOfHandle(each, `${path}${handle.name}/`)));
+  for await (const each of handle.values()) found.push(...(await handleFiles(each, `${path}${handle.name}/`)));
   return found;
 }
 
 /** Reads the item at once, because its data are not available after the event. */
-function filesOfItem(item: DataTransferItem): Promise<Opened[]> {
+function itemFiles(item: DataTransferItem): Promise<Opened[]> {
   const asked = (item as { getAsFileSystemHandle?: () => Promise<Handle | null> }).getAsFileSystemHandle?.();
   const entry = item.webkitGetAsEntry();
   const file = item.getAsFile();
   const alone = file ? [{ name: file.name, file }] : [];
-  const byEntry = () => (entry?.isDirectory ? filesOf(entry, "") : Promise.resolve(alone));
-  if (!asked) return byEntry();
-  return asked.then((handle) => (handle ? filesOfHandle(handle, "") : byEntry())).catch(byEntry);
+  const readEntry = () => (entry?.isDirectory ? entryFiles(entry, "") : Promise.resolve(alone));
+  if (!asked) return readEntry();
+  return asked.then((handle) => (handle ? handleFiles(handle, "") : readEntry())).catch(readEntry);
 }
 
 /** Opens files that are dropped anywhere on the page. */
@@ -132,7 +132,7 @@ export function acceptDrops(session: Session): void {
     event.preventDefault();
     delete body.dataset.dropping;
     const items = [...(event.dataTransfer?.items ?? [])].filter((item) => item.kind === "file");
-    Promise.all(items.map(filesOfItem))
+    Promise.all(items.map(itemFiles))
       .then((all) => open(all.flat(), session))
       .catch((fault: unknown) => session.store.set("notice", words.unread(String(fault))));
   });
@@ -140,7 +140,7 @@ export function acceptDrops(session: Session): void {
 
 /** Opens the system's file dialog. */
 export function chooseFiles(session: Session): void {
-  askForFiles(true, (files) => {
+  openFileDialog(true, (files) => {
     open(files.map((file) => ({ name: file.name, file })), session).catch((fault: unknown) =>
       session.store.set("notice", words.unread(String(fault))),
     );

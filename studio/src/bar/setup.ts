@@ -5,9 +5,9 @@ import { Debounced } from "../core/debounced";
 import type { Documents } from "../core/documents";
 import { choice, element, offer } from "../core/dom";
 import { dialectOfName, namesOfKind, shortName, type FileKind } from "../core/kinds";
-import { controlNames } from "../core/other_control";
+import { controllerNames } from "../core/controller_override";
 import type { Session } from "../core/session";
-import { MOST_OVERRIDE_PERCENT, emptySetup, overrideKeys, type Setup } from "../core/setup";
+import { MAX_OVERRIDE_PERCENT, emptySetup, overrideKeys, type Setup } from "../core/setup";
 import { texts } from "../texts";
 
 const t = texts.bar;
@@ -15,7 +15,7 @@ const t = texts.bar;
 /** Choice with its update function. */
 interface Choice {
   element: HTMLElement;
-  renew(): void;
+  refresh(): void;
 }
 
 /** Applies a choice of the user as an undoable step; `label` describes it. */
@@ -24,54 +24,54 @@ function choose(session: Session, label: string, setup: Partial<Setup>): void {
   if (session.setup.program) void session.run();
 }
 
-const labelled = (label: string, control: HTMLElement): HTMLElement =>
+const createLabelled = (label: string, control: HTMLElement): HTMLElement =>
   element("label", {}, element("span", {}, label), control);
 
 /** Mark after a name in choices. */
-export type MarkOf = (name: string) => string;
+export type MarkFunction = (name: string) => string;
 
 /** Creates a file choice. `none` is its label without a file; null: a file is required. */
-function fileChoice(label: string, key: FileKind & keyof Setup, none: string | null, session: Session, mark: MarkOf): Choice {
+function fileChoice(label: string, key: FileKind & keyof Setup, none: string | null, session: Session, mark: MarkFunction): Choice {
   const select = choice(label, [], "", (name) => {
     // A program defines its language by its name; settings for the previous program do not apply to it.
     const setup = key === "program" ? { program: name, dialect: dialectOfName(name), robots: "" } : { [key]: name };
     choose(session, t.chosen(label, name ? shortName(name) : (none ?? "")), setup);
   });
-  const renew = () => {
+  const refresh = () => {
     const value = session.setup[key];
     const names = namesOfKind(key, session.documents);
     // A set value is shown even if its file no longer exists here.
     if (value && !names.includes(value)) names.push(value);
     const options = names.map((name): [string, string] => {
       // Another file may have the same short name as a sample.
-      const shown = names.includes(shortName(name)) ? name : shortName(name);
-      return [name, `${shown} ${mark(name)}`.trim()];
+      const displayed = names.includes(shortName(name)) ? name : shortName(name);
+      return [name, `${displayed} ${mark(name)}`.trim()];
     });
     offer(select, none !== null || !value ? [["", none ?? ""], ...options] : options, value);
   };
-  return { element: labelled(label, select), renew };
+  return { element: createLabelled(label, select), refresh };
 }
 
-function dialectChoice(session: Session): Choice {
+function createDialectChoice(session: Session): Choice {
   const options: [string, string][] = [["", t.asTheMachineSays], ...Object.entries(texts.run.dialects)];
   const select = choice(t.language, options, "", (dialect) =>
     choose(session, t.chosen(t.language, texts.run.dialects[dialect] ?? t.asTheMachineSays), { dialect }),
   );
-  return { element: labelled(t.language, select), renew: () => offer(select, options, session.setup.dialect) };
+  return { element: createLabelled(t.language, select), refresh: () => offer(select, options, session.setup.dialect) };
 }
 
 /** Creates the choice of a controller instead of the machine file's: a built-in one, or a file. */
-function controlChoice(session: Session): Choice {
+function createControllerChoice(session: Session): Choice {
   const select = choice(t.control, [], "", (controller) =>
     choose(session, t.chosen(t.control, controller ? shortName(controller) : t.asTheMachineSays), { controller }),
   );
-  const renew = () => {
+  const refresh = () => {
     const { controller } = session.setup;
-    const names = controlNames(session.documents);
+    const names = controllerNames(session.documents);
     if (controller && !names.includes(controller)) names.push(controller);
     offer(select, [["", t.asTheMachineSays], ...names.map((name): [string, string] => [name, shortName(name)])], controller);
   };
-  return { element: labelled(t.control, select), renew };
+  return { element: createLabelled(t.control, select), refresh };
 }
 
 function override(key: (typeof overrideKeys)[number], session: Session): Choice {
@@ -79,16 +79,16 @@ function override(key: (typeof overrideKeys)[number], session: Session): Choice 
   const input = element("input", {
     type: "number",
     min: 0,
-    max: MOST_OVERRIDE_PERCENT,
+    max: MAX_OVERRIDE_PERCENT,
     step: 5,
     onchange: () => {
-      const percent = Math.min(MOST_OVERRIDE_PERCENT, Math.max(0, Number(input.value) || 0));
+      const percent = Math.min(MAX_OVERRIDE_PERCENT, Math.max(0, Number(input.value) || 0));
       choose(session, t.chosen(label, String(percent)), { [key]: percent });
-      renew();
+      refresh();
     },
   });
-  const renew = () => (input.value = String(session.setup[key]));
-  return { element: labelled(label, input), renew };
+  const refresh = () => (input.value = String(session.setup[key]));
+  return { element: createLabelled(label, input), refresh };
 }
 
 function collisions(session: Session): Choice {
@@ -97,20 +97,20 @@ function collisions(session: Session): Choice {
     onchange: () => choose(session, t.chosen(t.collisions, input.checked ? t.yes : t.no), { collisions: input.checked }),
   });
   const row = element("label", {}, input, element("span", {}, t.collisions));
-  return { element: row, renew: () => (input.checked = session.setup.collisions) };
+  return { element: row, refresh: () => (input.checked = session.setup.collisions) };
 }
 
 /**
  * Counts the settings in "More" that are not at their defaults, because hidden settings have an effect, too.
  */
-function changedSettings(setup: Readonly<Setup>): number {
+function countChangedSettings(setup: Readonly<Setup>): number {
   const first = emptySetup();
   const hidden = ["dialect", "controller", "machine_data", "robots", ...overrideKeys, "collisions"] as const;
   return hidden.filter((key) => setup[key] !== first[key]).length;
 }
 
 /** Creates an element that opens below its label, until Escape or a click elsewhere. */
-function createMore(summary: HTMLElement, ...content: HTMLElement[]): HTMLElement {
+function createMoreSection(summary: HTMLElement, ...content: HTMLElement[]): HTMLElement {
   const details = element("details", {}, summary, element("div", {}, ...content));
   document.addEventListener("keydown", (event) => {
     if (event.key !== "Escape" || event.defaultPrevented || !details.open) return;
@@ -130,18 +130,18 @@ const isListed = (host: HTMLElement, name: string, documents: Documents): boolea
 export interface Choices {
   element: HTMLElement;
   /** Soon, once for many calls. */
-  renew(): void;
+  refresh(): void;
 }
 
-export function createChoices(session: Session, mark: MarkOf): Choices {
+export function createChoices(session: Session, mark: MarkFunction): Choices {
   const main = [
     fileChoice(t.program, "program", null, session, mark),
     fileChoice(t.machine, "machine", t.builtInMachine, session, mark),
     fileChoice(t.cell, "cell", t.noCell, session, mark),
   ];
-  const rare = [
-    dialectChoice(session),
-    controlChoice(session),
+  const rareChoices = [
+    createDialectChoice(session),
+    createControllerChoice(session),
     fileChoice(t.machineData, "machine_data", t.none, session, mark),
     fileChoice(t.robots, "robots", t.none, session, mark),
     ...overrideKeys.map((key) => override(key, session)),
@@ -149,16 +149,16 @@ export function createChoices(session: Session, mark: MarkOf): Choices {
   ];
   const elements = (choices: Choice[]) => choices.map((each) => each.element);
   const summary = element("summary", {});
-  const host = element("span", { class: "choices" }, ...elements(main), createMore(summary, ...elements(rare)));
-  const renew = () => {
-    for (const each of [...main, ...rare]) each.renew();
-    summary.textContent = t.changed(changedSettings(session.setup));
+  const host = element("span", { class: "choices" }, ...elements(main), createMoreSection(summary, ...elements(rareChoices)));
+  const refresh = () => {
+    for (const each of [...main, ...rareChoices]) each.refresh();
+    summary.textContent = t.changed(countChangedSettings(session.setup));
   };
-  const soon = new Debounced(renew);
-  session.on(renew);
+  const redrawTimer = new Debounced(refresh);
+  session.on(refresh);
   session.documents.on((name) => {
-    if (!isListed(host, name, session.documents)) soon.after(0);
+    if (!isListed(host, name, session.documents)) redrawTimer.after(0);
   });
-  renew();
-  return { element: host, renew: () => soon.after(0) };
+  refresh();
+  return { element: host, refresh: () => redrawTimer.after(0) };
 }

@@ -12,7 +12,7 @@ const boxes = ":is([type=checkbox], [type=radio], [type=range], [type=button])";
 const writes = `input:not(${boxes}), textarea, [contenteditable], .cm-editor`;
 
 /** Returns which of the two a key requests. */
-function askedBy(event: KeyboardEvent): "undo" | "redo" | null {
+function requestedAction(event: KeyboardEvent): "undo" | "redo" | null {
   if (event.defaultPrevented || event.altKey || !(event.ctrlKey || event.metaKey)) return null;
   const key = event.key.toLowerCase();
   if (key === "z") return event.shiftKey ? "redo" : "undo";
@@ -37,18 +37,18 @@ export function createUndo(store: Store, session: Session): HTMLElement {
     one.setAttribute("aria-label", title);
     one.setAttribute("aria-disabled", String(!label));
   };
-  const renew = () => {
+  const refresh = () => {
     show(undo, t.undoTitle(history.undoLabel), history.undoLabel);
     show(redo, t.redoTitle(history.redoLabel), history.redoLabel);
   };
   history.on(() => {
-    renew();
+    refresh();
     // The notice of a previous step does not apply to this one.
     if (said && store.get("notice") === said) store.set("notice", "");
   });
-  renew();
+  refresh();
   document.addEventListener("keydown", (event) => {
-    const way = askedBy(event);
+    const way = requestedAction(event);
     // An open dialog concerns data that the page must leave unchanged.
     if (!way || (event.target as Element).closest?.(writes) || document.querySelector("dialog[open]")) return;
     event.preventDefault();

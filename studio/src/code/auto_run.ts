@@ -4,18 +4,18 @@ import { Debounced } from "../core/debounced";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 
-const SHORT_S = 1;
+const MAX_AUTO_RUN_S = 1;
 /** A script cannot be checked before it runs: it runs if the user pauses. */
 const SCRIPT_PAUSE_MS = 600;
 /** The check runs sooner with this option on. */
 export const CHECK_PAUSE_MS = 150;
 
 export class AutoRun {
-  isOn = false;
+  isEnabled = false;
   /** Computing time of the last run. */
-  private took_s = 0;
+  private duration_s = 0;
   private began_ms = 0;
-  private isDue = false;
+  private isPending = false;
   private readonly pause = new Debounced(() => this.run());
 
   constructor(
@@ -28,29 +28,29 @@ export class AutoRun {
     });
     store.on("run", () => {
       // A run that was loaded, not computed, has no computing time.
-      if (store.get("running")) this.took_s = (performance.now() - this.began_ms) / 1000;
+      if (store.get("running")) this.duration_s = (performance.now() - this.began_ms) / 1000;
     });
   }
 
   get isTooSlow(): boolean {
-    return this.took_s > SHORT_S;
+    return this.duration_s > MAX_AUTO_RUN_S;
   }
 
   get isActive(): boolean {
-    return this.isOn && !this.isTooSlow && this.session.canRun;
+    return this.isEnabled && !this.isTooSlow && this.session.canRun;
   }
 
-  edited(isScript: boolean): void {
-    this.isDue = this.isActive;
-    if (this.isDue && isScript) this.pause.after(SCRIPT_PAUSE_MS);
+  onEdit(isScript: boolean): void {
+    this.isPending = this.isActive;
+    if (this.isPending && isScript) this.pause.after(SCRIPT_PAUSE_MS);
   }
 
   checked(hasErrors: boolean): void {
-    if (this.isDue && !hasErrors && this.isActive) this.run();
+    if (this.isPending && !hasErrors && this.isActive) this.run();
   }
 
   private run(): void {
-    this.isDue = false;
+    this.isPending = false;
     this.flush();
     void this.session.run();
   }

@@ -15,10 +15,10 @@ export interface BlockFacts {
 }
 
 /** Max number of segments of a line; further ones are ignored in its facts. */
-const ENOUGH = 20_000;
+const MAX_SEGMENTS = 20_000;
 
 /** Returns true if a line has run, but not all its data are loaded. */
-export function lacksFacts({ blocks, segments }: Robot, file: number, line: number): boolean {
+export function hasMissingFacts({ blocks, segments }: Robot, file: number, line: number): boolean {
   return segments.isLong && !blocks.behindTable({ file, line }).next().done;
 }
 
@@ -26,13 +26,13 @@ export function lacksFacts({ blocks, segments }: Robot, file: number, line: numb
 export function blockFacts(robot: Robot, file: number, line: number): BlockFacts | null {
   const { blocks, segments, letters } = robot;
   const numbers = blocks.ofLine(file, line);
-  if (numbers.length === 0 || lacksFacts(robot, file, line)) return null;
+  if (numbers.length === 0 || hasMissingFacts(robot, file, line)) return null;
   const facts = { passes: numbers.length, time_s: 0, length_mm: 0, peak_mm_s: 0 };
   const held = new Map<string, { time_s: number; limit: NamedLimit }>();
   let seen = 0;
   for (const number of numbers) {
     const end = blocks.end(number);
-    for (let i = blocks.first(number); i < end && seen < ENOUGH; ++i, ++seen) {
+    for (let i = blocks.first(number); i < end && seen < MAX_SEGMENTS; ++i, ++seen) {
       const [chunk, at] = segments.locate(i)!;
       const limit = limitOfFlags(chunk.flags[at], letters);
       const key = `${limit.kind} ${limit.letter}`;
@@ -43,7 +43,7 @@ export function blockFacts(robot: Robot, file: number, line: number): BlockFacts
       facts.length_mm += chunk.length_mm[at];
       facts.peak_mm_s = Math.max(facts.peak_mm_s, segments.peakSpeed(chunk, at));
     }
-    if (seen >= ENOUGH) break;
+    if (seen >= MAX_SEGMENTS) break;
   }
   const most = [...held.values()].reduce((best, one) => (one.time_s > best.time_s ? one : best));
   return { ...facts, limit: most.limit };

@@ -6,15 +6,15 @@ import type { EditorState, Line, StateCommand } from "@codemirror/state";
 
 const wrapped = /^(\s*)\((.*)\)\s*$/;
 
-const isRemark = (text: string, isNgc: boolean) => (isNgc ? /^\s*;/.test(text) : isOne(text));
+const isComment = (text: string, isNgc: boolean) => (isNgc ? /^\s*;/.test(text) : isSingleComment(text));
 
 // "(A) G1 (B)" begins and ends like a comment, but is none.
-function isOne(text: string): boolean {
+function isSingleComment(text: string): boolean {
   const found = wrapped.exec(text);
   return found !== null && !found[2].includes("(") && !found[2].includes(")");
 }
 
-function toRemark(text: string, isNgc: boolean): string {
+function toComment(text: string, isNgc: boolean): string {
   if (isNgc) return `; ${text}`;
   return `(${text.replaceAll("(", "{").replaceAll(")", "}")})`;
 }
@@ -42,14 +42,14 @@ function selectedLines(state: EditorState): Line[] {
  * Turns all lines of the selection that are no comments into comments; if all are comments, they become
  * blocks again.
  */
-export function toggleRemark(isNgc: boolean): StateCommand {
+export function toggleLineComment(isNgc: boolean): StateCommand {
   return ({ state, dispatch }) => {
     const lines = selectedLines(state);
     if (state.readOnly || lines.length === 0) return false;
-    const off = lines.every(({ text }) => isRemark(text, isNgc));
+    const off = lines.every(({ text }) => isComment(text, isNgc));
     const changes = lines
-      .filter(({ text }) => off || !isRemark(text, isNgc))
-      .map(({ from, to, text }) => ({ from, to, insert: off ? toBlock(text, isNgc) : toRemark(text, isNgc) }));
+      .filter(({ text }) => off || !isComment(text, isNgc))
+      .map(({ from, to, text }) => ({ from, to, insert: off ? toBlock(text, isNgc) : toComment(text, isNgc) }));
     dispatch(state.update({ changes, userEvent: "input.comment" }));
     return true;
   };

@@ -12,7 +12,7 @@ import { texts } from "../texts";
 import { codeName, type Dialect } from "./dialect";
 import { codeCard } from "./hover";
 import { luaKeywords } from "./lua_language";
-import { isCode, withoutComments, wordsOf } from "./words";
+import { isCode, withoutComments, parseWords } from "./words";
 
 const codeOption = (code: Code, dialect: Dialect, label: string): Completion => ({
   label,
@@ -30,8 +30,8 @@ const letterOption = (dialect: Dialect, letter: string, index = 0): Completion =
 });
 
 /** Returns the letters of the codes in the line; without codes, or with axis words alone, all letters. */
-function lettersFor(line: string, dialect: Dialect): string[] {
-  const words = wordsOf(line, dialect.isNgc);
+function lettersOfLine(line: string, dialect: Dialect): string[] {
+  const words = parseWords(line, dialect.isNgc);
   const present = new Set(words.map(({ letter }) => letter));
   const codes = words.filter(isCode).flatMap(({ letter, number }) => {
     const code = dialect.codes.get(codeName(letter, number));
@@ -41,11 +41,11 @@ function lettersFor(line: string, dialect: Dialect): string[] {
     ...(code.axes ? dialect.axes : []),
     ...[...code.words].flatMap((letter) => ({ "=": ["AR="], ",": [",C", ",R", ",A"] })[letter] ?? [letter]),
   ]);
-  const wanted = letters.length > 0 ? [...new Set([...letters, "F", "S", "T"])] : [...dialect.letters.keys()];
-  return wanted.filter((letter) => !present.has(letter));
+  const requested = letters.length > 0 ? [...new Set([...letters, "F", "S", "T"])] : [...dialect.letters.keys()];
+  return requested.filter((letter) => !present.has(letter));
 }
 
-function inGcode(context: CompletionContext, dialect: Dialect): CompletionResult | null {
+function completeGcode(context: CompletionContext, dialect: Dialect): CompletionResult | null {
   const line = context.state.doc.lineAt(context.pos);
   const before = line.text.slice(0, context.pos - line.from);
   // In a comment, the blanked text ends in blanks but the original text does not.
@@ -60,11 +60,11 @@ function inGcode(context: CompletionContext, dialect: Dialect): CompletionResult
     return { from: word.from, options, validFor: /^[GM]\d*\.?\d*$/i };
   }
   if (!context.explicit) return null;
-  const options = lettersFor(before, dialect).map((letter, i) => letterOption(dialect, letter, i));
+  const options = lettersOfLine(before, dialect).map((letter, i) => letterOption(dialect, letter, i));
   return { from: context.pos, options };
 }
 
-function inLua(context: CompletionContext, dialect: Dialect): CompletionResult | null {
+function completeLua(context: CompletionContext, dialect: Dialect): CompletionResult | null {
   const word = context.matchBefore(/[A-Za-z_]\w*/);
   if (!word && !context.explicit) return null;
   const options = [
@@ -78,6 +78,6 @@ function inLua(context: CompletionContext, dialect: Dialect): CompletionResult |
 
 /** Accepts an option by Enter if it was chosen with the arrows; otherwise Enter begins a new line. */
 export function completion(dialect: Dialect, isLua: boolean): Extension {
-  const source = (context: CompletionContext) => (isLua ? inLua(context, dialect) : inGcode(context, dialect));
+  const source = (context: CompletionContext) => (isLua ? completeLua(context, dialect) : completeGcode(context, dialect));
   return autocompletion({ override: [source], selectOnOpen: false, icons: false });
 }

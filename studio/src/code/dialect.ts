@@ -6,14 +6,14 @@ import type { Session } from "../core/session";
 import { texts } from "../texts";
 
 /** Controllers with programs in RS274/NGC (docs/language.md); capitals, blanks and . - / are ignored. */
-const ngcControls = new Set(
+const ngcControllers = new Set(
   "rs274ngc linuxcnc emc2 machinekit eding fluidnc g2core grbl grblhal mach3 mach4 pathpilot tinyg tormach".split(" "),
 );
 
 /** Groups of codes that act only once, so that none of them stays active. */
-const momentary = new Set(["program stop", "subprograms", "tool change", "inputs and outputs", "modal state"]);
+const nonModalGroups = new Set(["program stop", "subprograms", "tool change", "inputs and outputs", "modal state"]);
 
-export const isModal = (code: Code): boolean => code.group !== null && !momentary.has(code.group);
+export const isModal = (code: Code): boolean => code.group !== null && !nonModalGroups.has(code.group);
 
 /** "g01" and "G 1" are G1, "G59.10" is G59.1. */
 export const codeName = (letter: string, number: string): string => letter.toUpperCase() + String(Number(number));
@@ -59,28 +59,28 @@ export class Dialect {
   }
 }
 
-function dialectOfControl(control: string): string {
+function controllerDialect(control: string): string {
   if (control.toLowerCase() === "klipper") return "klipper";
-  return ngcControls.has(control.toLowerCase().replace(/[\s.\-/]/g, "")) ? "rs274ngc" : "ab9";
+  return ngcControllers.has(control.toLowerCase().replace(/[\s.\-/]/g, "")) ? "rs274ngc" : "ab9";
 }
 
 /** Returns the dialect that the setup or its machine file sets; "": neither does. */
-function saidDialect(session: Session): string {
+function configuredDialect(session: Session): string {
   const { dialect, machine } = session.setup;
-  if (dialect) return dialectOfControl(dialect);
+  if (dialect) return controllerDialect(dialect);
   const said = machine && /^\s*dialect\s*=\s*["']([^"']+)["']/m.exec(session.documents.text(machine));
-  return said ? dialectOfControl(said[1]) : "";
+  return said ? controllerDialect(said[1]) : "";
 }
 
 /** Returns the dialect; if it is not set, the program's name decides. */
 export function dialectName(session: Session, program: string): string {
-  return saidDialect(session) || (dialectOfName(program) || "ab9");
+  return configuredDialect(session) || (dialectOfName(program) || "ab9");
 }
 
 /**
  * Returns true if the engine would read the program in another dialect than it appears to be in: without a
  * setting it reads ab9.
  */
-export function isMisread(session: Session, program: string): boolean {
-  return saidDialect(session) === "" && dialectName(session, program) !== "ab9";
+export function needsDialectSetting(session: Session, program: string): boolean {
+  return configuredDialect(session) === "" && dialectName(session, program) !== "ab9";
 }

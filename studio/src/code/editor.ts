@@ -22,12 +22,12 @@ import { currentLine, setCurrentLine } from "./current_line";
 import { heatGutter } from "./heat";
 
 /** Mark of editor changes by this part of the page, to distinguish them from the user's. */
-export const byPage = Annotation.define<boolean>();
+export const programmaticEdit = Annotation.define<boolean>();
 
 export interface EditorEvents {
-  updated(update: ViewUpdate): void;
+  onUpdate(update: ViewUpdate): void;
   /** Handles a click next to a line. */
-  gutterClicked(line: number): void;
+  onGutterClick(line: number): void;
   run(): void;
   leave(): void;
 }
@@ -44,7 +44,7 @@ export interface Configuration {
 
 export class Editor {
   readonly view: EditorView;
-  private readonly configured = new Compartment();
+  private readonly configurationCompartment = new Compartment();
   private lastHand_ms = -Infinity;
 
   constructor(
@@ -62,14 +62,14 @@ export class Editor {
   stateOf(text: string, configuration: Configuration): EditorState {
     return EditorState.create({
       doc: text,
-      extensions: [this.configured.of(this.extensions(configuration)), this.fixed(text.length < 4_000_000)],
+      extensions: [this.configurationCompartment.of(this.extensions(configuration)), this.fixed(text.length < 4_000_000)],
     });
   }
 
   /** Configures the displayed text. */
   configure(configuration: Configuration): void {
-    const changed = this.configured.reconfigure(this.extensions(configuration));
-    this.view.dispatch({ effects: changed, annotations: byPage.of(true) });
+    const changed = this.configurationCompartment.reconfigure(this.extensions(configuration));
+    this.view.dispatch({ effects: changed, annotations: programmaticEdit.of(true) });
   }
 
   show(state: EditorState): void {
@@ -83,14 +83,14 @@ export class Editor {
 
   /** Marks the line that the machine is executing; 0: none. */
   mark(line: number): void {
-    this.view.dispatch({ effects: setCurrentLine.of(line), annotations: byPage.of(true) });
+    this.view.dispatch({ effects: setCurrentLine.of(line), annotations: programmaticEdit.of(true) });
   }
 
   /** Moves the cursor to a line. */
   select(line: number): void {
     const { doc } = this.view.state;
     if (line < 1 || line > doc.lines) return;
-    this.view.dispatch({ selection: { anchor: doc.line(line).from }, annotations: byPage.of(true) });
+    this.view.dispatch({ selection: { anchor: doc.line(line).from }, annotations: programmaticEdit.of(true) });
   }
 
   /**
@@ -127,7 +127,7 @@ export class Editor {
       lineNumbers({
         domEventHandlers: {
           click: (view, block) => {
-            this.events.gutterClicked(view.state.doc.lineAt(block.from).number);
+            this.events.onGutterClick(view.state.doc.lineAt(block.from).number);
             return true;
           },
         },
@@ -144,7 +144,7 @@ export class Editor {
       search({ top: true }),
       appearance,
       this.keys(),
-      EditorView.updateListener.of((update) => this.events.updated(update)),
+      EditorView.updateListener.of((update) => this.events.onUpdate(update)),
     ];
   }
 

@@ -3,7 +3,7 @@
 import type { Diagnostic } from "@codemirror/lint";
 import type { Text } from "@codemirror/state";
 import { element } from "../core/dom";
-import type { Placed, Report, Severity } from "../run/report";
+import type { Located, Report, Severity } from "../run/report";
 import type { Run } from "../run/run";
 
 export interface Finding {
@@ -18,14 +18,14 @@ export interface Finding {
 }
 
 /** Max number of marks; a program with more findings has other problems. */
-const MOST = 1000;
-const MOST_OF_LINE = 5;
+const MAX_FINDINGS = 1000;
+const MAX_FINDINGS_PER_LINE = 5;
 
 /**
  * Diagnostic with its words in `text`, as the engine sends it, or in `message`, as in other lists of a run's
  * report.
  */
-type Worded = Placed & {
+type RawFinding = Located & {
   severity?: Severity;
   code?: string;
   column?: number | null;
@@ -35,31 +35,31 @@ type Worded = Placed & {
   hint?: string | null;
 };
 
-function findingOf(worded: Worded, severity: Severity): Finding {
+function toFinding(rawFinding: RawFinding, severity: Severity): Finding {
   return {
-    severity: worded.severity ?? severity,
-    code: worded.code ?? "",
-    line: worded.line ?? 0,
-    column: worded.column ?? 0,
-    end_column: worded.end_column ?? 0,
-    text: worded.text ?? worded.message ?? "",
-    hint: worded.hint ?? "",
+    severity: rawFinding.severity ?? severity,
+    code: rawFinding.code ?? "",
+    line: rawFinding.line ?? 0,
+    column: rawFinding.column ?? 0,
+    end_column: rawFinding.end_column ?? 0,
+    text: rawFinding.text ?? rawFinding.message ?? "",
+    hint: rawFinding.hint ?? "",
   };
 }
 
 /** Returns the findings of a file, each once: a later one with the words of an earlier one is dropped. */
-export function findingsOf(file: string, all: Iterable<[Worded, Severity]>): Finding[] {
+export function fileFindings(file: string, all: Iterable<[RawFinding, Severity]>): Finding[] {
   const found: Finding[] = [];
   const byLine = new Map<number, Finding[]>();
-  for (const [worded, severity] of all) {
-    if (worded.file !== file || !worded.line) continue;
-    const finding = findingOf(worded, severity);
+  for (const [rawFinding, severity] of all) {
+    if (rawFinding.file !== file || !rawFinding.line) continue;
+    const finding = toFinding(rawFinding, severity);
     const before = byLine.get(finding.line) ?? [];
     const isKnown = before.some(({ text }) => text.includes(finding.text) || finding.text.includes(text));
-    if (isKnown || before.length >= MOST_OF_LINE) continue;
+    if (isKnown || before.length >= MAX_FINDINGS_PER_LINE) continue;
     byLine.set(finding.line, [...before, finding]);
     found.push(finding);
-    if (found.length >= MOST) break;
+    if (found.length >= MAX_FINDINGS) break;
   }
   return found;
 }
@@ -67,28 +67,28 @@ export function findingsOf(file: string, all: Iterable<[Worded, Severity]>): Fin
 /**
  * Returns the findings of a report. Its diagnostics are complete, including alarms, limits and collisions.
  */
-function* inReport(report: Report): Generator<[Worded, Severity]> {
+function* reportFindings(report: Report): Generator<[RawFinding, Severity]> {
   for (const one of report.diagnostics ?? []) yield [one, one.severity];
-  for (const robot of report.robots ?? []) yield* inReport(robot);
+  for (const robot of report.robots ?? []) yield* reportFindings(robot);
 }
 
-function* inRun(run: Run): Generator<[Worded, Severity]> {
+function* runDiagnostics(run: Run): Generator<[RawFinding, Severity]> {
   for (const one of run.told) yield [one, one.severity];
-  if (run.report) yield* inReport(run.report);
+  if (run.report) yield* reportFindings(run.report);
 }
 
-export const findingsOfRun = (run: Run, file: string): Finding[] => findingsOf(file, inRun(run));
+export const runFindings = (run: Run, file: string): Finding[] => fileFindings(file, runDiagnostics(run));
 
 const severities = { error: "error", warning: "warning", note: "info" } as const;
 
-function messageOf({ text, hint }: Finding): Node {
+function createMessage({ text, hint }: Finding): Node {
   const message = element("div", { class: "code-message" }, text);
   if (hint) message.append(element("div", { class: "code-hint" }, hint));
   return message;
 }
 
 /** Converts a finding. `line`: the current position of the finding's line. */
-export function diagnosticOf(doc: Text, finding: Finding, line: number): Diagnostic {
+export function toDiagnostic(doc: Text, finding: Finding, line: number): Diagnostic {
   const { from, to, length } = doc.line(line);
   const begin = Math.min(Math.max(finding.column - 1, 0), length);
   const end = finding.end_column > finding.column ? Math.min(finding.end_column - 1, length) : length;
@@ -98,6 +98,6 @@ export function diagnosticOf(doc: Text, finding: Finding, line: number): Diagnos
     severity: severities[finding.severity],
     message: finding.hint ? `${finding.text} (${finding.hint})` : finding.text,
     source: finding.code,
-    renderMessage: () => messageOf(finding),
+    renderMessage: () => createMessage(finding),
   };
 }

@@ -3,13 +3,13 @@
 import { StreamLanguage, type StringStream } from "@codemirror/language";
 import { codeName, type Dialect } from "./dialect";
 import { tokenTable } from "./tokens";
-import { blockBehind } from "./words";
+import { blockAfterSemicolon } from "./words";
 
 const word = /^([A-Z@^$])\s*([+-]?(?:\d+\.?\d*|\.\d+))/i;
 const keyword =
   /^(?:endsub|endif|endwhile|endrepeat|elseif|else|while|repeat|break|continue|return|call|sub|if|goto|then|do|end|and|or|xor|mod|eq|ne|lt|gt|le|ge|abs|acos|asin|atan|bcd|bin|cos|exists|exp|fix|fup|ln|round|sin|sqrt|tan)(?![A-Z_])/i;
 
-function codeToken(dialect: Dialect, letter: string, number: string): string {
+function codeTokenType(dialect: Dialect, letter: string, number: string): string {
   const name = codeName(letter, number);
   if (dialect.isUnknown(name)) return "unknown";
   if (letter.toUpperCase() === "M") return "mcode";
@@ -19,7 +19,7 @@ function codeToken(dialect: Dialect, letter: string, number: string): string {
 }
 
 /** Returns the colour of the letter alone: its number has the colour of numbers. */
-function letterToken(dialect: Dialect, letter: string): string {
+function letterTokenType(dialect: Dialect, letter: string): string {
   const capital = letter.toUpperCase();
   if (dialect.axes.has(capital)) return "axis";
   return "FST".includes(capital) ? "setting" : "parameter";
@@ -28,12 +28,12 @@ function letterToken(dialect: Dialect, letter: string): string {
 function comment(stream: StringStream, dialect: Dialect): boolean {
   if (stream.match(/^\([^)]*\)?/)) return true;
   if (stream.peek() !== ";") return false;
-  if (!dialect.isNgc && stream.match(blockBehind, false)) return false;
+  if (!dialect.isNgc && stream.match(blockAfterSemicolon, false)) return false;
   stream.skipToEnd();
   return true;
 }
 
-function codeWord(stream: StringStream, dialect: Dialect): string | null {
+function readCodeWord(stream: StringStream, dialect: Dialect): string | null {
   const found = stream.match(word, false) as RegExpMatchArray | null;
   if (!found) return null;
   const letter = found[1].toUpperCase();
@@ -41,7 +41,7 @@ function codeWord(stream: StringStream, dialect: Dialect): string | null {
   stream.match(whole ? word : /^./);
   if (letter === "N") return "block";
   if (letter === "O") return "oword";
-  return whole ? codeToken(dialect, letter, found[2]) : letterToken(dialect, letter);
+  return whole ? codeTokenType(dialect, letter, found[2]) : letterTokenType(dialect, letter);
 }
 
 function token(stream: StringStream, dialect: Dialect): string | null {
@@ -51,12 +51,12 @@ function token(stream: StringStream, dialect: Dialect): string | null {
   if (stream.match(/^O\s*(?:<[^>]*>|\d+|#\d+)/i)) return "oword";
   if (stream.match(/^(?:AR=|[IJK]1=|CIP\b|,\s*[CRA])/i)) return "parameter";
   if (stream.match(keyword)) return "keyword";
-  const code = codeWord(stream, dialect);
+  const code = readCodeWord(stream, dialect);
   if (code) return code;
   if (stream.match(/^[+-]?(?:\d+\.?\d*|\.\d+)/)) return "number";
   if (stream.match(/^[A-Z_]{2,}\w*/i)) return "name";
   const letter = stream.next()!;
-  if (/[A-Z@^$]/i.test(letter)) return letterToken(dialect, letter);
+  if (/[A-Z@^$]/i.test(letter)) return letterTokenType(dialect, letter);
   return letter === "%" || letter === "/" ? "block" : null;
 }
 

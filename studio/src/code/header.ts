@@ -11,7 +11,7 @@ export interface HeaderState {
   /** Files that can be shown; the program first. */
   files: string[];
   isModified: boolean;
-  changedSinceRun: boolean;
+  isChangedSinceRun: boolean;
   readOnly: boolean;
   canRun: boolean;
   /** Completed share of the current run; null: no run in progress; NaN: unknown. */
@@ -19,7 +19,7 @@ export interface HeaderState {
   tab: Tab;
   hasTabs: boolean;
   autoRun: boolean;
-  autoRunTooSlow: boolean;
+  isAutoRunTooSlow: boolean;
   /** G-code from which the shown Lua was made; "": none. */
   origin: string;
 }
@@ -29,7 +29,7 @@ export interface HeaderEvents {
   stop(): void;
   file(name: string): void;
   tab(tab: Tab): void;
-  autoRun(isOn: boolean): void;
+  autoRun(isEnabled: boolean): void;
   toGcode(): void;
 }
 
@@ -60,7 +60,7 @@ export class Header {
     ]);
     const tabButtons = this.tabs.map(([, one]) => one);
     this.tabRow = element("div", { class: "code-tabs", role: "group", "aria-label": words.tabsLabel }, ...tabButtons);
-    this.auto = check(words.autoRun, (isOn) => events.autoRun(isOn), { class: "code-auto" });
+    this.auto = check(words.autoRun, (isEnabled) => events.autoRun(isEnabled), { class: "code-auto" });
     const back = button(words.toGcode, words.toGcodeTitle, () => events.toGcode());
     this.originRow = element("div", { class: "code-strip" }, this.origin, back);
     this.files.addEventListener("change", () => events.file(this.files.value));
@@ -86,8 +86,8 @@ export class Header {
     for (const [tab, one] of this.tabs) one.setAttribute("aria-pressed", String(tab === state.tab));
     this.auto.row.hidden = !state.canRun;
     this.auto.box.checked = state.autoRun;
-    this.auto.box.disabled = state.autoRunTooSlow;
-    this.auto.row.title = state.autoRunTooSlow ? words.autoRunTooSlow : words.autoRunTitle;
+    this.auto.box.disabled = state.isAutoRunTooSlow;
+    this.auto.row.title = state.isAutoRunTooSlow ? words.isAutoRunTooSlow : words.autoRunTitle;
     this.originRow.hidden = !state.origin;
     this.origin.textContent = state.origin ? words.luaOf(baseName(state.origin)) : "";
   }
@@ -102,13 +102,13 @@ export class Header {
     this.files.title = name;
   }
 
-  private showRun({ canRun, running, changedSinceRun }: HeaderState): void {
+  private showRun({ canRun, running, isChangedSinceRun }: HeaderState): void {
     this.isRunning = running !== null;
     this.runButton.hidden = !canRun;
     this.runButton.textContent =
       running === null ? words.run : words.stop(Number.isNaN(running) ? "" : `${Math.floor(100 * running)} %`);
-    this.runButton.title = running !== null ? words.stopTitle : changedSinceRun ? words.runChangedTitle : words.runTitle;
+    this.runButton.title = running !== null ? words.stopTitle : isChangedSinceRun ? words.runChangedTitle : words.runTitle;
     this.runButton.classList.toggle("primary", running === null);
-    this.runButton.classList.toggle("code-stale", changedSinceRun && running === null);
+    this.runButton.classList.toggle("code-stale", isChangedSinceRun && running === null);
   }
 }

@@ -5,14 +5,14 @@ import { GutterMarker, gutter } from "@codemirror/view";
 import { element } from "../core/dom";
 
 /** Time of each line in seconds as a share of the slowest line's, with a text; null: it has not run. */
-export interface Heat {
+export interface LineHeat {
   of(line: number): { share: number; text: string } | null;
 }
 
 /** Replaces the times by those of another run. */
-export const setHeat = StateEffect.define<Heat | null>();
+export const setHeat = StateEffect.define<LineHeat | null>();
 
-const heatField = StateField.define<Heat | null>({
+const heatField = StateField.define<LineHeat | null>({
   create: () => null,
   update(heat, { effects }) {
     for (const effect of effects) if (effect.is(setHeat)) heat = effect.value;

@@ -5,14 +5,14 @@ import { closeHoverTooltips, hoverTooltip, keymap, showTooltip, type EditorView,
 import { element } from "../core/dom";
 import type { Code } from "../core/languages";
 import { limitText } from "../core/names";
-import { robotOf } from "../core/shown";
+import { shownRobot } from "../core/display_state";
 import type { Store } from "../core/store";
 import { feedText, lengthText, percentText, timeText } from "../core/units";
 import { texts } from "../texts";
-import { blockFacts, lacksFacts, type BlockFacts } from "./block_facts";
+import { blockFacts, hasMissingFacts, type BlockFacts } from "./block_facts";
 import { codeName, type Dialect } from "./dialect";
 import type { ModalState } from "./modal";
-import { isCode, wordsOf } from "./words";
+import { isCode, parseWords } from "./words";
 
 const words = texts.code.hover;
 
@@ -21,14 +21,14 @@ export interface HoverContext {
   store: Store;
   dialect(): Dialect;
   /** Returns file and line of the shown run for a line of this text; null: it has not run. */
-  runPlace(line: number): { file: number; line: number } | null;
+  runLocation(line: number): { file: number; line: number } | null;
   /** Returns the active codes after a line; null: unknown. */
   modal(line: number): Promise<ModalState | null>;
   /** True for Lua: words are functions of the library. */
   isLua: boolean;
 }
 
-function wordsTaken(code: Code, dialect: Dialect): string {
+function codeParameters(code: Code, dialect: Dialect): string {
   const letters = [...code.words].map((letter) => ({ "=": "AR=", ",": ",C ,R ,A" })[letter] ?? letter);
   return [...(code.axes ? [[...dialect.axes].join(" ")] : []), ...letters].join(" ");
 }
@@ -36,7 +36,7 @@ function wordsTaken(code: Code, dialect: Dialect): string {
 /** Creates a card with a code's meaning and its words. */
 export function codeCard(code: Code, dialect: Dialect): HTMLElement {
   const card = element("div", { class: "code-card" }, element("b", {}, code.code), ` ${code.meaning}`);
-  const taken = wordsTaken(code, dialect);
+  const taken = codeParameters(code, dialect);
   const lines = [
     code.group ? words.group(code.group) : words.blockAlone,
     taken && words.takes(taken),
@@ -48,8 +48,8 @@ export function codeCard(code: Code, dialect: Dialect): HTMLElement {
 
 const said = (title: string, text: string) => element("div", { class: "code-card" }, element("b", {}, title), ` ${text}`);
 
-function gcodeWord(line: string, column: number, dialect: Dialect): HTMLElement | null {
-  const word = wordsOf(line, dialect.isNgc).find(({ from, to }) => from <= column && column <= to);
+function gcodeWordCard(line: string, column: number, dialect: Dialect): HTMLElement | null {
+  const word = parseWords(line, dialect.isNgc).find(({ from, to }) => from <= column && column <= to);
   if (!word) return null;
   if (isCode(word)) {
     const name = codeName(word.letter, word.number);
@@ -61,7 +61,7 @@ function gcodeWord(line: string, column: number, dialect: Dialect): HTMLElement 
   return meaning ? said(word.letter, meaning) : null;
 }
 
-function luaWord(line: string, column: number, dialect: Dialect): HTMLElement | null {
+function luaWordCard(line: string, column: number, dialect: Dialect): HTMLElement | null {
   for (const { 0: name, index } of line.matchAll(/[A-Za-z_]\w*/g)) {
     if (column < index || column > index + name.length) continue;
     const code = dialect.functions.get(name);
@@ -98,11 +98,11 @@ function modalCard(state: ModalState, dialect: Dialect): HTMLElement {
 }
 
 /** Returns the data of a line's block, or the reason why they are missing; null: it has not run. */
-function factsAt(context: HoverContext, line: number): HTMLElement | null {
-  const place = context.runPlace(line);
-  const robot = robotOf(context.store);
+function createFactsCard(context: HoverContext, line: number): HTMLElement | null {
+  const place = context.runLocation(line);
+  const robot = shownRobot(context.store);
   if (!place || !robot) return null;
-  if (lacksFacts(robot, place.file, place.line)) return element("div", { class: "code-card code-dim" }, words.notHere);
+  if (hasMissingFacts(robot, place.file, place.line)) return element("div", { class: "code-card code-dim" }, words.notHere);
   const facts = blockFacts(robot, place.file, place.line);
   return facts && factsCard(facts, context);
 }
@@ -112,8 +112,8 @@ async function cards(context: HoverContext, view: EditorView, position: number):
   if (line.text.trim() === "") return null;
   const dialect = context.dialect();
   const column = position - line.from;
-  const word = context.isLua ? luaWord(line.text, column, dialect) : gcodeWord(line.text, column, dialect);
-  const facts = factsAt(context, line.number);
+  const word = context.isLua ? luaWordCard(line.text, column, dialect) : gcodeWordCard(line.text, column, dialect);
+  const facts = createFactsCard(context, line.number);
   const state = await context.modal(line.number);
   const all = element("div", { class: "code-hover" });
   if (word) all.append(word);
@@ -127,40 +127,40 @@ async function tooltip(context: HoverContext, view: EditorView, pos: number): Pr
   return dom && { pos, above: true, create: () => ({ dom }) };
 }
 
-const setAtCursor = StateEffect.define<Tooltip | null>();
+const setCursorTooltip = StateEffect.define<Tooltip | null>();
 
 /** Cards of the word at the cursor, for users without a pointer, until the cursor or the text moves. */
-const atCursor = StateField.define<Tooltip | null>({
+const cursorTooltip = StateField.define<Tooltip | null>({
   create: () => null,
-  update(shown, { effects, selection, docChanged }) {
-    if (selection || docChanged) shown = null;
-    for (const effect of effects) if (effect.is(setAtCursor)) shown = effect.value;
-    return shown;
+  update(displayed, { effects, selection, docChanged }) {
+    if (selection || docChanged) displayed = null;
+    for (const effect of effects) if (effect.is(setCursorTooltip)) displayed = effect.value;
+    return displayed;
   },
   provide: (own) => showTooltip.from(own),
 });
 
-function tellAtCursor(context: HoverContext, view: EditorView): boolean {
+function showCursorTooltip(context: HoverContext, view: EditorView): boolean {
   const { state } = view;
   void tooltip(context, view, state.selection.main.head).then((told) => {
     const isSame = view.state.doc === state.doc && view.state.selection.eq(state.selection);
-    if (isSame) view.dispatch({ effects: [closeHoverTooltips, setAtCursor.of(told)] });
+    if (isSame) view.dispatch({ effects: [closeHoverTooltips, setCursorTooltip.of(told)] });
   });
   return true;
 }
 
-function hide(view: EditorView): boolean {
-  if (!view.state.field(atCursor)) return false;
-  view.dispatch({ effects: setAtCursor.of(null) });
+function hideCursorTooltip(view: EditorView): boolean {
+  if (!view.state.field(cursorTooltip)) return false;
+  view.dispatch({ effects: setCursorTooltip.of(null) });
   return true;
 }
 
 /** Shows the cards as a tooltip of an editor: under the pointer, and at the cursor by Ctrl+I. */
 export const hover = (context: HoverContext): Extension => [
   hoverTooltip((view, position) => tooltip(context, view, position), { hoverTime: 350, hideOnChange: true }),
-  atCursor,
+  cursorTooltip,
   keymap.of([
-    { key: "Mod-i", run: (view) => tellAtCursor(context, view), preventDefault: true },
-    { key: "Escape", run: hide },
+    { key: "Mod-i", run: (view) => showCursorTooltip(context, view), preventDefault: true },
+    { key: "Escape", run: hideCursorTooltip },
   ]),
 ];

@@ -5,18 +5,18 @@ import { Debounced } from "../core/debounced";
 import { element } from "../core/dom";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
-import type { Place } from "../run/report";
+import type { SourceLocation } from "../run/report";
 import { texts } from "../texts";
 import { AutoRun, CHECK_PAUSE_MS } from "./auto_run";
-import { Checking } from "./checking";
-import { isMisread } from "./dialect";
-import { byPage } from "./editor";
-import { Following } from "./following";
+import { TextChecker } from "./text_checker";
+import { needsDialectSetting } from "./dialect";
+import { programmaticEdit } from "./editor";
+import { LineFollower } from "./line_follower";
 import { Header, type Tab } from "./header";
 import { setHeat } from "./heat";
-import { heatOfRun, lacksTimes } from "./heat_of_run";
-import { LuaOfOwn } from "./lua_of_own";
-import { scrollTogether } from "./scroll_together";
+import { runHeat, hasMissingTimes } from "./run_heat";
+import { EditedTranslations } from "./edited_translations";
+import { synchroniseScrolling } from "./scroll_sync";
 import { SourcePane } from "./source_pane";
 import { Status } from "./status";
 import { TranslationPane } from "./translation_pane";
@@ -27,9 +27,9 @@ const words = texts.code;
 const LONG_LINES = 200_000;
 const TRANSLATION_PAUSE_MS = 500;
 /** Min width for G-code and Lua side by side. */
-const WIDE_PX = 560;
+const MIN_SPLIT_WIDTH_PX = 560;
 
-class CodePart {
+class CodePanel {
   private tab: Tab = "source";
   private readonly panes = {
     source: element("div", { class: "code-pane code-body" }),
@@ -39,11 +39,11 @@ class CodePart {
   private readonly status: Status;
   private readonly source: SourcePane;
   private readonly translation: TranslationPane;
-  private readonly following: Following;
-  private readonly checking: Checking;
+  private readonly following: LineFollower;
+  private readonly textChecker: TextChecker;
   private readonly autoRun: AutoRun;
-  private readonly own: LuaOfOwn;
-  private readonly translating = new Debounced(() => void this.translation.renew());
+  private readonly own: EditedTranslations;
+  private readonly translationTimer = new Debounced(() => void this.translation.refresh());
   private readonly align: () => void;
   private program = "";
 
@@ -54,13 +54,13 @@ class CodePart {
   ) {
     const run = () => this.run();
     const leave = () => this.header.focus();
-    this.own = new LuaOfOwn(session.documents);
+    this.own = new EditedTranslations(session.documents);
     this.header = new Header({
       run,
       stop: () => session.cancel(),
       file: (name) => this.source.show(name),
       tab: (tab) => this.showTab(tab),
-      autoRun: (isOn) => this.setAutoRun(isOn),
+      autoRun: (isEnabled) => this.setAutoRun(isEnabled),
       toGcode: () => this.toGcode(),
     });
     this.status = new Status(
@@ -69,13 +69,13 @@ class CodePart {
     );
     host.append(this.header.dom, element("div", { class: "code-panes" }, this.panes.source, this.panes.lua), this.status.dom);
     this.source = new SourcePane(this.panes.source, store, session, {
-      shown: () => this.shown(),
-      edited: () => this.edited(),
+      displayed: () => this.displayed(),
+      onEdit: () => this.onEdit(),
       chosen: (line) => this.following.choose(line),
       moved: () => this.showPlace(),
-      renewed: () => this.showDialect(),
+      onDialectChange: () => this.showDialect(),
       run,
-      fromHere: (line) => this.fromHere(line),
+      onRunFrom: (line) => this.runFrom(line),
       leave,
     });
     this.translation = new TranslationPane(this.panes.lua, store, session, this.source, {
@@ -83,21 +83,21 @@ class CodePart {
       run,
       leave,
       edit: () => this.editLua(),
-      shown: () => this.translated(),
+      displayed: () => this.translated(),
     });
-    this.following = new Following(store, this.source, this.translation, {
-      isOn: () => this.tab === "both" && this.showsLua,
+    this.following = new LineFollower(store, this.source, this.translation, {
+      isEnabled: () => this.tab === "both" && this.showsLua,
       align: () => this.align(),
     });
     this.autoRun = new AutoRun(store, session, () => this.source.flush());
-    this.checking = new Checking(
+    this.textChecker = new TextChecker(
       store,
       session,
       this.source,
       (problems) => this.status.showProblems(problems),
       (hasErrors) => this.autoRun.checked(hasErrors),
     );
-    this.align = scrollTogether(this.source.editor, this.translation.editor, () => this.tab === "both");
+    this.align = synchroniseScrolling(this.source.editor, this.translation.editor, () => this.tab === "both");
     this.listen(host);
     this.showTab("source");
     this.open(session.setup.program);
@@ -108,7 +108,7 @@ class CodePart {
     session.tellInForceBy((file, line) => this.source.inForce(file, line));
     session.on(() => this.setupChanged());
     store.on("running", (running, before) => {
-      if (running && !before) this.source.runBegins();
+      if (running && !before) this.source.beginRun();
       this.renewHeader();
     });
     store.on("run", () => this.ranAnew());
@@ -116,7 +116,7 @@ class CodePart {
       if (place) this.showPlaceAsked(place);
     });
     store.watch(["robot"], () => this.renewHeat());
-    new ResizeObserver(() => host.classList.toggle("code-wide", host.clientWidth >= WIDE_PX)).observe(host);
+    new ResizeObserver(() => host.classList.toggle("code-wide", host.clientWidth >= MIN_SPLIT_WIDTH_PX)).observe(host);
     host.addEventListener("keydown", (event) => {
       // The text to be saved must be passed on first.
       if (event.key.toLowerCase() === "s" && (event.ctrlKey || event.metaKey)) this.source.flush();
@@ -131,7 +131,7 @@ class CodePart {
     this.source.show(program);
   }
 
-  private showPlaceAsked({ file, line }: Place): void {
+  private showPlaceAsked({ file, line }: SourceLocation): void {
     this.store.set("textAsked", null);
     if (!this.source.has(file)) return;
     this.source.show(file);
@@ -144,33 +144,33 @@ class CodePart {
   private setupChanged(): void {
     const { program } = this.session.setup;
     // A new typed program gets its name here.
-    const isAnother = program !== this.program && program !== this.source.name;
-    if (isAnother) return this.open(program);
+    const isNewProgram = program !== this.program && program !== this.source.name;
+    if (isNewProgram) return this.open(program);
     this.program = program;
-    this.source.renew();
+    this.source.refresh();
     this.textChanged();
   }
 
   /** Handles another text, or the same in another dialect. */
   private textChanged(): void {
     this.translation.clear();
-    this.checking.shown();
+    this.textChecker.displayed();
     this.showTab(this.tab);
   }
 
-  private shown(): void {
+  private displayed(): void {
     this.textChanged();
     this.renewHeat();
-    this.following.renew();
+    this.following.refresh();
     this.showPlace();
   }
 
-  private edited(): void {
-    this.autoRun.edited(this.source.isScript);
-    this.checking.edited(this.autoRun.isActive ? CHECK_PAUSE_MS : undefined);
+  private onEdit(): void {
+    this.autoRun.onEdit(this.source.isScript);
+    this.textChecker.onEdit(this.autoRun.isActive ? CHECK_PAUSE_MS : undefined);
     this.translation.outdate();
     const isLong = this.source.sheet.doc.lines > LONG_LINES;
-    if (this.showsLua && !isLong) this.translating.after(TRANSLATION_PAUSE_MS);
+    if (this.showsLua && !isLong) this.translationTimer.after(TRANSLATION_PAUSE_MS);
     this.renewHeader();
   }
 
@@ -179,10 +179,10 @@ class CodePart {
     const { program } = this.session.setup;
     const ran = this.store.get("run")?.report?.program ?? "";
     if (!program && ran && this.source.has(ran) && this.source.name !== ran) this.source.show(ran);
-    this.source.runEnds(this.store.get("running") !== null);
-    this.checking.ranAnew();
+    this.source.endRun(this.store.get("running") !== null);
+    this.textChecker.ranAnew();
     this.renewHeat();
-    this.following.renew();
+    this.following.refresh();
     this.renewHeader();
   }
 
@@ -191,7 +191,7 @@ class CodePart {
     if (this.session.canRun && this.session.setup.program) void this.session.run();
   }
 
-  private fromHere(line: number): void {
+  private runFrom(line: number): void {
     if (!this.session.canRun) return;
     this.following.choose(line);
     this.store.set("form", "variants");
@@ -203,9 +203,9 @@ class CodePart {
     this.run();
   }
 
-  private setAutoRun(isOn: boolean): void {
-    this.autoRun.isOn = isOn;
-    if (isOn && this.source.sheet.changedSinceRun) this.run();
+  private setAutoRun(isEnabled: boolean): void {
+    this.autoRun.isEnabled = isEnabled;
+    if (isEnabled && this.source.sheet.isChangedSinceRun) this.run();
   }
 
   private get hasTranslation(): boolean {
@@ -220,7 +220,7 @@ class CodePart {
     this.tab = tab;
     this.panes.source.hidden = tab === "lua" && this.hasTranslation;
     this.panes.lua.hidden = !this.showsLua;
-    if (this.showsLua) void this.translation.renew();
+    if (this.showsLua) void this.translation.refresh();
     this.renewHeader();
     requestAnimationFrame(() => {
       this.following.reveal();
@@ -235,7 +235,7 @@ class CodePart {
 
   // The editor must measure its new text first.
   private translated(): void {
-    this.following.renew();
+    this.following.refresh();
     requestAnimationFrame(() => (this.tab === "lua" ? this.following.reveal() : this.align()));
   }
 
@@ -245,20 +245,20 @@ class CodePart {
   }
 
   private toGcode(): void {
-    const origin = this.own.originOf(this.source.name);
+    const origin = this.own.sourceProgram(this.source.name);
     if (origin) this.session.history.edit(words.toGcode, { setup: { program: origin } });
   }
 
   private renewHeat(): void {
-    const heat = heatOfRun(this.store, this.source);
-    this.source.editor.view.dispatch({ effects: setHeat.of(heat), annotations: byPage.of(true) });
-    this.status.showTimes(lacksTimes(this.store, this.source));
+    const heat = runHeat(this.store, this.source);
+    this.source.editor.view.dispatch({ effects: setHeat.of(heat), annotations: programmaticEdit.of(true) });
+    this.status.showTimes(hasMissingTimes(this.store, this.source));
   }
 
   private showDialect(): void {
     const { isScript, dialect, name } = this.source;
     if (!this.source.isProgram) return this.status.showDialect(/\.toml$/i.test(name) ? "TOML" : "", false);
-    const isOffered = !isScript && this.session.canRun && isMisread(this.session, name);
+    const isOffered = !isScript && this.session.canRun && needsDialectSetting(this.session, name);
     this.status.showDialect(isScript ? "Lua" : dialect.title, isOffered);
   }
 
@@ -283,20 +283,20 @@ class CodePart {
       name: source.name,
       files: this.files(),
       isModified: source.sheet.isModified,
-      changedSinceRun: source.sheet.changedSinceRun,
+      isChangedSinceRun: source.sheet.isChangedSinceRun,
       readOnly: source.readOnly,
       canRun: session.canRun,
       running: running && (running.total > 0 ? running.done / running.total : NaN),
       tab: this.tab,
       hasTabs: this.hasTranslation && session.canRun,
-      autoRun: this.autoRun.isOn,
-      autoRunTooSlow: this.autoRun.isTooSlow,
-      origin: this.own.originOf(source.name) ?? "",
+      autoRun: this.autoRun.isEnabled,
+      isAutoRunTooSlow: this.autoRun.isTooSlow,
+      origin: this.own.sourceProgram(source.name) ?? "",
     });
   }
 }
 
 /** Fills the host with the editor of the program. */
 export function createCode(host: HTMLElement, store: Store, session: Session): void {
-  new CodePart(host, store, session);
+  new CodePanel(host, store, session);
 }

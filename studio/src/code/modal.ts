@@ -3,7 +3,7 @@
 
 import type { Text } from "@codemirror/state";
 import { codeName, isModal, type Dialect } from "./dialect";
-import { isCode, withoutComments, wordsOf } from "./words";
+import { isCode, withoutComments, parseWords } from "./words";
 
 export interface ModalState {
   /** Name of the code by group. */
@@ -16,9 +16,9 @@ export interface ModalState {
 
 const STEP = 1000;
 /** Lines between two pauses that keep the page responsive. */
-const SLICE = 20_000;
+const LINES_PER_SLICE = 20_000;
 /** Programs up to so many lines are searched to their end for jumps. */
-const SHORT = 20_000;
+const MAX_JUMP_SEARCH_LINES = 20_000;
 
 const jump = /\bM\s*9[89]\b|\bG\s*6[56]\b|\bGOTO\b|\bWHILE\b|^\s*(?:N\d+\s*)?O\s*[<\d#]/i;
 
@@ -27,40 +27,40 @@ const pause = () => new Promise((go) => setTimeout(go));
 export class ModalIndex {
   /** State before line 1 + STEP * i. */
   private states: ModalState[];
-  private jumpsInAll: boolean | null = null;
+  private hasJumpsInText: boolean | null = null;
 
   constructor(private readonly dialect: Dialect) {
-    this.states = [this.atStart()];
+    this.states = [this.initialState()];
   }
 
   /** Discards states that a change from this line on may have invalidated. */
   changed(line: number): void {
     this.states.length = Math.min(this.states.length, Math.floor((line - 1) / STEP) + 1);
-    this.jumpsInAll = null;
+    this.hasJumpsInText = null;
   }
 
   /** Returns the state when `line` begins, or after it. Null: the text has changed meanwhile. */
   async at(doc: Text, line: number, isStale: () => boolean): Promise<ModalState | null> {
-    const wanted = Math.floor(line / STEP);
-    while (this.states.length <= wanted) {
+    const requested = Math.floor(line / STEP);
+    while (this.states.length <= requested) {
       const first = this.states.length;
       this.states.push(this.read(doc, this.states[first - 1], (first - 1) * STEP + 1, first * STEP));
-      if ((first * STEP) % SLICE !== 0) continue;
+      if ((first * STEP) % LINES_PER_SLICE !== 0) continue;
       await pause();
       if (isStale()) return null;
     }
-    const state = this.read(doc, this.states[wanted], wanted * STEP + 1, line);
-    if (doc.lines <= SHORT) state.jumps = this.hasJumps(doc);
+    const state = this.read(doc, this.states[requested], requested * STEP + 1, line);
+    if (doc.lines <= MAX_JUMP_SEARCH_LINES) state.jumps = this.hasJumps(doc);
     return state;
   }
 
   private hasJumps(doc: Text): boolean {
-    if (this.jumpsInAll !== null) return this.jumpsInAll;
-    this.jumpsInAll = false;
+    if (this.hasJumpsInText !== null) return this.hasJumpsInText;
+    this.hasJumpsInText = false;
     for (const text of doc.iterLines()) {
-      if (this.isJump(text)) this.jumpsInAll = true;
+      if (this.isJump(text)) this.hasJumpsInText = true;
     }
-    return this.jumpsInAll;
+    return this.hasJumpsInText;
   }
 
   // The number of the program itself is not a jump.
@@ -69,13 +69,13 @@ export class ModalIndex {
     return jump.test(bare) && !/^\s*O\s*\d+\s*$/i.test(bare);
   }
 
-  private atStart(): ModalState {
+  private initialState(): ModalState {
     const state: ModalState = { codes: new Map(), words: new Map(), jumps: false };
-    for (const name of this.dialect.initial) this.take(state, name);
+    for (const name of this.dialect.initial) this.applyCode(state, name);
     return state;
   }
 
-  private take(state: ModalState, name: string): void {
+  private applyCode(state: ModalState, name: string): void {
     const code = this.dialect.codes.get(name);
     if (code && isModal(code)) state.codes.set(code.group!, name);
   }
@@ -91,8 +91,8 @@ export class ModalIndex {
   }
 
   private readLine(state: ModalState, text: string): void {
-    for (const word of wordsOf(text, this.dialect.isNgc)) {
-      if (isCode(word)) this.take(state, codeName(word.letter, word.number));
+    for (const word of parseWords(text, this.dialect.isNgc)) {
+      if (isCode(word)) this.applyCode(state, codeName(word.letter, word.number));
       else if ("FST".includes(word.letter)) state.words.set(word.letter, word.number || "[..]");
     }
   }

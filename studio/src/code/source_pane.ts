@@ -4,60 +4,60 @@ import { isolateHistory, toggleComment } from "@codemirror/commands";
 import { Transaction, type ChangeDesc, type Extension, type Text } from "@codemirror/state";
 import { keymap, type ViewUpdate } from "@codemirror/view";
 import { Debounced } from "../core/debounced";
-import { SHOWN_BYTES, UNTITLED } from "../core/documents";
+import { MAX_DOCUMENT_BYTES, UNTITLED } from "../core/documents";
 import type { Change } from "../core/history";
-import type { InForce } from "../core/in_force";
+import type { ActiveSettings } from "../core/active_modals";
 import { baseName, isProgram, isScript } from "../core/kinds";
 import type { Language } from "../core/languages";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import { texts } from "../texts";
-import { toggleRemark } from "./comments";
+import { toggleLineComment } from "./comments";
 import { completion } from "./completion";
 import { Dialect, dialectName } from "./dialect";
-import { Editor, byPage, type EditorEvents } from "./editor";
+import { Editor, programmaticEdit, type EditorEvents } from "./editor";
 import { gcodeLanguage } from "./gcode_language";
 import { hover } from "./hover";
 import { luaLanguage } from "./lua_language";
 import { ModalIndex, type ModalState } from "./modal";
-import { Sheet } from "./sheet";
+import { EditorFile } from "./editor_file";
 import { textChange } from "./text_change";
 import { tomlLanguage } from "./toml_language";
 
 /** Longer texts are passed on after the user pauses. */
-const AT_ONCE_UP_TO = 200_000;
+const MAX_IMMEDIATE_LENGTH = 200_000;
 const PAUSE_MS = 600;
 
 /** Returns the kind of edit, if consecutive edits of this kind are one undo step; empty: each is one. */
-function kindOf(update: ViewUpdate): string {
+function editKind(update: ViewUpdate): string {
   const events = update.transactions.map((transaction) => transaction.annotation(Transaction.userEvent) ?? "");
   return /^(?:input\.type|delete\.(?:back|for)ward|undo|redo)/.exec(events.find((event) => event !== "") ?? "")?.[0] ?? "";
 }
 
 export interface SourceEvents {
   /** Another file is shown. */
-  shown(): void;
+  displayed(): void;
   /** Handles another text, by the user or by another part of the page. */
-  edited(): void;
+  onEdit(): void;
   /** Handles the user's cursor on a line. */
   chosen(line: number): void;
   /** Handles another dialect, or its loaded tables. */
-  renewed(): void;
+  onDialectChange(): void;
   /** The cursor is elsewhere. */
   moved(): void;
   run(): void;
   /** Requests a run that continues from a line. */
-  fromHere(line: number): void;
+  onRunFrom(line: number): void;
   leave(): void;
 }
 
 export class SourcePane {
   readonly editor: Editor;
   dialect: Dialect;
-  sheet: Sheet;
+  sheet: EditorFile;
   private languages: Language[] = [];
   private modal: ModalIndex;
-  private readonly sheets = new Map<string, Sheet>();
+  private readonly editorFiles = new Map<string, EditorFile>();
   private readonly putting = new Debounced(() => this.put());
   private isPutting = false;
   /** What no document has yet. */
@@ -77,7 +77,7 @@ export class SourcePane {
     session.history.onStep(() => this.flush());
     void session.languages().then((languages) => {
       this.languages = languages;
-      this.renew();
+      this.refresh();
     });
     this.editor.view.contentDOM.addEventListener("blur", () => this.flush());
   }
@@ -101,7 +101,7 @@ export class SourcePane {
   }
 
   /** Returns true if it runs, but its text is not in the page. */
-  get isElsewhere(): boolean {
+  get isNotLoaded(): boolean {
     return this.session.documents.sizeElsewhere(this.name) !== undefined;
   }
 
@@ -116,17 +116,17 @@ export class SourcePane {
     this.sheet = this.sheetOf(name || UNTITLED);
     this.editor.show(this.sheet.state);
     this.store.set("document", this.name);
-    this.renew();
-    this.events.shown();
+    this.refresh();
+    this.events.displayed();
   }
 
   /** Updates the pane after a change of the dialect, or of its tables. */
-  renew(): void {
+  refresh(): void {
     const name = dialectName(this.session, this.name);
     this.dialect = new Dialect(name, this.languages.find((language) => language.name === name) ?? null);
     this.modal = new ModalIndex(this.dialect);
     this.editor.configure(this.configuration(this.name));
-    this.events.renewed();
+    this.events.onDialectChange();
   }
 
   /** Passes on the typed text. */
@@ -135,18 +135,18 @@ export class SourcePane {
   }
 
   /** Marks the present texts of all files as those of the run that begins, or of the one that has ended. */
-  runBegins(): void {
-    for (const sheet of this.sheets.values()) sheet.runBegins();
+  beginRun(): void {
+    for (const sheet of this.editorFiles.values()) sheet.beginRun();
   }
 
-  runEnds(wasBegun: boolean): void {
-    for (const sheet of this.sheets.values()) sheet.runEnds(wasBegun);
+  endRun(wasBegun: boolean): void {
+    for (const sheet of this.editorFiles.values()) sheet.endRun(wasBegun);
   }
 
   /** Returns file and line of the shown run for a line of the text; null: it has not run. */
-  runPlace(line: number): { file: number; line: number } | null {
+  runLocation(line: number): { file: number; line: number } | null {
     const file = this.store.get("run")?.fileOf(this.store.get("robot"), this.name) ?? -1;
-    const ran = this.sheet.runLineOf(line);
+    const ran = this.sheet.toRunLine(line);
     return file >= 0 && ran > 0 ? { file, line: ran } : null;
   }
 
@@ -161,22 +161,22 @@ export class SourcePane {
    * Returns the active codes at the start of a line of the shown run; null: its text is not the one shown, or
    * no G-code.
    */
-  async inForce(file: string, runLine: number): Promise<InForce | null> {
-    const line = file === this.name ? this.sheet.lineOfRun(runLine) : 0;
+  async inForce(file: string, runLine: number): Promise<ActiveSettings | null> {
+    const line = file === this.name ? this.sheet.fromRunLine(runLine) : 0;
     const state = line > 0 ? await this.modalAt(line - 1) : null;
     if (!state) return null;
     const codes = [...state.codes].map(([group, name]) => ({ name, group, meaning: this.dialect.codes.get(name)?.meaning ?? "" }));
     return { codes, words: [...state.words].map(([letter, value]) => letter + value), jumps: state.jumps };
   }
 
-  private sheetOf(name: string): Sheet {
-    const known = this.sheets.get(name);
+  private sheetOf(name: string): EditorFile {
+    const known = this.editorFiles.get(name);
     if (known) return known;
     const { documents } = this.session;
     const isDocument = documents.get(name) !== undefined;
     const text = isDocument ? documents.text(name) : (this.store.get("run")?.sources.get(name) ?? "");
-    const sheet = new Sheet(name, this.editor.stateOf(text, this.configuration(name)));
-    this.sheets.set(name, sheet);
+    const sheet = new EditorFile(name, this.editor.stateOf(text, this.configuration(name)));
+    this.editorFiles.set(name, sheet);
     return sheet;
   }
 
@@ -197,20 +197,20 @@ export class SourcePane {
   private ofProgram(name: string): Extension {
     const isLua = isScript(name);
     const language = isLua ? luaLanguage(this.dialect) : gcodeLanguage(this.dialect);
-    const toggle = isLua ? toggleComment : toggleRemark(this.dialect.isNgc);
+    const toggle = isLua ? toggleComment : toggleLineComment(this.dialect.isNgc);
     return [
       language,
       completion(this.dialect, isLua),
       hover({
         store: this.store,
         dialect: () => this.dialect,
-        runPlace: (line) => this.runPlace(line),
+        runLocation: (line) => this.runLocation(line),
         modal: (line) => this.modalAt(line),
         isLua,
       }),
       keymap.of([
         { key: "Mod-/", run: toggle, preventDefault: true },
-        { key: "Mod-Shift-Enter", run: () => this.fromHere(), preventDefault: true },
+        { key: "Mod-Shift-Enter", run: () => this.onRunFrom(), preventDefault: true },
       ]),
     ];
   }
@@ -218,13 +218,13 @@ export class SourcePane {
   private hintOf(name: string): string {
     const bytes = this.session.documents.sizeElsewhere(name);
     if (bytes === undefined) return texts.code.placeholder;
-    return bytes > SHOWN_BYTES ? texts.folder.tooLarge(bytes) : texts.folder.loading;
+    return bytes > MAX_DOCUMENT_BYTES ? texts.folder.tooLarge(bytes) : texts.folder.loading;
   }
 
   private editorEvents(): EditorEvents {
     return {
-      updated: (update) => this.updated(update),
-      gutterClicked: (line) => {
+      onUpdate: (update) => this.onUpdate(update),
+      onGutterClick: (line) => {
         this.editor.select(line);
         this.editor.view.focus();
         if (this.isProgram) this.events.chosen(line);
@@ -234,28 +234,28 @@ export class SourcePane {
     };
   }
 
-  private fromHere(): boolean {
+  private onRunFrom(): boolean {
     const { state } = this.editor.view;
-    this.events.fromHere(state.doc.lineAt(state.selection.main.head).number);
+    this.events.onRunFrom(state.doc.lineAt(state.selection.main.head).number);
     return true;
   }
 
-  private updated(update: ViewUpdate): void {
+  private onUpdate(update: ViewUpdate): void {
     this.sheet.state = update.state;
     if (update.selectionSet || update.docChanged) this.events.moved();
-    if (update.transactions.some((transaction) => transaction.annotation(byPage))) return;
-    if (update.docChanged) return this.edited(update);
+    if (update.transactions.some((transaction) => transaction.annotation(programmaticEdit))) return;
+    if (update.docChanged) return this.onEdit(update);
     const { main } = update.state.selection;
     if (!this.isProgram) return;
     if (update.selectionSet && main.empty) this.events.chosen(update.state.doc.lineAt(main.head).number);
   }
 
-  private edited(update: ViewUpdate): void {
-    const kind = kindOf(update);
+  private onEdit(update: ViewUpdate): void {
+    const kind = editKind(update);
     if (this.typed && this.typed.kind !== kind) this.flush();
     this.typed = { text: update.state.doc, kind };
     this.putting.after(PAUSE_MS);
-    if (update.state.doc.length <= AT_ONCE_UP_TO) this.flush();
+    if (update.state.doc.length <= MAX_IMMEDIATE_LENGTH) this.flush();
     this.changed(update.changes.desc);
   }
 
@@ -264,7 +264,7 @@ export class SourcePane {
     let first = this.sheet.doc.length;
     changes.iterChangedRanges((_fromA, _toA, from) => (first = Math.min(first, from)));
     this.modal.changed(this.sheet.doc.lineAt(first).number);
-    this.events.edited();
+    this.events.onEdit();
   }
 
   private put(): void {
@@ -288,28 +288,28 @@ export class SourcePane {
   // stay, and the editor's own undo continues.
   private replaced(name: string): void {
     if (this.isPutting) return;
-    if (name === this.session.setup.machine) this.renew();
-    const sheet = this.sheets.get(name);
+    if (name === this.session.setup.machine) this.refresh();
+    const sheet = this.editorFiles.get(name);
     if (!sheet) return;
     const { documents } = this.session;
     // It may have been saved, or removed, during typing.
     if (name === this.name) this.flush();
     if (documents.get(name) === undefined && name !== UNTITLED) {
-      this.sheets.delete(name);
+      this.editorFiles.delete(name);
       if (name === this.name) this.show(this.has(name) ? name : this.session.setup.program);
       return;
     }
     this.rewrite(sheet, documents.text(name));
     // The text was not in the page before.
-    if (name === this.name && sheet.state.readOnly && !this.readOnly) this.renew();
+    if (name === this.name && sheet.state.readOnly && !this.readOnly) this.refresh();
     if (!documents.isUnsaved(name)) sheet.saved();
-    if (name === this.name) this.events.edited();
+    if (name === this.name) this.events.onEdit();
   }
 
-  private rewrite(sheet: Sheet, text: string): void {
+  private rewrite(sheet: EditorFile, text: string): void {
     const change = textChange(sheet.doc, text);
     if (!change) return;
-    const transaction = sheet.state.update({ changes: change, annotations: [byPage.of(true), isolateHistory.of("full")] });
+    const transaction = sheet.state.update({ changes: change, annotations: [programmaticEdit.of(true), isolateHistory.of("full")] });
     if (sheet === this.sheet) this.editor.view.dispatch(transaction);
     else sheet.state = transaction.state;
     sheet.changed(transaction.changes.desc);

@@ -4,7 +4,7 @@ import { nextDiagnostic } from "@codemirror/lint";
 import type { EditorView } from "@codemirror/view";
 import { element } from "../core/dom";
 import { texts } from "../texts";
-import type { Problems } from "./checking";
+import type { Problems } from "./text_checker";
 
 const words = texts.code;
 
@@ -28,8 +28,8 @@ export class Status {
     this.place.title = words.placeTitle;
   }
 
-  showProblems({ errors, warnings, checking, isElsewhere }: Problems): void {
-    const found = isElsewhere && errors + warnings === 0 ? texts.folder.notChecked : words.problems(errors, warnings);
+  showProblems({ errors, warnings, checking, isNotLoaded }: Problems): void {
+    const found = isNotLoaded && errors + warnings === 0 ? texts.folder.notChecked : words.problems(errors, warnings);
     this.problems.textContent = checking ? words.checking : found;
     this.problems.disabled = errors + warnings === 0;
     this.problems.dataset.worst = errors > 0 ? "error" : warnings > 0 ? "warning" : "none";

@@ -10,8 +10,8 @@ export interface TextChange {
 }
 
 /** Returns null if they are the same. Lines of `wanted` may have any line ends. */
-export function textChange(present: Text, wanted: string): TextChange | null {
-  const [before, after] = [present.toString(), wanted.replace(/\r\n?/g, "\n")];
+export function textChange(present: Text, targetText: string): TextChange | null {
+  const [before, after] = [present.toString(), targetText.replace(/\r\n?/g, "\n")];
   if (before === after) return null;
   const shorter = Math.min(before.length, after.length);
   let from = 0;

@@ -4,7 +4,7 @@ import { element } from "../core/dom";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import { texts } from "../texts";
-import { Editor, byPage } from "./editor";
+import { Editor, programmaticEdit } from "./editor";
 import { hover } from "./hover";
 import { luaLanguage } from "./lua_language";
 import type { SourcePane } from "./source_pane";
@@ -16,14 +16,14 @@ export interface TranslationEvents {
   leave(): void;
   edit(): void;
   /** Another translation is shown. */
-  shown(): void;
+  displayed(): void;
 }
 
 /** Offset of the lines of the G-code in the Lua. */
 export const OFFSET_LINES = 1;
 
 /** First line of a translation, which belongs to no block. */
-const HEAD_LINE = 1;
+const HEADER_LINE = 1;
 
 export class TranslationPane {
   readonly editor: Editor;
@@ -49,11 +49,11 @@ export class TranslationPane {
     this.editor = new Editor(
       body,
       {
-        updated: (update) => {
-          if (update.transactions.some((transaction) => transaction.annotation(byPage))) return;
+        onUpdate: (update) => {
+          if (update.transactions.some((transaction) => transaction.annotation(programmaticEdit))) return;
           if (update.selectionSet) this.choose(update.state.doc.lineAt(update.state.selection.main.head).number);
         },
-        gutterClicked: (line) => {
+        onGutterClick: (line) => {
           this.editor.select(line);
           this.choose(line);
         },
@@ -77,8 +77,8 @@ export class TranslationPane {
   }
 
   /** Requests the translation if the shown one is not of the present text. */
-  async renew(): Promise<void> {
-    if (!this.isStale || this.source.isScript || !this.session.canRun || this.source.isElsewhere) return this.say();
+  async refresh(): Promise<void> {
+    if (!this.isStale || this.source.isScript || !this.session.canRun || this.source.isNotLoaded) return this.say();
     this.isStale = false;
     const asked = ++this.asked;
     this.note.textContent = texts.code.translating;
@@ -87,20 +87,20 @@ export class TranslationPane {
     if (asked !== this.asked) return;
     if (script !== null) this.show(script);
     this.say(script === null);
-    this.events.shown();
+    this.events.displayed();
   }
 
   private say(failed = false): void {
     const { code } = texts;
     if (!this.session.canRun) this.note.textContent = code.noEngine;
-    else if (this.source.isElsewhere) this.note.textContent = texts.folder.notTranslated;
+    else if (this.source.isNotLoaded) this.note.textContent = texts.folder.notTranslated;
     else if (failed) this.note.textContent = this.script ? code.translationOld : code.translationFailed;
     else this.note.textContent = code.translation;
     this.edit.hidden = failed || !this.script;
   }
 
   private choose(line: number): void {
-    if (line > HEAD_LINE) this.events.chosen(line - OFFSET_LINES);
+    if (line > HEADER_LINE) this.events.chosen(line - OFFSET_LINES);
   }
 
   private show(script: string): void {
@@ -112,7 +112,7 @@ export class TranslationPane {
         hover({
           store: this.store,
           dialect: () => this.source.dialect,
-          runPlace: (line) => this.source.runPlace(line - OFFSET_LINES),
+          runLocation: (line) => this.source.runLocation(line - OFFSET_LINES),
           modal: (line) => this.source.modalAt(line - OFFSET_LINES),
           isLua: true,
         }),

@@ -15,26 +15,26 @@ export interface Word {
  * In the 9/Series a ';' may also end a block: text after it that begins like this is another block, not a
  * comment.
  */
-export const blockBehind = /^;\s*[a-z/#]\s*[\d#[]/i;
+export const blockAfterSemicolon = /^;\s*[a-z/#]\s*[\d#[]/i;
 
-const commentOrRest = /\([^)]*\)?|;.*/g;
+const commentPattern = /\([^)]*\)?|;.*/g;
 
 /** Returns the line with blanked comments, so that columns stay. */
 export function withoutComments(line: string, isNgc: boolean): string {
   if (!/[(;]/.test(line)) return line;
-  return line.replace(commentOrRest, (found) =>
-    found[0] === ";" && !isNgc && blockBehind.test(found) ? found : " ".repeat(found.length),
+  return line.replace(commentPattern, (found) =>
+    found[0] === ";" && !isNgc && blockAfterSemicolon.test(found) ? found : " ".repeat(found.length),
   );
 }
 
 const wordPattern = /(AR=|,\s*[CRA]|[A-Z@^$])\s*([+-]?(?:\d+\.?\d*|\.\d+))?/gi;
 
 /** Names (#<depth>), keywords and functions are not words. */
-const noWords = /#?<[^>]*>|\[[^\]]*\]|[A-Z_]{2,}(?!=)/gi;
+const nonWordPattern = /#?<[^>]*>|\[[^\]]*\]|[A-Z_]{2,}(?!=)/gi;
 
-export function wordsOf(line: string, isNgc: boolean): Word[] {
+export function parseWords(line: string, isNgc: boolean): Word[] {
   const blank = (found: string) => (/^AR$/i.test(found) ? found : " ".repeat(found.length));
-  const text = withoutComments(line, isNgc).replace(noWords, blank);
+  const text = withoutComments(line, isNgc).replace(nonWordPattern, blank);
   const words: Word[] = [];
   for (const found of text.matchAll(wordPattern)) {
     words.push({

@@ -1,15 +1,15 @@
 // Files that the user has opened, in addition to the samples: programs, machines, cells, tools, meshes.
 
-import { readText, writeText, type Writing } from "./encoding";
+import { readText, writeText, type TextFormat } from "./encoding";
 import type { Files } from "./engine";
 import type { FileContent } from "./file_content";
-import { isLikeProgram, kindOfFile, type FileKind } from "./kinds";
+import { hasProgramName, kindOfFile, type FileKind } from "./kinds";
 
 /** Name of a program that was typed into an empty page. */
 export const UNTITLED = "untitled.nc";
 
 /** Larger files of a folder are not read, because an editor cannot hold them. */
-export const SHOWN_BYTES = 64_000_000;
+export const MAX_DOCUMENT_BYTES = 64_000_000;
 
 /** File as on a disk. */
 interface Kept {
@@ -17,23 +17,23 @@ interface Kept {
   /** Text with the editor's line ends. */
   plain: string;
   bytes: Uint8Array;
-  writing: Writing;
+  textFormat: TextFormat;
 }
 
-const PLAIN: Writing = { encoding: "utf-8", marked: false, crlf: false };
+const DEFAULT_FORMAT: TextFormat = { encoding: "utf-8", hasByteOrderMark: false, crlf: false };
 
 const plain = (text: string): string => (text.includes("\r") ? text.replaceAll("\r\n", "\n") : text);
 
 /** Returns the file. Programs are texts whatever bytes they have, so that their errors are reported. */
-function keptOf(name: string, bytes: Uint8Array): Kept {
-  const { text, writing } = readText(bytes);
-  if (text.includes("\0") && !isLikeProgram(name)) return { content: bytes, plain: "", bytes, writing };
-  return { content: text, plain: plain(text), bytes, writing };
+function toDiskFile(name: string, bytes: Uint8Array): Kept {
+  const { text, textFormat } = readText(bytes);
+  if (text.includes("\0") && !hasProgramName(name)) return { content: bytes, plain: "", bytes, textFormat };
+  return { content: text, plain: plain(text), bytes, textFormat };
 }
 
 /** Files by name; listeners get the name of each file that changes. */
 export class Documents {
-  private readonly ownFiles = new Map<string, FileContent>();
+  private readonly userFiles = new Map<string, FileContent>();
   /** Content that was opened from a disk, or saved there last. */
   private readonly onDisk = new Map<string, Kept>();
   /** Sizes of files in a folder that the engine reads by itself. */
@@ -48,7 +48,7 @@ export class Documents {
   ) {}
 
   get(name: string): FileContent | undefined {
-    return this.ownFiles.get(name) ?? this.samples.get(name);
+    return this.userFiles.get(name) ?? this.samples.get(name);
   }
 
   text(name: string): string {
@@ -62,14 +62,14 @@ export class Documents {
    * edited. If it replaces a file of the folder, it is an edit.
    */
   read(name: string, bytes: Uint8Array): FileContent {
-    const kept = keptOf(name, bytes);
+    const kept = toDiskFile(name, bytes);
     if (!this.elsewhere.has(name)) this.onDisk.set(name, kept);
     return kept.content;
   }
 
   /** Stores a file as it is in the folder. */
-  take(name: string, bytes: Uint8Array): void {
-    const kept = keptOf(name, bytes);
+  accept(name: string, bytes: Uint8Array): void {
+    const kept = toDiskFile(name, bytes);
     this.onDisk.set(name, kept);
     this.elsewhere.set(name, bytes.length);
     this.put(name, kept.content);
@@ -93,7 +93,7 @@ export class Documents {
 
   /** Returns the size of a file that is in the folder but not in the page; undefined: no such file. */
   sizeElsewhere(name: string): number | undefined {
-    return this.ownFiles.has(name) ? undefined : this.elsewhere.get(name);
+    return this.userFiles.has(name) ? undefined : this.elsewhere.get(name);
   }
 
   /** Returns true if the file exists: here, among the samples, or in the folder and not read yet. */
@@ -107,13 +107,13 @@ export class Documents {
     if (content === undefined || typeof content !== "string") return content;
     const disk = this.onDisk.get(name);
     if (disk && typeof disk.content === "string" && disk.plain === plain(content)) return disk.bytes;
-    return writeText(content, disk?.writing ?? PLAIN);
+    return writeText(content, disk?.textFormat ?? DEFAULT_FORMAT);
   }
 
   /** Records that this content is on a disk now, in these bytes. */
   saved(name: string, content: FileContent, bytes: Uint8Array): void {
-    const writing = this.onDisk.get(name)?.writing ?? PLAIN;
-    this.onDisk.set(name, { content, plain: typeof content === "string" ? plain(content) : "", bytes, writing });
+    const textFormat = this.onDisk.get(name)?.textFormat ?? DEFAULT_FORMAT;
+    this.onDisk.set(name, { content, plain: typeof content === "string" ? plain(content) : "", bytes, textFormat });
     this.tell(name);
   }
 
@@ -132,7 +132,7 @@ export class Documents {
 
   /** Returns true if its content is neither on a disk nor a sample's. */
   isUnsaved(name: string): boolean {
-    const content = this.ownFiles.get(name);
+    const content = this.userFiles.get(name);
     if (content === undefined) return false;
     const disk = this.onDisk.get(name);
     const kept = disk?.content ?? this.samples.get(name) ?? "";
@@ -147,28 +147,28 @@ export class Documents {
 
   /** Stores a file; a sample of that name stays unchanged beneath it. */
   put(name: string, content: FileContent): void {
-    this.ownFiles.set(name, content);
+    this.userFiles.set(name, content);
     this.tell(name);
   }
 
   /** Returns the user's content; undefined: the sample, or no file. */
   own(name: string): FileContent | undefined {
-    return this.ownFiles.get(name);
+    return this.userFiles.get(name);
   }
 
   /** Removes a file; a sample of that name becomes visible again. */
   remove(name: string): void {
-    if (!this.ownFiles.delete(name)) return;
+    if (!this.userFiles.delete(name)) return;
     this.tell(name);
   }
 
   /** Returns true if the user has opened or changed it. */
   isOwn(name: string): boolean {
-    return this.ownFiles.has(name);
+    return this.userFiles.has(name);
   }
 
   ownNames(): string[] {
-    return [...this.ownFiles.keys()];
+    return [...this.userFiles.keys()];
   }
 
   /** Returns all files for the choices: those the user has opened, the others in the folder, then samples. */
@@ -184,7 +184,7 @@ export class Documents {
 
   /** Returns all files that the engine may need and cannot read by itself. */
   files(): Files {
-    const own = [...this.ownFiles].filter(([name]) => !this.elsewhere.has(name) || this.isUnsaved(name));
+    const own = [...this.userFiles].filter(([name]) => !this.elsewhere.has(name) || this.isUnsaved(name));
     return new Map([...(this.engineHasSamples ? [] : this.samples), ...own]);
   }
 

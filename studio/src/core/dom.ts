@@ -69,8 +69,8 @@ export function offer(
 
 /** Sets the children; those already in position are not touched, so that the focus in them stays. */
 export function arrange(parent: HTMLElement, children: readonly HTMLElement[]): void {
-  const wanted = new Set<Node>(children);
-  for (const child of [...parent.childNodes]) if (!wanted.has(child)) child.remove();
+  const requested = new Set<Node>(children);
+  for (const child of [...parent.childNodes]) if (!requested.has(child)) child.remove();
   children.forEach((child, i) => {
     if (parent.childNodes[i] !== child) parent.insertBefore(child, parent.childNodes[i] ?? null);
   });

@@ -5,17 +5,17 @@ import type { Message } from "./message";
 export type Files = Map<string, string | Uint8Array>;
 
 /** How a question ended. */
-export interface Answer {
+export interface RequestResult {
   ok: boolean;
   /** Code of an error; "cancelled" if cancel() ended it. */
   code: string;
   message: string;
 }
 
-export const cancelled: Answer = { ok: false, code: "cancelled", message: "cancelled" };
+export const cancelled: RequestResult = { ok: false, code: "cancelled", message: "cancelled" };
 
 /** Storage of runs that are too long for a page. */
-export interface Keeper {
+export interface RunStorage {
   /** Max number of blocks of a run that it keeps. */
   readonly blocks: number;
   /**
@@ -30,25 +30,25 @@ export interface Engine {
   /** False if a page has no engine (a run to view): every request fails. */
   readonly available: boolean;
   /** null: a run sends its messages once, and complete. */
-  readonly keeper: Keeper | null;
+  readonly runStorage: RunStorage | null;
   /**
-   * Sends a request; `take` receives the engine's messages as they come. `keptAs`: the name under which a
+   * Sends a request; `take` receives the engine's messages as they come. `storageKey`: the name under which a
    * keeper keeps the run; empty: not kept.
    */
-  ask(request: Record<string, unknown>, files: Files, take: (message: Message) => void, keptAs?: string): Promise<Answer>;
+  ask(request: Record<string, unknown>, files: Files, onMessage: (message: Message) => void, storageKey?: string): Promise<RequestResult>;
   /** Ends all questions at once. */
   cancel(): void;
 }
 
 export const noEngine: Engine = {
   available: false,
-  keeper: null,
+  runStorage: null,
   ask: () => Promise.resolve({ ok: false, code: "unavailable", message: "this page has no engine" }),
   cancel() {},
 };
 
 /** Returns the result of a request from its last message; null: it is not the last. */
-export function answerOf({ is, header }: Message): Answer | null {
+export function readResult({ is, header }: Message): RequestResult | null {
   if (is !== "done" && is !== "failed") return null;
   const { code = "", message = "" } = header as { code?: string; message?: string };
   return { ok: is === "done", code, message };

@@ -2,6 +2,6 @@
 
 import type { Store } from "./store";
 
-export function fetchShown(store: Store): void {
+export function loadVisiblePart(store: Store): void {
   store.watch(["time_s", "run", "playing"], () => store.get("run")?.want(store.get("time_s"), store.get("playing")));
 }

@@ -5,8 +5,8 @@ import { element } from "./dom";
 import { baseName } from "./kinds";
 
 /** Opens the dialog for one file, or for several. */
-export function askForFiles(several: boolean, take: (files: File[]) => void): void {
-  const input = element("input", { type: "file", multiple: several, onchange: () => take([...(input.files ?? [])]) });
+export function openFileDialog(several: boolean, onFiles: (files: File[]) => void): void {
+  const input = element("input", { type: "file", multiple: several, onchange: () => onFiles([...(input.files ?? [])]) });
   input.click();
 }
 

@@ -1,10 +1,10 @@
 // Folder that gsim-studio serves: its files as documents, saving them, and changes by other programs.
 
-import { SHOWN_BYTES } from "./documents";
+import { MAX_DOCUMENT_BYTES } from "./documents";
 import type { FileContent } from "./file_content";
 import { readText } from "./encoding";
 import { texts } from "../texts";
-import { Refused, type FolderChange, type Listed, type Server } from "./server";
+import { RejectedRequest, type FolderChange, type FolderFile, type Server } from "./server";
 import type { Session } from "./session";
 import { Turns } from "./turns";
 
@@ -14,7 +14,7 @@ import { Turns } from "./turns";
  */
 export type FileMark = "" | "unsaved" | "conflict" | "gone";
 
-export type Saved = { kind: "saved" } | { kind: "conflict" } | { kind: "failed"; why: string };
+export type SaveResult = { kind: "saved" } | { kind: "conflict" } | { kind: "failed"; why: string };
 
 interface Entry {
   bytes: number;
@@ -25,16 +25,16 @@ interface Entry {
 }
 
 /** Files up to so many bytes in total are read at the start of the page, the small ones first. */
-const BEGIN_BYTES = 32_000_000;
-const BEGIN_FILES = 2000;
-const AT_ONCE = 3;
-const AGAIN_MS = 2000;
+const MAX_INITIAL_BYTES = 32_000_000;
+const MAX_INITIAL_FILES = 2000;
+const MAX_PARALLEL_READS = 3;
+const RECONNECT_MS = 2000;
 
 const pause = (ms: number) => new Promise((go) => setTimeout(go, ms));
 
 export class Folder {
   /** Whether the server has ended. */
-  isLost = false;
+  isDisconnected = false;
   private readonly files = new Map<string, Entry>();
   /** Serialises writing a file, reading it and handling changes by other programs. */
   private readonly turns = new Turns();
@@ -65,7 +65,7 @@ export class Folder {
       const changed = (change: FolderChange) => void this.changed(change);
       await this.server.follow(() => void this.relist().catch(() => {}), changed);
       this.setLost(true);
-      await pause(AGAIN_MS);
+      await pause(RECONNECT_MS);
     }
   }
 
@@ -83,7 +83,7 @@ export class Folder {
     return new Map([...this.files].flatMap(([name, { tag }]) => (tag === null ? [] : [[name, tag] as const])));
   }
 
-  markOf(name: string): FileMark {
+  markFor(name: string): FileMark {
     const entry = this.files.get(name);
     if (entry && entry.tag === null) return "gone";
     if (!this.session.documents.isUnsaved(name)) return "";
@@ -91,14 +91,14 @@ export class Folder {
   }
 
   /** Names with a mark. */
-  marked(): Map<string, FileMark> {
+  fileMarks(): Map<string, FileMark> {
     const names = this.session.documents.ownNames();
-    return new Map(names.map((name) => [name, this.markOf(name)] as const).filter(([, mark]) => mark !== ""));
+    return new Map(names.map((name) => [name, this.markFor(name)] as const).filter(([, mark]) => mark !== ""));
   }
 
   /** Writes a document into the folder, replacing the version from which it comes. */
-  save(name: string): Promise<Saved> {
-    return this.turns.take(name, async () => {
+  save(name: string): Promise<SaveResult> {
+    return this.turns.accept(name, async () => {
       const entry = this.files.get(name);
       // The disk has another version than the page, even if that version could not be read.
       if (entry && entry.tag !== null && entry.base !== entry.tag) return { kind: "conflict" };
@@ -107,18 +107,18 @@ export class Folder {
   }
 
   /** Writes a document under a name that is not used yet, and uses that instead from now on. */
-  async saveAs(name: string, to: string): Promise<Saved> {
+  async saveAs(name: string, to: string): Promise<SaveResult> {
     const { documents, history } = this.session;
-    history.keepTyped();
+    history.flushTypedText();
     const content = documents.get(name);
     const bytes = documents.toSave(name);
     if (bytes === undefined) return { kind: "failed", why: texts.folder.noDocument };
     const isTaken = this.has(to) || (to !== name && documents.own(to) !== undefined);
-    const saved = isTaken ? ({ kind: "conflict" } as const) : await this.turns.take(to, () => this.write(to, bytes, null));
+    const saved = isTaken ? ({ kind: "conflict" } as const) : await this.turns.accept(to, () => this.write(to, bytes, null));
     if (saved.kind === "conflict") return { kind: "failed", why: texts.folder.exists };
     if (saved.kind === "failed") return saved;
-    history.keepTyped();
-    documents.take(to, bytes);
+    history.flushTypedText();
+    documents.accept(to, bytes);
     const chosen = Object.entries(this.session.setup).filter(([, value]) => value === name);
     const setup = Object.fromEntries(chosen.map(([key]) => [key, to]));
     const left: Record<string, null> = this.has(name) ? {} : { [name]: null };
@@ -138,38 +138,38 @@ export class Folder {
   }
 
   /** Overwrites the version on the disk by this page's; undo restores it. */
-  keepMine(name: string): Promise<Saved> {
-    return this.turns.take(name, async () => {
+  keepMine(name: string): Promise<SaveResult> {
+    return this.turns.accept(name, async () => {
       try {
         const theirs = await this.theirs(name);
         const saved = await this.saveOver(name, theirs?.tag ?? null);
         if (saved.kind === "saved" && theirs) this.keepOther(name, theirs.content);
         return saved;
       } catch (fault) {
-        return { kind: "failed", why: sentenceOfFault(fault) };
+        return { kind: "failed", why: errorText(fault) };
       }
     });
   }
 
   /** Shows the version on the disk instead of this page's, which undo restores. */
   takeTheirs(name: string): Promise<void> {
-    return this.turns.take(name, async () => {
+    return this.turns.accept(name, async () => {
       try {
         const theirs = await this.theirs(name);
         if (theirs) this.putTheirs(name, theirs);
-        else this.isGone(name);
+        else this.handleRemoval(name);
       } catch (fault) {
-        this.session.store.set("notice", texts.folder.unread(name, sentenceOfFault(fault)));
+        this.session.store.set("notice", texts.folder.unread(name, errorText(fault)));
       }
     });
   }
 
   private putTheirs(name: string, theirs: { bytes: Uint8Array; tag: string }): void {
     const { documents, history } = this.session;
-    history.keepTyped();
+    history.flushTypedText();
     const mine = documents.own(name);
     this.isHere(name, theirs);
-    documents.take(name, theirs.bytes);
+    documents.accept(name, theirs.bytes);
     history.made(texts.folder.replaced(name), { documents: { [name]: mine ?? null } });
     this.session.changed([name]);
     this.tell();
@@ -184,21 +184,21 @@ export class Folder {
     this.session.history.made(texts.folder.overwritten(name), { documents: { [name]: content } });
   }
 
-  private async saveOver(name: string, tag: string | null): Promise<Saved> {
+  private async saveOver(name: string, tag: string | null): Promise<SaveResult> {
     const { documents, history } = this.session;
-    history.keepTyped();
+    history.flushTypedText();
     const content = documents.get(name);
     const bytes = documents.toSave(name);
     if (content === undefined || bytes === undefined) return { kind: "failed", why: texts.folder.noDocument };
     const saved = await this.write(name, bytes, tag);
     if (saved.kind !== "saved") return saved;
-    history.keepTyped();
+    history.flushTypedText();
     documents.list(name, bytes.length);
     documents.saved(name, content, bytes);
     return saved;
   }
 
-  private async write(name: string, bytes: Uint8Array, tag: string | null): Promise<Saved> {
+  private async write(name: string, bytes: Uint8Array, tag: string | null): Promise<SaveResult> {
     try {
       let written = await this.server.write(name, bytes, tag);
       // A file that was removed meanwhile is written as a new one.
@@ -207,7 +207,7 @@ export class Folder {
       this.files.set(name, { bytes: bytes.length, tag: written.tag, base });
       return { kind: written.ok ? "saved" : "conflict" };
     } catch (fault) {
-      return { kind: "failed", why: sentenceOfFault(fault) };
+      return { kind: "failed", why: errorText(fault) };
     } finally {
       this.tell();
     }
@@ -228,42 +228,42 @@ export class Folder {
     this.tell();
   }
 
-  private add({ name, bytes, tag }: Listed): void {
+  private add({ name, bytes, tag }: FolderFile): void {
     this.files.set(name, { bytes, tag, base: null });
     this.session.documents.list(name, bytes);
   }
 
   /** Handles a change by another program, or by this page itself. */
   private changed(change: FolderChange): Promise<void> {
-    return this.turns.take(change.name, () => this.takeChange(change));
+    return this.turns.accept(change.name, () => this.takeChange(change));
   }
 
   private async takeChange({ name, tag }: FolderChange): Promise<void> {
     const entry = this.files.get(name);
     if (tag === (entry?.tag ?? null)) return;
-    if (tag === null) return this.isGone(name);
+    if (tag === null) return this.handleRemoval(name);
     this.files.set(name, { bytes: entry?.bytes ?? 0, tag, base: entry?.base ?? null });
     if (await this.read(name)) this.tellTaken(name);
     this.tell();
   }
 
   /** Keeps unsaved or running documents, and marks them as gone. */
-  private isGone(name: string): void {
+  private handleRemoval(name: string): void {
     const { documents, history, setup } = this.session;
-    history.keepTyped();
-    const isWanted = documents.isUnsaved(name) || (documents.isOwn(name) && Object.values(setup).includes(name));
+    history.flushTypedText();
+    const isInUse = documents.isUnsaved(name) || (documents.isOwn(name) && Object.values(setup).includes(name));
     const entry = this.files.get(name);
-    if (entry && isWanted) entry.tag = null;
+    if (entry && isInUse) entry.tag = null;
     else this.files.delete(name);
     documents.unlist(name);
-    if (!isWanted) documents.remove(name);
+    if (!isInUse) documents.remove(name);
     this.tell();
   }
 
   private namesToBegin(): string[] {
     const waiting = [...this.files].filter(([, { base }]) => base === null).sort(([, a], [, b]) => a.bytes - b.bytes);
     let bytes = 0;
-    return waiting.filter(([, entry]) => (bytes += entry.bytes) <= BEGIN_BYTES).slice(0, BEGIN_FILES).map(([name]) => name);
+    return waiting.filter(([, entry]) => (bytes += entry.bytes) <= MAX_INITIAL_BYTES).slice(0, MAX_INITIAL_FILES).map(([name]) => name);
   }
 
   /** Reads files of the run and of open forms even if they are chosen late. */
@@ -286,13 +286,13 @@ export class Folder {
   async readAll(names: string[]): Promise<void> {
     const waiting = names.filter((name) => this.isToRead(name) && !this.reading.has(name));
     for (const name of waiting) this.reading.add(name);
-    const readSome = async () => {
+    const readPending = async () => {
       for (let name = waiting.shift(); name !== undefined; name = waiting.shift()) {
-        await this.turns.take(name, () => this.read(name!));
+        await this.turns.accept(name, () => this.read(name!));
         this.reading.delete(name);
       }
     };
-    await Promise.all(Array.from({ length: AT_ONCE }, readSome));
+    await Promise.all(Array.from({ length: MAX_PARALLEL_READS }, readPending));
   }
 
   /**
@@ -300,15 +300,15 @@ export class Folder {
    */
   private async read(name: string): Promise<boolean> {
     const { documents, history, store } = this.session;
-    if ((this.files.get(name)?.bytes ?? 0) > SHOWN_BYTES) return true;
+    if ((this.files.get(name)?.bytes ?? 0) > MAX_DOCUMENT_BYTES) return true;
     try {
       const read = await this.server.read(name);
       if (!read) return false;
-      history.keepTyped();
+      history.flushTypedText();
       const base = this.files.get(name)?.base ?? null;
-      const isSame = sameBytes(read.bytes, documents.toSave(name));
-      const isKept = documents.isOwn(name) && (read.tag === base || (documents.isUnsaved(name) && !isSame));
-      if (isKept) {
+      const isSame = equalBytes(read.bytes, documents.toSave(name));
+      const keepsPageVersion = documents.isOwn(name) && (read.tag === base || (documents.isUnsaved(name) && !isSame));
+      if (keepsPageVersion) {
         this.files.set(name, { bytes: read.bytes.length, tag: read.tag, base });
         return false;
       }
@@ -317,13 +317,13 @@ export class Folder {
       if (isSame && documents.isOwn(name)) documents.saved(name, documents.get(name)!, read.bytes);
       else {
         const before = documents.own(name);
-        documents.take(name, read.bytes);
+        documents.accept(name, read.bytes);
         // A separate step, so that undoing an earlier step does not remove it, too.
         if (before !== undefined) history.made(texts.folder.replaced(name), { documents: { [name]: before } });
       }
       return !isSame;
     } catch (fault) {
-      store.set("notice", texts.folder.unread(name, sentenceOfFault(fault)));
+      store.set("notice", texts.folder.unread(name, errorText(fault)));
       return false;
     }
   }
@@ -335,9 +335,9 @@ export class Folder {
     else if (session.store.get("document") === name) session.store.set("notice", words.taken(name));
   }
 
-  private setLost(isLost: boolean): void {
-    if (this.isLost === isLost) return;
-    this.isLost = isLost;
+  private setLost(isDisconnected: boolean): void {
+    if (this.isDisconnected === isDisconnected) return;
+    this.isDisconnected = isDisconnected;
     this.tell();
   }
 
@@ -346,7 +346,7 @@ export class Folder {
   }
 }
 
-const sentenceOfFault = (fault: unknown): string => (fault instanceof Refused ? fault.message : texts.folder.noAnswer);
+const errorText = (fault: unknown): string => (fault instanceof RejectedRequest ? fault.message : texts.folder.noAnswer);
 
-const sameBytes = (one: Uint8Array, other: Uint8Array | undefined): boolean =>
+const equalBytes = (one: Uint8Array, other: Uint8Array | undefined): boolean =>
   one.length === other?.length && one.every((byte, i) => byte === other[i]);

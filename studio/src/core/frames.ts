@@ -31,9 +31,9 @@ export class Frames {
 
   private tell(now_ms: number): void {
     this.asked = 0;
-    const due = [...this.waiting.values()];
+    const dueCallbacks = [...this.waiting.values()];
     this.waiting.clear();
-    for (const callback of due) callback(now_ms);
+    for (const callback of dueCallbacks) callback(now_ms);
   }
 
   /** Handles a picture of another display; the window's are ignored until release(). */

@@ -12,7 +12,7 @@ export interface Change {
 }
 
 /** Interface of the session for the history. */
-interface HasSetup {
+interface SetupOwner {
   readonly setup: Readonly<Setup>;
   change(setup: Partial<Setup>): void;
 }
@@ -32,11 +32,11 @@ const MERGE_MS = 1500;
  * Complete texts of large programs are kept, so the oldest steps are dropped if all together exceed this
  * number of characters.
  */
-const MOST_CHARACTERS = 200_000_000;
+const MAX_CHARACTERS = 200_000_000;
 
 const whole = ({ documents = {}, setup = {} }: Change): Required<Change> => ({ documents, setup });
 
-const sizeOf = ({ other }: Step): number =>
+const stepSize = ({ other }: Step): number =>
   Object.values(other.documents).reduce((sum, content) => sum + (content?.length ?? 0), 0);
 
 /** Returns true if two changes of the same documents and choices are equal. */
@@ -53,8 +53,8 @@ export class History {
 
   constructor(
     private readonly documents: Documents,
-    private readonly session: HasSetup,
-    private readonly mostCharacters = MOST_CHARACTERS,
+    private readonly session: SetupOwner,
+    private readonly mostCharacters = MAX_CHARACTERS,
   ) {}
 
   /** Returns the label of the step that undo() would revert, and redo() repeat; empty: none. */
@@ -71,13 +71,13 @@ export class History {
    * is no step.
    */
   edit(label: string, change: Change, merge = ""): void {
-    this.keepTyped();
-    const wanted = whole(change);
-    const before = this.present(wanted);
-    if (isSame(before, wanted)) return;
-    this.apply(wanted);
+    this.flushTypedText();
+    const requested = whole(change);
+    const before = this.present(requested);
+    if (isSame(before, requested)) return;
+    this.apply(requested);
     this.keep(label, before, merge);
-    this.tell(wanted);
+    this.tell(requested);
   }
 
   /** Keeps the state before a change that has been made already, for example by typing. */
@@ -105,20 +105,20 @@ export class History {
   }
 
   /** Turns pending typed text into a separate step. */
-  keepTyped(): void {
-    for (const keeper of this.keepers) keeper();
+  flushTypedText(): void {
+    for (const callback of this.keepers) callback();
   }
 
   /**
    * Registers a function that is called before each step: it passes typed text that is in no document yet to
    * made().
    */
-  onStep(keeper: () => void): void {
-    this.keepers.add(keeper);
+  onStep(callback: () => void): void {
+    this.keepers.add(callback);
   }
 
   private go(from: Step[], to: Step[]): void {
-    this.keepTyped();
+    this.flushTypedText();
     const step = from.pop();
     if (!step) return;
     // The present state is stored, not the state after the step, so that later changes without a step are
@@ -162,8 +162,8 @@ export class History {
 
   /** Drops the oldest steps if all together are too large; the last one stays. */
   private forget(): void {
-    let characters = [...this.done, ...this.undone].reduce((sum, step) => sum + sizeOf(step), 0);
-    while (characters > this.mostCharacters && this.done.length > 1) characters -= sizeOf(this.done.shift()!);
+    let characters = [...this.done, ...this.undone].reduce((sum, step) => sum + stepSize(step), 0);
+    while (characters > this.mostCharacters && this.done.length > 1) characters -= stepSize(this.done.shift()!);
   }
 
   private tell(applied: Change | null): void {

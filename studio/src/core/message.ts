@@ -15,38 +15,38 @@ const kinds = {
   u8: Uint8Array,
 } as const;
 
-const aligned = (size: number) => (size + 7) & ~7;
+const alignUp = (size: number) => (size + 7) & ~7;
 
 /** Error for bytes that are no message, or that end too soon. */
-export class BrokenMessage extends Error {}
+export class InvalidMessage extends Error {}
 
-const HEAD = 8; // bytes before the header
+const HEADER_BYTES = 8; // bytes before the header
 
 /** Reads one frame. Its columns are views of `bytes`, at an offset that is a multiple of 8. */
 export function readMessage(bytes: Uint8Array): Message {
-  if (bytes.length < HEAD) throw new BrokenMessage("a message ends within its head");
+  if (bytes.length < HEADER_BYTES) throw new InvalidMessage("a message ends within its head");
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const headerSize = view.getUint32(4, true);
-  if (HEAD + headerSize > bytes.length) throw new BrokenMessage("a message ends within its header");
-  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(HEAD, HEAD + headerSize)));
+  if (HEADER_BYTES + headerSize > bytes.length) throw new InvalidMessage("a message ends within its header");
+  const header = JSON.parse(new TextDecoder().decode(bytes.subarray(HEADER_BYTES, HEADER_BYTES + headerSize)));
   const columns = new Map<string, Column>();
-  let at = aligned(HEAD + headerSize);
+  let at = alignUp(HEADER_BYTES + headerSize);
   for (const [name, kind, count] of (header.columns ?? []) as [string, keyof typeof kinds, number][]) {
     const type = kinds[kind];
-    if (!type) throw new BrokenMessage(`column ${name} is of no known type: ${kind}`);
-    if (at + count * type.BYTES_PER_ELEMENT > bytes.length) throw new BrokenMessage(`a message ends within column ${name}`);
+    if (!type) throw new InvalidMessage(`column ${name} is of no known type: ${kind}`);
+    if (at + count * type.BYTES_PER_ELEMENT > bytes.length) throw new InvalidMessage(`a message ends within column ${name}`);
     columns.set(name, new type(bytes.buffer as ArrayBuffer, bytes.byteOffset + at, count));
-    at += aligned(count * type.BYTES_PER_ELEMENT);
+    at += alignUp(count * type.BYTES_PER_ELEMENT);
   }
   return { is: header.is, header, columns };
 }
 
 /** Returns the bytes of consecutive frames. */
-export function* framesOf(bytes: Uint8Array): Generator<Uint8Array> {
+export function* splitFrames(bytes: Uint8Array): Generator<Uint8Array> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   for (let at = 0; at < bytes.length; ) {
-    const size = at + HEAD <= bytes.length ? view.getUint32(at, true) : 0;
-    if (size < HEAD || at + size > bytes.length) throw new BrokenMessage(`the message at byte ${at} is cut off`);
+    const size = at + HEADER_BYTES <= bytes.length ? view.getUint32(at, true) : 0;
+    if (size < HEADER_BYTES || at + size > bytes.length) throw new InvalidMessage(`the message at byte ${at} is cut off`);
     yield bytes.subarray(at, at + size);
     at += size;
   }

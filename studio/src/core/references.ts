@@ -28,4 +28,4 @@ export function referenceTo(file: string, document: string): string {
 }
 
 /** True for a TOML file; a controller's model is then not a built-in one. */
-export const isFile = (name: string): boolean => /\.toml$/i.test(name);
+export const isTomlFile = (name: string): boolean => /\.toml$/i.test(name);

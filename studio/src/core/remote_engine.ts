@@ -2,63 +2,63 @@
 // itself.
 
 import { texts } from "../texts";
-import { answerOf, cancelled, type Answer, type Engine, type Files, type Keeper } from "./engine";
-import { FrameCutter } from "./frame_cutter";
+import { readResult, cancelled, type RequestResult, type Engine, type Files, type RunStorage } from "./engine";
+import { FrameSplitter } from "./frame_splitter";
 import { readMessage, type Message } from "./message";
-import { sentenceOf, type Server } from "./server";
+import { errorMessage, type Server } from "./server";
 
-type Take = (message: Message) => void;
+type MessageHandler = (message: Message) => void;
 
 const words = texts.folder;
 
 /** Segments of a run that a page gets complete; later ones are reduced to the TCP path. */
-const WHOLE_SEGMENTS = 1_000_000;
+const MAX_FULL_SEGMENTS = 1_000_000;
 /** Each block takes 20 bytes of the page's memory and 20 of the graphics card's. */
-const MOST_KEPT_BLOCKS = 20_000_000;
+const MAX_STORED_BLOCKS = 20_000_000;
 /** Status if the server has no space to keep a run. */
-const NO_ROOM = 507;
+const INSUFFICIENT_STORAGE = 507;
 
-const failed = (message: string, code = "server"): Answer => ({ ok: false, code, message });
+const failed = (message: string, code = "server"): RequestResult => ({ ok: false, code, message });
 
 /** Number of bytes that one call takes as its arguments. */
-const PIECE = 0x8000;
+const CHUNK_BYTES = 0x8000;
 
-function base64Of(bytes: Uint8Array): string {
+function toBase64(bytes: Uint8Array): string {
   let text = "";
-  for (let at = 0; at < bytes.length; at += PIECE) text += String.fromCharCode(...bytes.subarray(at, at + PIECE));
+  for (let at = 0; at < bytes.length; at += CHUNK_BYTES) text += String.fromCharCode(...bytes.subarray(at, at + CHUNK_BYTES));
   return btoa(text);
 }
 
 /** Replaces unpaired surrogates, which have no bytes in UTF-8. */
 const wellFormed = (text: string): string => text.replace(/\p{Surrogate}/gu, "\ufffd");
 
-function bodyOf(request: Record<string, unknown>, all: Files): string {
+function requestBody(request: Record<string, unknown>, all: Files): string {
   const files: Record<string, string> = {};
   const binary: Record<string, string> = {};
   for (const [name, content] of all) {
     if (typeof content === "string") files[name] = wellFormed(content);
-    else binary[name] = base64Of(content);
+    else binary[name] = toBase64(content);
   }
   return JSON.stringify({ request, files, binary });
 }
 
 /** Reads messages until the one that ends the response. */
-async function receive(reader: ReadableStreamDefaultReader<Uint8Array>, signal: AbortSignal, take: Take): Promise<Answer> {
-  const cutter = new FrameCutter();
-  let answer: Answer | null = null;
-  const takeFrame = (frame: Uint8Array) => {
+async function receive(reader: ReadableStreamDefaultReader<Uint8Array>, signal: AbortSignal, onMessage: MessageHandler): Promise<RequestResult> {
+  const cutter = new FrameSplitter();
+  let result: RequestResult | null = null;
+  const onFrame = (frame: Uint8Array) => {
     const message = readMessage(frame);
-    take(message);
-    answer ??= answerOf(message);
+    onMessage(message);
+    result ??= readResult(message);
   };
   try {
-    while (!answer) {
+    while (!result) {
       const { value, done } = await reader.read();
       if (signal.aborted) return cancelled;
       if (done) return failed(words.cutOff);
-      cutter.push(value, takeFrame);
+      cutter.push(value, onFrame);
     }
-    return answer;
+    return result;
   } catch (fault) {
     void reader.cancel().catch(() => {}); // the remainder of a broken response is not needed
     throw fault;
@@ -67,22 +67,22 @@ async function receive(reader: ReadableStreamDefaultReader<Uint8Array>, signal: 
 
 export class RemoteEngine implements Engine {
   readonly available = true;
-  readonly keeper: Keeper;
+  readonly runStorage: RunStorage;
   private aborting = new AbortController();
   private last: Promise<unknown> = Promise.resolve();
 
   constructor(
     private readonly server: Server,
-    private readonly wholeSegments = WHOLE_SEGMENTS,
+    private readonly wholeSegments = MAX_FULL_SEGMENTS,
   ) {
-    this.keeper = { blocks: MOST_KEPT_BLOCKS, laws: (run, number) => server.laws(run, number) };
+    this.runStorage = { blocks: MAX_STORED_BLOCKS, laws: (run, number) => server.laws(run, number) };
   }
 
-  ask(request: Record<string, unknown>, files: Files, take: Take, keptAs = ""): Promise<Answer> {
+  ask(request: Record<string, unknown>, files: Files, onMessage: MessageHandler, storageKey = ""): Promise<RequestResult> {
     const { signal } = this.aborting;
-    const answer = this.last.then(() => this.askNow(bodyOf(request, files), signal, take, keptAs));
-    this.last = answer;
-    return answer;
+    const result = this.last.then(() => this.askNow(requestBody(request, files), signal, onMessage, storageKey));
+    this.last = result;
+    return result;
   }
 
   /** Cancels the requests: the server ends a request with a closed connection. */
@@ -92,9 +92,9 @@ export class RemoteEngine implements Engine {
     this.last = Promise.resolve();
   }
 
-  private async askNow(body: string, signal: AbortSignal, take: Take, keptAs: string): Promise<Answer> {
+  private async askNow(body: string, signal: AbortSignal, onMessage: MessageHandler, storageKey: string): Promise<RequestResult> {
     if (signal.aborted) return cancelled;
-    const kept: Record<string, string> = keptAs ? { Run: keptAs, Whole: String(this.wholeSegments) } : {};
+    const kept: Record<string, string> = storageKey ? { Run: storageKey, Whole: String(this.wholeSegments) } : {};
     try {
       const response = await fetch(this.server.address("ask"), {
         method: "POST",
@@ -102,9 +102,9 @@ export class RemoteEngine implements Engine {
         body,
         signal,
       });
-      if (response.status === NO_ROOM) return failed(await sentenceOf(response), "no-room");
-      if (!response.ok || !response.body) return failed(await sentenceOf(response));
-      return await receive(response.body.getReader(), signal, take);
+      if (response.status === INSUFFICIENT_STORAGE) return failed(await errorMessage(response), "no-room");
+      if (!response.ok || !response.body) return failed(await errorMessage(response));
+      return await receive(response.body.getReader(), signal, onMessage);
     } catch (fault) {
       if (signal.aborted) return cancelled;
       return failed(fault instanceof TypeError ? words.noAnswer : String(fault));

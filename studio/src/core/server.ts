@@ -4,7 +4,7 @@
 import { texts } from "../texts";
 import { readMessage, type Message } from "./message";
 
-export interface Listed {
+export interface FolderFile {
   name: string;
   bytes: number;
   /** Tag of this version of the file; another version has another tag. */
@@ -12,7 +12,7 @@ export interface Listed {
 }
 
 export interface Listing {
-  files: Listed[];
+  files: FolderFile[];
   /** Whether there are more. */
   cut: boolean;
 }
@@ -27,10 +27,10 @@ export interface FolderChange {
  * Result of writing a file. Not ok: the version on the disk (null: none) differs from the one that was to be
  * replaced.
  */
-export type Written = { ok: true; tag: string } | { ok: false; tag: string | null };
+export type WriteResult = { ok: true; tag: string } | { ok: false; tag: string | null };
 
 /** Error with the message of the server. */
-export class Refused extends Error {}
+export class RejectedRequest extends Error {}
 
 /** Changes since an earlier response. `again`: changes may have been missed, so list all files again. */
 interface Changes {
@@ -39,24 +39,24 @@ interface Changes {
   changed: FolderChange[];
 }
 
-const LOOK_MS = 500;
+const POLL_MS = 500;
 /** Time without a response after which the server counts as gone. */
 const SILENCE_MS = 20_000;
 
 const pause = (ms: number) => new Promise((go) => setTimeout(go, ms));
 
 /** Returns why the server refused, in its own words if it sent some. */
-export async function sentenceOf(response: Response): Promise<string> {
-  const { error } = await toldBy(response);
+export async function errorMessage(response: Response): Promise<string> {
+  const { error } = await responseJson(response);
   return typeof error === "string" ? error : texts.folder.refused(response.status);
 }
 
-const toldBy = async (response: Response): Promise<Record<string, unknown>> =>
+const responseJson = async (response: Response): Promise<Record<string, unknown>> =>
   ((await response.json().catch(() => null)) ?? {}) as Record<string, unknown>;
 
-const tagOf = (response: Response): string => (response.headers.get("ETag") ?? "").replace(/^(?:W\/)?"(.*)"$/, "$1");
+const responseTag = (response: Response): string => (response.headers.get("ETag") ?? "").replace(/^(?:W\/)?"(.*)"$/, "$1");
 
-const pathOf = (name: string): string => name.split("/").map(encodeURIComponent).join("/");
+const encodePath = (name: string): string => name.split("/").map(encodeURIComponent).join("/");
 
 export class Server {
   constructor(private readonly page: URL) {}
@@ -67,7 +67,7 @@ export class Server {
 
   async list(): Promise<Listing> {
     const response = await fetch(this.address("files"), { cache: "no-store" });
-    if (!response.ok) throw new Refused(await sentenceOf(response));
+    if (!response.ok) throw new RejectedRequest(await errorMessage(response));
     return (await response.json()) as Listing;
   }
 
@@ -75,20 +75,20 @@ export class Server {
   async read(name: string): Promise<{ bytes: Uint8Array; tag: string } | null> {
     const response = await fetch(this.fileAddress(name), { cache: "no-store" });
     if (response.status === 404) return null;
-    if (!response.ok) throw new Refused(await sentenceOf(response));
-    return { bytes: new Uint8Array(await response.arrayBuffer()), tag: tagOf(response) };
+    if (!response.ok) throw new RejectedRequest(await errorMessage(response));
+    return { bytes: new Uint8Array(await response.arrayBuffer()), tag: responseTag(response) };
   }
 
   /** Writes a file in place of the version with this tag; null: the file must not exist yet. */
-  async write(name: string, bytes: Uint8Array, tag: string | null): Promise<Written> {
+  async write(name: string, bytes: Uint8Array, tag: string | null): Promise<WriteResult> {
     const headers: Record<string, string> = tag === null ? { "If-None-Match": "*" } : { "If-Match": `"${tag}"` };
     const response = await fetch(this.fileAddress(name), { method: "PUT", headers, body: bytes as BodyInit });
     if (response.status === 412) {
-      const { tag: present } = await toldBy(response);
+      const { tag: present } = await responseJson(response);
       return { ok: false, tag: typeof present === "string" ? present : null };
     }
-    if (!response.ok) throw new Refused(await sentenceOf(response));
-    const written = await toldBy(response);
+    if (!response.ok) throw new RejectedRequest(await errorMessage(response));
+    const written = await responseJson(response);
     return { ok: true, tag: String(written.tag) };
   }
 
@@ -97,8 +97,8 @@ export class Server {
    */
   async laws(run: string, number: number): Promise<Message> {
     const response = await fetch(this.address(`laws/${run}/${number}`), { cache: "no-store" }).catch(() => null);
-    if (!response) throw new Refused(texts.folder.noAnswer);
-    if (!response.ok) throw new Refused(await sentenceOf(response));
+    if (!response) throw new RejectedRequest(texts.folder.noAnswer);
+    if (!response.ok) throw new RejectedRequest(await errorMessage(response));
     return readMessage(new Uint8Array(await response.arrayBuffer()));
   }
 
@@ -108,7 +108,7 @@ export class Server {
    * one of the six connections that a browser has for all pages of a server.
    */
   async follow(begun: () => void, changed: (change: FolderChange) => void): Promise<void> {
-    for (let at: number | null = null; ; await pause(LOOK_MS)) {
+    for (let at: number | null = null; ; await pause(POLL_MS)) {
       const told: Changes | null = await this.changesSince(at).catch(() => null);
       if (!told) return;
       if (told.again) begun();
@@ -125,6 +125,6 @@ export class Server {
   }
 
   private fileAddress(name: string): URL {
-    return this.address(`file/${pathOf(name)}`);
+    return this.address(`file/${encodePath(name)}`);
   }
 }

@@ -1,11 +1,11 @@
 // Runs of programs and their inputs: sends requests to the engine and stores the results in the store.
 
-import { Run, type Told } from "../run/run";
-import type { Answered } from "./answered";
+import { Run, type EngineDiagnostic } from "../run/run";
+import type { EngineResponse } from "./engine_response";
 import type { Documents } from "./documents";
 import type { FileContent } from "./file_content";
-import type { Answer, Engine, Files, Keeper } from "./engine";
-import { faultsOf } from "./faults";
+import type { RequestResult, Engine, Files, RunStorage } from "./engine";
+import { responseDiagnostics } from "./response_diagnostics";
 import { isScript, kindOfFile, type FileKind } from "./kinds";
 import { Debounced } from "./debounced";
 import { saveFile } from "./files";
@@ -13,10 +13,10 @@ import { GrowingRun } from "./growing_run";
 import { History } from "./history";
 import type { Language } from "./languages";
 import type { Message } from "./message";
-import type { InForce, TellInForce } from "./in_force";
-import { isOfRun } from "./of_run";
-import { changedSince, originOf, type Origin, type Versions } from "./origin";
-import { BUILT_IN_MACHINE, withOtherControl } from "./other_control";
+import type { ActiveSettings, QueryActiveModals } from "./active_modals";
+import { affectsRun } from "./affects_run";
+import { changedSince, createSnapshot, type Origin, type Versions } from "./run_snapshot";
+import { BUILT_IN_MACHINE, overrideController } from "./controller_override";
 import { emptySetup, type Setup } from "./setup";
 import { texts } from "../texts";
 import type { Running, Store } from "./store";
@@ -25,16 +25,16 @@ import type { Running, Store } from "./store";
  * Limit for a run in the page, with some 300 bytes for each block: an endless program ends before memory
  * does.
  */
-export const MOST_BLOCKS = 4_000_000;
+export const MAX_BLOCKS = 4_000_000;
 
 /** True if a run came to its end, so that its time can be compared with that of another run. */
 const isComparable = ({ report }: Run): boolean => report?.status === "completed" || report?.status === "violations";
 
-const doneOf = ({ header }: Message): Running => ({ done: header.done as number, total: header.total as number });
+const readProgress = ({ header }: Message): Running => ({ done: header.done as number, total: header.total as number });
 
 /** Sets the error of a run that could not be made; an earlier error of the engine stays. */
 function refused(run: Run, message: string, code = "refused"): Run {
-  run.failure ??= { code, message };
+  run.error ??= { code, message };
   return run;
 }
 
@@ -45,19 +45,19 @@ export class Session {
   /** What forms have changed. */
   readonly history: History;
   private readonly listeners = new Set<() => void>();
-  private readonly soon = new Debounced(() => {
+  private readonly rerunTimer = new Debounced(() => {
     if (this.current.program) void this.begin();
   });
   private current = emptySetup();
   private readonly growing: GrowingRun;
-  private readonly origins = new WeakMap<Run, Origin>();
+  private readonly snapshots = new WeakMap<Run, Origin>();
   /** Counts runs that were begun or ended, so that an outdated run notices it. */
   private turn = 0;
   private isAsking = false;
   /** True if a comparison run ended the page's own run, which is then run again after it. */
   private isOwed = false;
   private known: Promise<Language[]> | null = null;
-  private teller: TellInForce = () => Promise.resolve(null);
+  private teller: QueryActiveModals = () => Promise.resolve(null);
   private versions: () => Versions = () => new Map();
   private saver = async (name: string): Promise<void> => saveFile(name, this.documents);
 
@@ -97,22 +97,22 @@ export class Session {
 
   /** Runs when no further change comes for a moment. */
   runSoon(): void {
-    this.soon.after(RUN_PAUSE_MS);
+    this.rerunTimer.after(RUN_PAUSE_MS);
   }
 
   /**
    * Sends a request of a form to the engine (docs/studio.md), with the documents, and with `more`, which are
    * not documents yet.
    */
-  async question(
+  async sendRequest(
     request: Record<string, unknown>,
     more: Record<string, FileContent> = {},
     documents: Files = this.documents.files(),
-  ): Promise<Answered> {
+  ): Promise<EngineResponse> {
     const messages: Message[] = [];
     const files = new Map([...documents, ...Object.entries(more)]);
-    const answer = await this.checker.ask(request, files, (message) => messages.push(message));
-    return { ...answer, messages };
+    const response = await this.checker.ask(request, files, (message) => messages.push(message));
+    return { ...response, messages };
   }
 
   /** Saves a document as the page saves: as a file for the user, or into the folder. */
@@ -131,19 +131,19 @@ export class Session {
   }
 
   /** Returns the modal state at the start of a line, or null if it is not known. */
-  inForce(file: string, line: number): Promise<InForce | null> {
+  inForce(file: string, line: number): Promise<ActiveSettings | null> {
     return this.teller(file, line);
   }
 
   /** Sets the source of the modal state: the part of the page that knows the texts. */
-  tellInForceBy(teller: TellInForce): void {
+  tellInForceBy(teller: QueryActiveModals): void {
     this.teller = teller;
   }
 
   /** Runs again if these documents change the run; returns true if they do. */
   changed(names: string[]): boolean {
     const ran = this.store.get("run");
-    if (!names.some((name) => isOfRun(name, this.documents.kindOf(name), this.current, ran))) return false;
+    if (!names.some((name) => affectsRun(name, this.documents.kindOf(name), this.current, ran))) return false;
     this.runSoon();
     return true;
   }
@@ -160,19 +160,19 @@ export class Session {
   }
 
   // A run that starts by itself keeps the notice of the page.
-  private async begin(keeper = this.runner.keeper): Promise<void> {
+  private async begin(runStorage = this.runner.runStorage): Promise<void> {
     this.end();
     this.isOwed = false;
     const { store, current } = this;
     store.set("running", { done: 0, total: 0 });
     const told = (run: Run, message: Message) => {
-      if (message.is === "progress") store.set("running", doneOf(message));
+      if (message.is === "progress") store.set("running", readProgress(message));
       else if (message.is === "segments") this.growing.show(run);
     };
-    const run = await this.execute(current, told, keeper);
+    const run = await this.execute(current, told, runStorage);
     if (!run) return;
-    if (run.failure?.code === "no-room") {
-      store.set("notice", texts.folder.notKept(run.failure.message));
+    if (run.error?.code === "no-room") {
+      store.set("notice", texts.folder.notKept(run.error.message));
       return this.begin(null);
     }
     // Listeners to a run that was begun here can distinguish it from an earlier run.
@@ -189,7 +189,7 @@ export class Session {
   async runBeside(setup: Readonly<Setup>, progress: (running: Running) => void): Promise<Run | null> {
     this.putOff();
     const running = this.execute(setup, (_, message) => {
-      if (message.is === "progress") progress(doneOf(message));
+      if (message.is === "progress") progress(readProgress(message));
     });
     const { turn } = this;
     try {
@@ -201,7 +201,7 @@ export class Session {
 
   /** Ends the current run; a run of the page's own is made later. */
   private putOff(): void {
-    this.isOwed ||= this.soon.isDue || this.store.get("running") !== null;
+    this.isOwed ||= this.rerunTimer.isDue || this.store.get("running") !== null;
     this.end();
   }
 
@@ -215,28 +215,28 @@ export class Session {
    * with the page.
    */
   changedSince(run: Run): string[] {
-    const origin = this.origins.get(run);
+    const origin = this.snapshots.get(run);
     return origin ? changedSince(run, origin, this.documents, this.versions()) : [];
   }
 
   /** Returns the inputs of a run; undefined if it came with the page. */
   origin(run: Run): Origin | undefined {
-    return this.origins.get(run);
+    return this.snapshots.get(run);
   }
 
   /** Executes a run. With a keeper the run may be too long for the page; without one it is complete. */
   private async execute(
     setup: Readonly<Setup>,
     told: (run: Run, message: Message) => void,
-    keeper: Keeper | null = null,
+    runStorage: RunStorage | null = null,
   ): Promise<Run | null> {
     const turn = ++this.turn;
-    const origin = originOf(setup, this.documents, this.versions());
-    const run = keeper ? this.growing.begin(origin.texts, keeper) : new Run(origin.texts);
-    this.origins.set(run, origin);
+    const origin = createSnapshot(setup, this.documents, this.versions());
+    const run = runStorage ? this.growing.begin(origin.texts, runStorage) : new Run(origin.texts);
+    this.snapshots.set(run, origin);
     let files = this.documents.files();
     if (setup.controller) {
-      const other = await withOtherControl(setup, (request) => this.question(request));
+      const other = await overrideController(setup, (request) => this.sendRequest(request));
       if (turn !== this.turn) return null;
       if ("refusal" in other) return refused(run, other.refusal);
       files = new Map([...files, [other.machine, other.text]]);
@@ -247,17 +247,17 @@ export class Session {
       ...(setup.controller && { machine: setup.machine || BUILT_IN_MACHINE }),
       ...{ robots, collisions, feed_override_percent, rapid_override_percent, spindle_override_percent },
       explain: true,
-      blocks: keeper?.blocks ?? MOST_BLOCKS,
+      blocks: runStorage?.blocks ?? MAX_BLOCKS,
     };
     this.isAsking = true;
-    const take = (message: Message) => {
-      if (message.is !== "progress") run.take(message);
+    const addMessage = (message: Message) => {
+      if (message.is !== "progress") run.addMessage(message);
       told(run, message);
     };
-    const answer = await this.runner.ask(request, files, take, run.keptAs);
+    const response = await this.runner.ask(request, files, addMessage, run.storageKey);
     if (turn === this.turn) this.isAsking = false;
-    if (answer.code === "cancelled") return null;
-    return answer.ok ? run : refused(run, answer.message, answer.code);
+    if (response.code === "cancelled") return null;
+    return response.ok ? run : refused(run, response.message, response.code);
   }
 
   private show(run: Run): void {
@@ -280,11 +280,11 @@ export class Session {
    * `label`.
    */
   showRun(run: Run, label: string): void {
-    const origin = this.origins.get(run);
+    const origin = this.snapshots.get(run);
     if (!origin) return;
     if (this.store.get("running")) this.end();
     this.history.edit(label, { setup: origin.setup });
-    this.soon.cancel();
+    this.rerunTimer.cancel();
     this.isOwed = false;
     const before = this.store.get("run");
     if (run !== before) this.put(run, before?.report?.program === run.report?.program);
@@ -303,7 +303,7 @@ export class Session {
   }
 
   private end(): void {
-    this.soon.cancel();
+    this.rerunTimer.cancel();
     ++this.turn;
     if (this.isAsking) this.runner.cancel();
     this.isAsking = false;
@@ -312,15 +312,15 @@ export class Session {
   }
 
   /** Returns the errors of a program text; none for a Lua script, which is only checked when it runs. */
-  async check(program: string): Promise<Told[]> {
-    const told: Told[] = [];
+  async check(program: string): Promise<EngineDiagnostic[]> {
+    const told: EngineDiagnostic[] = [];
     if (!program || isScript(program)) return told;
-    await this.ask("check", program, (header) => told.push(header as unknown as Told));
+    await this.ask("check", program, (header) => told.push(header as unknown as EngineDiagnostic));
     return told;
   }
 
   /** Returns the errors of a file that is not a program, found by the reader of such files. */
-  async checkFile(name: string): Promise<Told[]> {
+  async checkFile(name: string): Promise<EngineDiagnostic[]> {
     const { machine, cell } = this.current;
     const requests: Partial<Record<FileKind, Record<string, unknown>>> = {
       machine: { do: "machine", machine: name },
@@ -329,7 +329,7 @@ export class Session {
       other: machine || cell ? { do: "machine", machine, cell } : undefined,
     };
     const request = requests[kindOfFile(name, this.documents.get(name) ?? "")];
-    return request ? faultsOf(await this.question(request)) : [];
+    return request ? responseDiagnostics(await this.sendRequest(request)) : [];
   }
 
   /** Returns a program as Lua, or null if it has errors or is Lua. */
@@ -365,7 +365,7 @@ export class Session {
     return this.known;
   }
 
-  private ask(what: string, program: string, told: (header: Record<string, unknown>) => void): Promise<Answer> {
+  private ask(what: string, program: string, told: (header: Record<string, unknown>) => void): Promise<RequestResult> {
     return this.checker.ask(this.request(what, program), this.documents.files(), (message) => {
       if (message.is === "told") told(message.header);
     });

@@ -36,7 +36,7 @@ export const emptySetup = (): Setup => ({
 export const fileKeys = ["program", "machine", "cell", "machine_data", "robots"] as const;
 export const overrideKeys = ["feed_override_percent", "rapid_override_percent", "spindle_override_percent"] as const;
 
-export const MOST_OVERRIDE_PERCENT = 1000;
+export const MAX_OVERRIDE_PERCENT = 1000;
 
 export const isSameSetup = (one: Readonly<Setup>, other: Readonly<Setup>): boolean =>
   (Object.keys(emptySetup()) as (keyof Setup)[]).every((key) => one[key] === other[key]);

@@ -1,9 +1,9 @@
 // State of the page: a value for each key, and listeners to its changes.
 
-import type { Place as PathPlace } from "../run/path/path_file";
-import type { Place } from "../run/report";
+import type { TargetId } from "../run/path/path_file";
+import type { SourceLocation } from "../run/report";
 import type { Run } from "../run/run";
-import type { PathShown } from "./path_shown";
+import type { DisplayedPath } from "./displayed_path";
 
 export type ColourMode = "kind" | "feed" | "speed" | "process" | "time" | "limit" | "deviation";
 export type Units = "mm" | "inch";
@@ -17,7 +17,7 @@ export interface Running {
 }
 
 /** Run that is compared with the shown one, on the same clock. */
-export interface Beside {
+export interface ComparisonRun {
   run: Run;
   /** Names of both: the shown run, and this one. */
   names: readonly [string, string];
@@ -42,7 +42,7 @@ export interface State {
   run: Run | null;
   previous: Run | null;
   /** Comparison run; null: the view shows a single run. */
-  beside: Beside | null;
+  beside: ComparisonRun | null;
   /** Run of many segments in progress: the part received so far, and its number of segments. */
   growing: { run: Run; count: number } | null;
   /** Counter that increases when more of the shown run is loaded. */
@@ -57,7 +57,7 @@ export interface State {
   /** Robot that has its segments shown in charts and tables. */
   robot: number;
   /** Selection of the user: a line, and the number of one of its blocks (-1: none in particular). */
-  selection: (Place & { block: number }) | null;
+  selection: (SourceLocation & { block: number }) | null;
   colour: ColourMode;
   units: Units;
   theme: Theme;
@@ -73,8 +73,8 @@ export interface State {
   document: string;
   /** Path file that is edited (empty: none), its shown state, and its selected point. */
   pathFile: string;
-  path: PathShown | null;
-  pathPoint: PathPlace | null;
+  path: DisplayedPath | null;
+  pathPoint: TargetId | null;
   /** True if the view shows its points. */
   showPath: boolean;
   /** Joints of the shown robot (mm, rad) in place of those at the shown instant. */
@@ -87,7 +87,7 @@ export interface State {
   form: string;
   drawing: string;
   /** Source location that the code is requested to show, in any kind of text; null: none. */
-  textAsked: Place | null;
+  textAsked: SourceLocation | null;
   /** Body that was clicked on in the view; null: none. */
   body: string | null;
   /** Handle in the view; null: none. */

@@ -4,7 +4,7 @@ export class Turns {
   private readonly last = new Map<string, Promise<unknown>>();
 
   /** Does `act` after all earlier actions for this name have ended, with or without an error. */
-  take<T>(name: string, act: () => Promise<T>): Promise<T> {
+  accept<T>(name: string, act: () => Promise<T>): Promise<T> {
     const done = (this.last.get(name) ?? Promise.resolve()).then(act, act);
     const forget = () => {
       if (this.last.get(name) === done) this.last.delete(name);

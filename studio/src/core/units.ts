@@ -7,7 +7,7 @@ const MM_PER_INCH = 25.4;
 export const lengthUnit = (units: Units): string => (units === "inch" ? "in" : "mm");
 /** Returns a length in the shown unit. */
 export const length = (mm: number, units: Units): number => (units === "inch" ? mm / MM_PER_INCH : mm);
-export const mmOf = (value: number, units: Units): number => (units === "inch" ? value * MM_PER_INCH : value);
+export const toMm = (value: number, units: Units): number => (units === "inch" ? value * MM_PER_INCH : value);
 
 /** Returns "12.340": with as many digits as a controller shows. */
 export const lengthNumber = (mm: number, units: Units): string => length(mm, units).toFixed(units === "inch" ? 4 : 3);
@@ -41,9 +41,9 @@ export const programmedFeedText = (feed_per_min: number, length_mm: number, unit
 function clockParts(t_s: number, digits: number): [hours: number, minutes: number, seconds: number, fraction: string] {
   const scale = 10 ** digits;
   const parts = Math.round(t_s * scale);
-  const whole_s = Math.floor(parts / scale);
-  const fraction = digits > 0 ? `.${String(parts - whole_s * scale).padStart(digits, "0")}` : "";
-  return [Math.floor(whole_s / 3600), Math.floor(whole_s / 60) % 60, whole_s % 60, fraction];
+  const total_s = Math.floor(parts / scale);
+  const fraction = digits > 0 ? `.${String(parts - total_s * scale).padStart(digits, "0")}` : "";
+  return [Math.floor(total_s / 3600), Math.floor(total_s / 60) % 60, total_s % 60, fraction];
 }
 
 const two = (value: number): string => String(value).padStart(2, "0");
@@ -62,12 +62,12 @@ export function clockText(t_s: number): string {
 }
 
 /** Returns "1,234", "12.3", "0.0567": an integer, or three digits, for values that are shown with a unit. */
-export const figureText = (value: number): string =>
+export const valueText = (value: number): string =>
   value.toLocaleString("en", Math.abs(value) >= 1000 ? { maximumFractionDigits: 0 } : { maximumSignificantDigits: 3 });
 
 /** "48.1 J", "1.23 kJ" */
 export function energyText(energy_j: number): string {
-  return Math.abs(energy_j) < 1000 ? `${figureText(energy_j)} J` : `${figureText(energy_j / 1000)} kJ`;
+  return Math.abs(energy_j) < 1000 ? `${valueText(energy_j)} J` : `${valueText(energy_j / 1000)} kJ`;
 }
 
 /** "1,234" */

@@ -1,8 +1,8 @@
 // Engine that is part of the page. It runs in a worker, next to the page, and can be ended.
 
-import { answerOf, cancelled, type Answer, type Engine, type Files } from "./engine";
+import { readResult, cancelled, type RequestResult, type Engine, type Files } from "./engine";
 import { readMessage, type Message } from "./message";
-import type { Ask, FromWorker, ToWorker } from "./worker_protocol";
+import type { EngineRequest, FromWorker, ToWorker } from "./worker_protocol";
 
 /**
  * Limit in bytes of files. Memory of an engine grows and never shrinks, so an engine that had more is ended
@@ -10,18 +10,18 @@ import type { Ask, FromWorker, ToWorker } from "./worker_protocol";
  */
 const LARGE_FILES = 4_000_000;
 
-const sizeOf = (files: Files): number => [...files.values()].reduce((sum, { length }) => sum + length, 0);
+const totalSize = (files: Files): number => [...files.values()].reduce((sum, { length }) => sum + length, 0);
 
-interface Question {
-  take: (message: Message) => void;
-  end: (answer: Answer) => void;
+interface PendingRequest {
+  onMessage: (message: Message) => void;
+  end: (response: RequestResult) => void;
 }
 
 export class WorkerEngine implements Engine {
   readonly available = true;
-  readonly keeper = null;
+  readonly runStorage = null;
   private worker: Worker | null = null;
-  private readonly open = new Map<number, Question>();
+  private readonly open = new Map<number, PendingRequest>();
   private next = 1;
   private grown = false;
 
@@ -30,10 +30,10 @@ export class WorkerEngine implements Engine {
     private readonly module: Promise<WebAssembly.Module>,
   ) {}
 
-  async ask(request: Record<string, unknown>, files: Files, take: (message: Message) => void): Promise<Answer> {
+  async ask(request: Record<string, unknown>, files: Files, onMessage: (message: Message) => void): Promise<RequestResult> {
     const id = this.next++;
     return new Promise((end) => {
-      this.open.set(id, { take, end });
+      this.open.set(id, { onMessage, end });
       void this.module.then((module) => {
         // cancel() may have been called first.
         if (this.open.has(id)) this.send(module, { kind: "ask", id, request, files });
@@ -46,9 +46,9 @@ export class WorkerEngine implements Engine {
     this.endAll(cancelled);
   }
 
-  private send(module: WebAssembly.Module, ask: Ask): void {
+  private send(module: WebAssembly.Module, ask: EngineRequest): void {
     if (!this.worker) this.worker = this.startWorker(module);
-    if (sizeOf(ask.files) > LARGE_FILES) this.grown = true;
+    if (totalSize(ask.files) > LARGE_FILES) this.grown = true;
     this.worker.postMessage(ask satisfies ToWorker);
   }
 
@@ -62,20 +62,20 @@ export class WorkerEngine implements Engine {
   }
 
   private receive({ id, bytes }: FromWorker): void {
-    const question = this.open.get(id);
-    if (!question) return;
+    const pendingRequest = this.open.get(id);
+    if (!pendingRequest) return;
     let message: Message;
     try {
       message = readMessage(bytes);
     } catch (fault) {
       return this.fail(String(fault));
     }
-    question.take(message);
-    const answer = answerOf(message);
-    if (!answer) return;
+    pendingRequest.onMessage(message);
+    const response = readResult(message);
+    if (!response) return;
     this.open.delete(id);
     if (this.grown && this.open.size === 0) this.endWorker();
-    question.end(answer);
+    pendingRequest.end(response);
   }
 
   // Out of memory, or an internal error of the engine: a new worker starts from an empty state.
@@ -83,9 +83,9 @@ export class WorkerEngine implements Engine {
     this.endAll({ ok: false, code: "internal", message: why });
   }
 
-  private endAll(answer: Answer): void {
+  private endAll(response: RequestResult): void {
     this.endWorker();
-    for (const question of this.open.values()) question.end(answer);
+    for (const pendingRequest of this.open.values()) pendingRequest.end(response);
     this.open.clear();
   }
 

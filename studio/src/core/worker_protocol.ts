@@ -7,14 +7,14 @@ export interface Start {
 }
 
 /** Request (docs/studio.md), and the files that it may name. */
-export interface Ask {
+export interface EngineRequest {
   kind: "ask";
   id: number;
   request: Record<string, unknown>;
   files: Map<string, string | Uint8Array>;
 }
 
-export type ToWorker = Start | Ask;
+export type ToWorker = Start | EngineRequest;
 
 /** Frame of the engine; the frames of a request end with "done" or "failed". */
 export interface FromWorker {

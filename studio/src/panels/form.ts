@@ -1,8 +1,8 @@
 // Form in the side panel of the page.
 
 /** `shown` is called each time that the form becomes visible, `hidden` when it no longer is. */
-export interface Form {
+export interface PanelForm {
   element: HTMLElement;
-  shown?(): void;
+  displayed?(): void;
   hidden?(): void;
 }

@@ -6,7 +6,7 @@ import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import { texts } from "../texts";
 import { createData } from "./data";
-import type { Form } from "./form";
+import type { PanelForm } from "./form";
 import { createMachineForm } from "./machine";
 import { createPaths } from "./paths";
 import { createResults } from "./results";
@@ -14,10 +14,10 @@ import { createTeach } from "./teach";
 import { createVariants } from "./variants";
 import { createTabs } from "./tab_bar";
 
-export function createSide(host: HTMLElement, store: Store, session: Session): void {
+export function createPanels(host: HTMLElement, store: Store, session: Session): void {
   const results = element("div", {});
   createResults(results, store);
-  const forms: Record<keyof typeof texts.side.tabs, Form> = {
+  const forms: Record<keyof typeof texts.side.tabs, PanelForm> = {
     run: { element: results },
     data: createData(store, session),
     machine: createMachineForm(store, session),
@@ -25,18 +25,18 @@ export function createSide(host: HTMLElement, store: Store, session: Session): v
     paths: createPaths(store, session),
     variants: createVariants(store, session),
   };
-  let last: Form | null = null;
+  let last: PanelForm | null = null;
   /** Scroll position of each form when it was left. */
-  const scrolled_px = new Map<Form, number>();
+  const scrollPositions_px = new Map<PanelForm, number>();
   const tabs = createTabs(texts.side.label, texts.side.tabs, forms, "side", (name) => {
     const next = forms[name];
     if (last && last !== next) {
-      scrolled_px.set(last, host.scrollTop);
+      scrollPositions_px.set(last, host.scrollTop);
       last.hidden?.();
-      host.scrollTop = scrolled_px.get(next) ?? 0;
+      host.scrollTop = scrollPositions_px.get(next) ?? 0;
     }
     last = next;
-    last.shown?.();
+    last.displayed?.();
   });
   tabs.bar.classList.add("side-bar");
   store.on("form", (name) => {

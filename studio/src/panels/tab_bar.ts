@@ -15,7 +15,7 @@ export function createTabs<Name extends string>(
   titles: Record<Name, string>,
   contents: Record<Name, { element: HTMLElement }>,
   prefix: string,
-  shown: (name: Name) => void,
+  displayed: (name: Name) => void,
 ): Tabs<Name> {
   const names = Object.keys(titles) as Name[];
   let chosen = names[0];
@@ -42,7 +42,7 @@ export function createTabs<Name extends string>(
       tabs[i].tabIndex = each === name ? 0 : -1;
       panels[i].hidden = each !== name;
     });
-    shown(name);
+    displayed(name);
   }
 
   bar.addEventListener("keydown", (event) => {

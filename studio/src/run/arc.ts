@@ -24,14 +24,14 @@ export function arcAt(values: Float64Array, at: number, s: number, v: number, a:
   // The series is for values near 0, for which change / log(1 + growth) is 0 / 0.
   const mean =
     Math.abs(growth) > 1e-4 ? change / logGrowth : radius * (1 + growth * (1 / 2 - growth * (1 / 12 - growth / 24)));
-  const around_mm = sweep * mean;
-  const length = Math.sqrt(change * change + around_mm * around_mm + lift2);
+  const arc_length_mm = sweep * mean;
+  const length = Math.sqrt(change * change + arc_length_mm * arc_length_mm + lift2);
   const share = s / length;
   const phi = change === 0 ? sweep * share : (sweep * Math.log1p((change / radius) * share)) / logGrowth;
   const here = radius + change * share;
   const cosine = Math.cos(phi);
   const sine = Math.sin(phi);
-  const [radial, around] = [change / length, around_mm / length];
+  const [radial, around] = [change / length, arc_length_mm / length];
   const position = [0, 0, 0];
   const velocity = [0, 0, 0];
   const acceleration = [0, 0, 0];

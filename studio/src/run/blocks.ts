@@ -5,7 +5,7 @@
 import { SAME_TIME_S } from "./report";
 import { lastIndex } from "./search";
 import type { Segments } from "./segments";
-import type { Chunk, Line } from "./stretch";
+import type { Chunk, Line } from "./run_section";
 
 export interface Block {
   file: number;
@@ -18,9 +18,9 @@ export interface Block {
 }
 
 export class Blocks {
-  private readonly firsts = new Growing(Uint32Array);
+  private readonly firstSegments = new GrowableArray(Uint32Array);
   /** Blocks in the table by file and line; made on first use. */
-  private byLine: Map<number, ByLine> | null = null;
+  private byLine: Map<number, LineIndex> | null = null;
   private lastFile = -1;
   private lastLine = -1;
   /** Segments that the table has. */
@@ -30,7 +30,7 @@ export class Blocks {
 
   /** How many the table has. */
   get tabled(): number {
-    return this.firsts.length;
+    return this.firstSegments.length;
   }
 
   add(chunk: Chunk): void {
@@ -38,7 +38,7 @@ export class Blocks {
       const [file, line] = [chunk.file[i], chunk.line[i]];
       if (file === this.lastFile && line === this.lastLine) continue;
       [this.lastFile, this.lastLine] = [file, line];
-      this.firsts.push(chunk.first + i);
+      this.firstSegments.push(chunk.first + i);
     }
     this.byLine = null;
     this.tabledSegments = chunk.first + chunk.count;
@@ -52,11 +52,11 @@ export class Blocks {
 
   /** The block of a segment. */
   of(segment: number): number {
-    if (segment < this.tabledSegments) return lastIndex(this.tabled, (block) => this.firsts.at(block) <= segment);
-    return this.numberOf(this.about(segment)[0]);
+    if (segment < this.tabledSegments) return lastIndex(this.tabled, (block) => this.firstSegments.at(block) <= segment);
+    return this.parseNumber(this.about(segment)[0]);
   }
 
-  private numberOf(first: number): number {
+  private parseNumber(first: number): number {
     return this.tabled + first - this.tabledSegments;
   }
 
@@ -68,21 +68,21 @@ export class Blocks {
       const own = segments.lineOf(other);
       return own.file === line.file && own.line === line.line;
     };
-    let [begin, end] = segments.stretchOf(segment).blockAbout(segment);
-    while (begin > this.tabledSegments && isOf(begin - 1)) [begin] = segments.stretchOf(begin - 1).blockAbout(begin - 1);
-    while (end < segments.count && isOf(end)) [, end] = segments.stretchOf(end).blockAbout(end);
+    let [begin, end] = segments.sectionOf(segment).blockAround(segment);
+    while (begin > this.tabledSegments && isOf(begin - 1)) [begin] = segments.sectionOf(begin - 1).blockAround(begin - 1);
+    while (end < segments.count && isOf(end)) [, end] = segments.sectionOf(end).blockAround(end);
     return [begin, end];
   }
 
   /** Its first segment. */
   first(block: number): number {
-    return block < this.tabled ? this.firsts.at(block) : this.tabledSegments + block - this.tabled;
+    return block < this.tabled ? this.firstSegments.at(block) : this.tabledSegments + block - this.tabled;
   }
 
   /** Returns the segment after its last. */
   end(block: number): number {
     if (block >= this.tabled) return this.about(this.first(block))[1];
-    return block + 1 < this.tabled ? this.firsts.at(block + 1) : this.tabledSegments;
+    return block + 1 < this.tabled ? this.firstSegments.at(block + 1) : this.tabledSegments;
   }
 
   /** Returns the next block; -1: it is the last. */
@@ -101,7 +101,7 @@ export class Blocks {
   }
 
   end_s(block: number): number {
-    return this.segments.end_s_of(this.end(block) - 1);
+    return this.segments.segmentEnd_s(this.end(block) - 1);
   }
 
   /** Returns the blocks in the table that come from a line, in the order of time. */
@@ -110,28 +110,28 @@ export class Blocks {
     return this.byLine.get(file)?.of(line) ?? new Uint32Array();
   }
 
-  private sortByLine(): Map<number, ByLine> {
-    const lines = new Map<number, [blocks: Growing, lines: Growing]>();
+  private sortByLine(): Map<number, LineIndex> {
+    const lines = new Map<number, [blocks: GrowableArray, lines: GrowableArray]>();
     for (let block = 0; block < this.tabled; ++block) {
-      const { file, line } = this.segments.lineOf(this.firsts.at(block));
-      const [blocks, of] = lines.get(file) ?? [new Growing(Uint32Array), new Growing(Uint32Array)];
+      const { file, line } = this.segments.lineOf(this.firstSegments.at(block));
+      const [blocks, of] = lines.get(file) ?? [new GrowableArray(Uint32Array), new GrowableArray(Uint32Array)];
       lines.set(file, [blocks, of]);
       blocks.push(block);
       of.push(line);
     }
-    return new Map([...lines].map(([file, [blocks, of]]) => [file, new ByLine(blocks, of)]));
+    return new Map([...lines].map(([file, [blocks, of]]) => [file, new LineIndex(blocks, of)]));
   }
 
   /** Returns the blocks of a line after the table. */
   *behindTable(line: Line): Generator<number> {
-    const { stretches, chunks } = this.segments;
+    const { sections, chunks } = this.segments;
     let end = 0;
-    for (let i = chunks.length; i < stretches.length; ++i) {
-      for (const segment of stretches[i].segmentsOf(line)) {
+    for (let i = chunks.length; i < sections.length; ++i) {
+      for (const segment of sections[i].segmentsOf(line)) {
         if (segment < end) continue;
         const about = this.about(segment);
         end = about[1];
-        yield this.numberOf(about[0]);
+        yield this.parseNumber(about[0]);
       }
     }
   }
@@ -147,11 +147,11 @@ export class Blocks {
    */
   nearest(file: number, line: number, t_s: number): number {
     const found = [this.nearestInTable(file, line, t_s), ...this.nearBehindTable({ file, line }, t_s)].filter((block) => block >= 0);
-    const away_s = (block: number) => {
+    const timeDistance_s = (block: number) => {
       const start_s = this.start_s(block);
       return t_s >= start_s && t_s <= this.end_s(block) ? -1 : Math.abs(t_s - start_s);
     };
-    return found.length < 2 ? (found[0] ?? -1) : found.reduce((best, block) => (away_s(block) < away_s(best) ? block : best));
+    return found.length < 2 ? (found[0] ?? -1) : found.reduce((best, block) => (timeDistance_s(block) < timeDistance_s(best) ? block : best));
   }
 
   private nearestInTable(file: number, line: number, t_s: number): number {
@@ -166,22 +166,22 @@ export class Blocks {
 
   /** Returns the blocks in the nearest stretches on both sides that contain the line. */
   private nearBehindTable(line: Line, t_s: number): number[] {
-    const { stretches, chunks } = this.segments;
-    const here = Math.max(lastIndex(stretches.length, (i) => stretches[i].start_s <= t_s), chunks.length);
-    const blocksIn = (i: number) => [...new Set([...(stretches[i]?.segmentsOf(line) ?? [])].map((segment) => this.of(segment)))];
+    const { sections, chunks } = this.segments;
+    const here = Math.max(lastIndex(sections.length, (i) => sections[i].start_s <= t_s), chunks.length);
+    const blocksOfSection = (i: number) => [...new Set([...(sections[i]?.segmentsOf(line) ?? [])].map((segment) => this.of(segment)))];
     let [before, behind] = [here, here + 1];
-    while (before >= chunks.length && blocksIn(before).length === 0) --before;
-    while (behind < stretches.length && blocksIn(behind).length === 0) ++behind;
-    return [...(before >= chunks.length ? blocksIn(before) : []), ...blocksIn(behind)];
+    while (before >= chunks.length && blocksOfSection(before).length === 0) --before;
+    while (behind < sections.length && blocksOfSection(behind).length === 0) ++behind;
+    return [...(before >= chunks.length ? blocksOfSection(before) : []), ...blocksOfSection(behind)];
   }
 }
 
 /** Numbers of blocks line by line, in order: an object for each line would take ten times the memory. */
-class ByLine {
+class LineIndex {
   private readonly starts: Uint32Array;
   private readonly sorted: Uint32Array;
 
-  constructor(blocks: Growing, lines: Growing) {
+  constructor(blocks: GrowableArray, lines: GrowableArray) {
     let last = 0;
     for (let i = 0; i < lines.length; ++i) last = Math.max(last, lines.at(i));
     this.starts = new Uint32Array(last + 2);
@@ -198,7 +198,7 @@ class ByLine {
 }
 
 /** A typed array that grows. */
-class Growing {
+class GrowableArray {
   length = 0;
   private values: Uint32Array;
 

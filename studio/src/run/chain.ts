@@ -1,7 +1,7 @@
 // Kinematic chain from the machine's joints to the poses of its links, and the frames of a cell.
 
 import { Matrix4, Quaternion, Vector3 } from "three";
-import type { Axis, Branch, Drift, Scene } from "./scene";
+import type { Axis, Branch, UniformMotion, Scene } from "./scene";
 
 export const RAD_PER_DEG = Math.PI / 180;
 
@@ -24,14 +24,14 @@ interface ChainBranch {
   end: Matrix4;
 }
 
-const branchOf = (branch: Branch): ChainBranch => ({
+const toChainBranch = (branch: Branch): ChainBranch => ({
   base: matrixOf(branch.base),
   links: branch.links.map((link) => ({ ...link, before: matrixOf(link.before), after: matrixOf(link.after) })),
   end: matrixOf(branch.end),
 });
 
 /** Poses of all frames at an instant, in the world (mm). */
-export interface Places {
+export interface LinkPoses {
   /** Number 0 is the machine's world, number i the link that joint i - 1 moves. */
   links: Matrix4[];
   /** Frame of each joint, which moves along or about its Z. */
@@ -50,26 +50,26 @@ export class Chain {
   private readonly toolSide: ChainBranch;
   private readonly workSide: ChainBranch;
   /** Drifts of each frame in the order of time; from the start of one, earlier ones do not count. */
-  private readonly drifts = new Map<number, Drift[]>();
+  private readonly drifts = new Map<number, UniformMotion[]>();
   private readonly base: number;
 
   constructor(readonly scene: Scene) {
     this.world = matrixOf(scene.base);
-    this.toolSide = branchOf(scene.tool_side);
-    this.workSide = branchOf(scene.work_side);
+    this.toolSide = toChainBranch(scene.tool_side);
+    this.workSide = toChainBranch(scene.work_side);
     this.base = scene.frames?.findIndex((frame) => "link" in frame && frame.name === "base") ?? -1;
-    for (const drift of scene.drifts ?? []) {
-      const known = this.drifts.get(drift.frame) ?? [];
-      while (known.length > 0 && known[known.length - 1].from_s >= drift.from_s) known.pop();
-      known.push(drift);
-      this.drifts.set(drift.frame, known);
+    for (const uniformMotion of scene.drifts ?? []) {
+      const known = this.drifts.get(uniformMotion.frame) ?? [];
+      while (known.length > 0 && known[known.length - 1].from_s >= uniformMotion.from_s) known.pop();
+      known.push(uniformMotion);
+      this.drifts.set(uniformMotion.frame, known);
     }
   }
 
   /** Returns all poses for `joints` in mm and rad, at a time of the run. */
-  places(joints: ArrayLike<number>, t_s: number): Places {
+  places(joints: ArrayLike<number>, t_s: number): LinkPoses {
     const count = this.scene.axes.length;
-    const places: Places = {
+    const places: LinkPoses = {
       links: Array.from({ length: count + 1 }, () => this.world.clone()),
       joints: Array.from({ length: count }, () => new Matrix4()),
       tool: new Matrix4(),
@@ -89,31 +89,31 @@ export class Chain {
     return this.drifts.size > 0;
   }
 
-  private driftAt(frame: number, t_s: number): Drift | undefined {
-    return this.drifts.get(frame)?.findLast((drift) => drift.from_s <= t_s);
+  private driftAt(frame: number, t_s: number): UniformMotion | undefined {
+    return this.drifts.get(frame)?.findLast((uniformMotion) => uniformMotion.from_s <= t_s);
   }
 
   private shiftOfBase(t_s: number): Matrix4 | null {
-    const drift = this.driftAt(this.base, t_s);
-    return drift ? poseAt(drift, t_s).multiply(this.toolSide.base.clone().invert()) : null;
+    const uniformMotion = this.driftAt(this.base, t_s);
+    return uniformMotion ? poseAt(uniformMotion, t_s).multiply(this.toolSide.base.clone().invert()) : null;
   }
 
-  private placeFrames(places: Places, t_s: number): void {
+  private placeFrames(places: LinkPoses, t_s: number): void {
     this.scene.frames?.forEach((frame, i) => {
       if ("link" in frame) {
         const moved = i === this.base && this.driftAt(i, t_s);
         const pose = moved ? poseAt(moved, t_s).premultiply(this.world) : places.links[frame.link].clone().multiply(matrixOf(frame.in_link));
         places.frames.push(pose);
       } else {
-        const drift = this.driftAt(i, t_s);
-        const inParent = drift ? poseAt(drift, t_s) : matrixOf(frame.in_parent);
+        const uniformMotion = this.driftAt(i, t_s);
+        const inParent = uniformMotion ? poseAt(uniformMotion, t_s) : matrixOf(frame.in_parent);
         places.frames.push(places.frames[frame.parent].clone().multiply(inParent));
       }
     });
   }
 }
 
-function follow(branch: ChainBranch, joints: ArrayLike<number>, shift: Matrix4 | null, places: Places): Matrix4 {
+function follow(branch: ChainBranch, joints: ArrayLike<number>, shift: Matrix4 | null, places: LinkPoses): Matrix4 {
   const at = branch.base.clone();
   if (shift) at.premultiply(shift);
   at.premultiply(places.links[0]);
@@ -132,13 +132,13 @@ function follow(branch: ChainBranch, joints: ArrayLike<number>, shift: Matrix4 |
  * Returns the frame of a drift in its parent: the origin moves straight, the rotation is about an axis
  * through it.
  */
-function poseAt(drift: Drift, t_s: number): Matrix4 {
-  const elapsed_s = t_s - drift.from_s;
-  const pose = matrixOf(drift.pose);
+function poseAt(uniformMotion: UniformMotion, t_s: number): Matrix4 {
+  const elapsed_s = t_s - uniformMotion.from_s;
+  const pose = matrixOf(uniformMotion.pose);
   const [position, turn, scale] = [new Vector3(), new Quaternion(), new Vector3()];
   pose.decompose(position, turn, scale);
-  position.addScaledVector(new Vector3(...drift.velocity_mm_s), elapsed_s);
-  const spin = new Vector3(...drift.spin_rad_s);
+  position.addScaledVector(new Vector3(...uniformMotion.velocity_mm_s), elapsed_s);
+  const spin = new Vector3(...uniformMotion.spin_rad_s);
   const rate = spin.length();
   if (rate > 0) turn.premultiply(new Quaternion().setFromAxisAngle(spin.divideScalar(rate), rate * elapsed_s));
   return new Matrix4().compose(position, turn, scale);

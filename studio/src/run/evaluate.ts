@@ -18,14 +18,14 @@ export interface Records {
   joints: number;
 }
 
-export interface Part {
+export interface SegmentRecord {
   at: number;
   flags: number;
   duration_s: number;
 }
 
 // After its end, a law that is shorter than its segment is at standstill.
-function stateOf(values: Float64Array, law: number, waits: boolean, t_s: number): LawState {
+function lawState(values: Float64Array, law: number, waits: boolean, t_s: number): LawState {
   if (waits && t_s > lawDuration_s(values, law)) return { s: lawLength(values, law), v: 0, a: 0 };
   return lawAt(values, law, t_s);
 }
@@ -37,10 +37,10 @@ interface Layout {
   head: number;
   followers: number;
   apart: number;
-  beside: Part | null;
+  beside: SegmentRecord | null;
 }
 
-function layoutOf({ values, joints }: Records, { at, flags }: Part): Layout {
+function recordLayout({ values, joints }: Records, { at, flags }: SegmentRecord): Layout {
   const lead = at + 2 * joints;
   let next = lead + lawSize(values, lead);
   const arc = flags & Flag.arc ? next : -1;
@@ -63,14 +63,14 @@ const zeros = (count: number): JointState => ({
 });
 
 /** Sets `out` to the joints at the end of the segment, with those of a superimposed motion added. */
-function putEnd(records: Records, part: Part, beside: Part | null, out: Float64Array): void {
+function setEnd(records: Records, part: SegmentRecord, beside: SegmentRecord | null, out: Float64Array): void {
   const { values, joints } = records;
   for (let j = 0; j < joints; ++j) out[j] = values[part.at + joints + j];
   if (!beside) return;
   for (let j = 0; j < joints; ++j) out[j] += values[beside.at + joints + j] - values[beside.at + j];
 }
 
-function putStraight({ values, joints }: Records, { at }: Part, lead: LawState, scale: number, out: JointState): void {
+function setLinear({ values, joints }: Records, { at }: SegmentRecord, lead: LawState, scale: number, out: JointState): void {
   for (let j = 0; j < joints; ++j) {
     const start = values[at + j];
     const way = values[at + joints + j] - start;
@@ -80,7 +80,7 @@ function putStraight({ values, joints }: Records, { at }: Part, lead: LawState, 
   }
 }
 
-function putArc(values: Float64Array, arc: number, lead: LawState, out: JointState): void {
+function setArc(values: Float64Array, arc: number, lead: LawState, out: JointState): void {
   const point = arcAt(values, arc, lead.s, lead.v, lead.a);
   for (let i = 0; i < 3; ++i) {
     const joint = values[arc + i];
@@ -91,7 +91,7 @@ function putArc(values: Float64Array, arc: number, lead: LawState, out: JointSta
   }
 }
 
-function putHead(values: Float64Array, head: number, lead: LawState, scale: number, out: JointState): void {
+function setHead(values: Float64Array, head: number, lead: LawState, scale: number, out: JointState): void {
   const rate = scale * headLength_rad(values, head);
   const speed = lead.v * rate;
   const point = headAt(values, head, lead.s * rate);
@@ -105,13 +105,13 @@ function putHead(values: Float64Array, head: number, lead: LawState, scale: numb
   }
 }
 
-function putFollowers(records: Records, part: Part, layout: Layout, t_s: number, out: JointState): void {
+function setFollowers(records: Records, part: SegmentRecord, layout: Layout, t_s: number, out: JointState): void {
   const { values } = records;
   let next = layout.followers + 1;
   for (let i = values[layout.followers]; i > 0; --i) {
     const joint = values[next];
     const sign = values[next + 1];
-    const own = stateOf(values, next + 2, layout.apart >= 0, t_s);
+    const own = lawState(values, next + 2, layout.apart >= 0, t_s);
     out.position[joint] = values[part.at + joint] + sign * own.s;
     out.velocity[joint] = sign * own.v;
     out.acceleration[joint] = sign * own.a;
@@ -119,7 +119,7 @@ function putFollowers(records: Records, part: Part, layout: Layout, t_s: number,
   }
 }
 
-function addBeside(records: Records, beside: Part, t_s: number, out: JointState): void {
+function addSuperimposed(records: Records, beside: SegmentRecord, t_s: number, out: JointState): void {
   const other = jointsAt(records, beside, t_s);
   for (let j = 0; j < records.joints; ++j) {
     out.position[j] += other.position[j] - records.values[beside.at + j];
@@ -129,19 +129,19 @@ function addBeside(records: Records, beside: Part, t_s: number, out: JointState)
 }
 
 /** Returns the state of the joints `t_s` after the start of a segment; exact at both ends. */
-export function jointsAt(records: Records, part: Part, t_s: number): JointState {
+export function jointsAt(records: Records, part: SegmentRecord, t_s: number): JointState {
   const { values, joints } = records;
-  const layout = layoutOf(records, part);
-  const lead = stateOf(values, layout.lead, layout.apart >= 0, t_s);
+  const layout = recordLayout(records, part);
+  const lead = lawState(values, layout.lead, layout.apart >= 0, t_s);
   const length = lawLength(values, layout.lead);
   const scale = length > 0 ? 1 / length : 0;
   const out = zeros(joints);
-  putStraight(records, part, lead, scale, out);
-  if (layout.arc >= 0) putArc(values, layout.arc, lead, out);
-  if (layout.head >= 0) putHead(values, layout.head, lead, scale, out);
-  putFollowers(records, part, layout, t_s, out);
-  if (layout.beside) addBeside(records, layout.beside, t_s, out);
-  if (t_s >= part.duration_s) putEnd(records, part, layout.beside, out.position);
+  setLinear(records, part, lead, scale, out);
+  if (layout.arc >= 0) setArc(values, layout.arc, lead, out);
+  if (layout.head >= 0) setHead(values, layout.head, lead, scale, out);
+  setFollowers(records, part, layout, t_s, out);
+  if (layout.beside) addSuperimposed(records, layout.beside, t_s, out);
+  if (t_s >= part.duration_s) setEnd(records, part, layout.beside, out.position);
   if (t_s <= 0 && part.duration_s > 0) for (let j = 0; j < joints; ++j) out.position[j] = values[part.at + j];
   return out;
 }
@@ -150,9 +150,9 @@ export function jointsAt(records: Records, part: Part, t_s: number): JointState 
  * Returns the speed of the tool along its path (mm/s): `length_mm` is the segment's, `carriers` the joints of
  * X, Y and Z.
  */
-export function pathSpeed(records: Records, part: Part, t_s: number, length_mm: number, carriers: number[]): number {
+export function pathSpeed(records: Records, part: SegmentRecord, t_s: number, length_mm: number, carriers: number[]): number {
   const { values } = records;
-  const layout = layoutOf(records, part);
+  const layout = recordLayout(records, part);
   if (!layout.beside && layout.apart < 0) {
     const length = lawLength(values, layout.lead);
     return length > 0 ? (lawAt(values, layout.lead, t_s).v * length_mm) / length : 0;
@@ -164,18 +164,18 @@ export function pathSpeed(records: Records, part: Part, t_s: number, length_mm: 
 }
 
 /** Returns the position of the leading law in `values`. */
-export const leadOf = (records: Records, at: number): number => at + 2 * records.joints;
+export const pathLawOffset = (records: Records, at: number): number => at + 2 * records.joints;
 
 /** Returns the acceleration of the tool along its path (mm/s2); arguments as of pathSpeed. */
 export function pathAcceleration(
   records: Records,
-  part: Part,
+  part: SegmentRecord,
   t_s: number,
   length_mm: number,
   carriers: number[],
 ): number {
   const { values } = records;
-  const layout = layoutOf(records, part);
+  const layout = recordLayout(records, part);
   if (!layout.beside && layout.apart < 0) {
     const length = lawLength(values, layout.lead);
     return length > 0 ? (lawAt(values, layout.lead, t_s).a * length_mm) / length : 0;
@@ -193,17 +193,17 @@ export function pathAcceleration(
 }
 
 /** True if all joints move in proportion to the leading law. */
-export function isProportional(records: Records, part: Part): boolean {
+export function isProportional(records: Records, part: SegmentRecord): boolean {
   if (part.flags & (Flag.arc | Flag.orientation | Flag.beside | Flag.apart)) return false;
-  const lead = leadOf(records, part.at);
+  const lead = pathLawOffset(records, part.at);
   return records.values[lead + lawSize(records.values, lead)] === 0;
 }
 
 /** Returns the instants within a segment at which the law of one of its motions changes, unsorted. */
-export function breaksOf_s(records: Records, part: Part): number[] {
+export function lawBreaks_s(records: Records, part: SegmentRecord): number[] {
   const { values } = records;
-  const layout = layoutOf(records, part);
-  const breaks_s = layout.beside ? breaksOf_s(records, layout.beside) : [];
+  const layout = recordLayout(records, part);
+  const breaks_s = layout.beside ? lawBreaks_s(records, layout.beside) : [];
   addBreaks_s(values, layout.lead, breaks_s);
   let next = layout.followers + 1;
   for (let i = values[layout.followers]; i > 0; --i) {

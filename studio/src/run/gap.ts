@@ -7,16 +7,16 @@ import type { Shape } from "./scene";
 /** Body without the margin around it. */
 interface Core {
   /** Returns its farthest point in a direction, in the world. */
-  farthest(direction: Vector3): Vector3;
+  support(direction: Vector3): Vector3;
   margin_mm: number;
 }
 
-const MOST_STEPS = 100;
+const MAX_ITERATIONS = 100;
 /** Smallest improvement that counts, relative to the distance squared. */
-const ENOUGH = 1e-10;
+const MIN_IMPROVEMENT = 1e-10;
 
 /** Works in the shape's own frame. */
-function farthestOf(shape: Shape, meshes: Float32Array[]): (direction: Vector3) => Vector3 {
+function supportFunction(shape: Shape, meshes: Float32Array[]): (direction: Vector3) => Vector3 {
   switch (shape.kind) {
     case "box": {
       const [x, y, z] = shape.half_mm;
@@ -29,13 +29,13 @@ function farthestOf(shape: Shape, meshes: Float32Array[]): (direction: Vector3) 
         return new Vector3(d.x * share, d.y * share, Math.sign(d.z) * shape.half_height_mm);
       };
     case "points":
-      return (d) => farthestAmong(shape.points_mm.flat(), d);
+      return (d) => supportPoint(shape.points_mm.flat(), d);
     case "mesh":
-      return (d) => farthestAmong(meshes[shape.mesh] ?? [], d);
+      return (d) => supportPoint(meshes[shape.mesh] ?? [], d);
   }
 }
 
-function farthestAmong(coordinates: ArrayLike<number>, d: Vector3): Vector3 {
+function supportPoint(coordinates: ArrayLike<number>, d: Vector3): Vector3 {
   let [best, most] = [0, -Infinity];
   for (let i = 0; i < coordinates.length; i += 3) {
     const along = coordinates[i] * d.x + coordinates[i + 1] * d.y + coordinates[i + 2] * d.z;
@@ -45,11 +45,11 @@ function farthestAmong(coordinates: ArrayLike<number>, d: Vector3): Vector3 {
 }
 
 /** Returns a body of a scene at its pose. */
-export function coreOf(shape: Shape, meshes: Float32Array[], place: Matrix4): Core {
-  const farthest = farthestOf(shape, meshes);
+export function createCore(shape: Shape, meshes: Float32Array[], place: Matrix4): Core {
+  const support = supportFunction(shape, meshes);
   const back = new Matrix3().setFromMatrix4(place).transpose();
   return {
-    farthest: (direction) => farthest(direction.clone().applyMatrix3(back)).applyMatrix4(place),
+    support: (direction) => support(direction.clone().applyMatrix3(back)).applyMatrix4(place),
     margin_mm: shape.kind === "mesh" ? 0 : shape.margin_mm,
   };
 }
@@ -58,7 +58,7 @@ export function coreOf(shape: Shape, meshes: Float32Array[], place: Matrix4): Co
  * Returns the weights of the combination of points that is nearest to the origin; null: it has a weight below
  * 0.
  */
-function sharesOf(points: Vector3[]): number[] | null {
+function barycentricWeights(points: Vector3[]): number[] | null {
   const [first, ...others] = points;
   if (others.length === 0) return [1];
   const ways = others.map((point) => point.clone().sub(first));
@@ -78,7 +78,7 @@ function sharesOf(points: Vector3[]): number[] | null {
   return all.every((share) => share >= 0) ? all : null;
 }
 
-const mixOf = (points: Vector3[], shares: number[]): Vector3 =>
+const weightedSum = (points: Vector3[], shares: number[]): Vector3 =>
   points.reduce((sum, point, i) => sum.addScaledVector(point, shares[i]), new Vector3());
 
 /** Returns the point of a simplex that is nearest to the origin, and the corners that it combines. */
@@ -86,23 +86,23 @@ function nearest(simplex: Vector3[]): { point: Vector3; corners: Vector3[] } {
   let best = { point: simplex[0], corners: [simplex[0]] };
   for (let set = 1; set < 1 << simplex.length; ++set) {
     const corners = simplex.filter((_, i) => set & (1 << i));
-    const shares = sharesOf(corners);
-    const point = shares && mixOf(corners, shares);
+    const shares = barycentricWeights(corners);
+    const point = shares && weightedSum(corners, shares);
     if (point && point.lengthSq() < best.point.lengthSq()) best = { point, corners };
   }
   return best;
 }
 
 /** In mm; 0: they touch. */
-export function gapBetween(a: Core, b: Core): number {
-  const farthest = (direction: Vector3) => a.farthest(direction).sub(b.farthest(direction.clone().negate()));
-  let point = farthest(new Vector3(1, 0, 0));
+export function distanceBetween(a: Core, b: Core): number {
+  const support = (direction: Vector3) => a.support(direction).sub(b.support(direction.clone().negate()));
+  let point = support(new Vector3(1, 0, 0));
   let simplex = [point];
-  for (let i = 0; i < MOST_STEPS; ++i) {
+  for (let i = 0; i < MAX_ITERATIONS; ++i) {
     const square = point.lengthSq();
-    if (square < ENOUGH) return 0;
-    const next = farthest(point.clone().negate());
-    if (square - point.dot(next) <= ENOUGH * square) break;
+    if (square < MIN_IMPROVEMENT) return 0;
+    const next = support(point.clone().negate());
+    if (square - point.dot(next) <= MIN_IMPROVEMENT * square) break;
     const { point: nearer, corners } = nearest([...simplex, next]);
     if (nearer.lengthSq() >= square) break;
     [point, simplex] = [nearer, corners];

@@ -25,24 +25,24 @@ export function headAt(values: Float64Array, at: number, angle_rad: number): Hea
     return { turnJoint, tiltJoint, turn: [turn, 0, 0], tilt: [tilt + headingCosine * from, headingCosine, 0] };
   }
   const across = c * sine + s * cosine * headingCosine;
-  const aside = s * headingSine;
-  const placeSine = side * Math.max(Math.hypot(across, aside), Math.abs(clairaut));
-  const placeCosine = c * cosine - s * sine * headingCosine;
+  const lateral = s * headingSine;
+  const tiltSine = side * Math.max(Math.hypot(across, lateral), Math.abs(clairaut));
+  const tiltCosine = c * cosine - s * sine * headingCosine;
   const slope = -s * cosine - c * sine * headingCosine;
-  const cube = placeSine ** 3;
-  const tiltRate = -slope / placeSine;
+  const cube = tiltSine ** 3;
+  const tiltRate = -slope / tiltSine;
   return {
     turnJoint,
     tiltJoint,
     turn: [
-      turn + Math.atan2(side * aside, side * across),
-      clairaut / placeSine ** 2,
-      (-2 * clairaut * placeCosine * tiltRate) / cube,
+      turn + Math.atan2(side * lateral, side * across),
+      clairaut / tiltSine ** 2,
+      (-2 * clairaut * tiltCosine * tiltRate) / cube,
     ],
     tilt: [
-      tilt + Math.atan2(placeSine, placeCosine) - Math.atan2(sine, cosine),
+      tilt + Math.atan2(tiltSine, tiltCosine) - Math.atan2(sine, cosine),
       tiltRate,
-      (clairaut ** 2 * placeCosine) / cube,
+      (clairaut ** 2 * tiltCosine) / cube,
     ],
   };
 }

@@ -1,7 +1,7 @@
 // Cause that keeps a move from being faster: a limit, and its axis.
 
 import { limitKinds, limitWords, moveKinds, type LimitKind } from "./kinds";
-import { isRest, kindCodeOf, limitAxisOf, limitCodeOf } from "./segments";
+import { isStandstill, decodeKind, decodeLimitAxis, decodeLimit } from "./segments";
 
 /** Limit or dwell; a dwell has no limit, it waits. */
 export type Held = LimitKind | "dwell";
@@ -15,14 +15,14 @@ export interface NamedLimit {
 export const DWELL: NamedLimit = { kind: "dwell", letter: "" };
 
 /** Returns a limit by number, in the order of limitKinds and of the axes with these letters; -1: no axis. */
-export const limitOf = (limit: number, axis: number, letters: readonly string[]): NamedLimit => ({
+export const toNamedLimit = (limit: number, axis: number, letters: readonly string[]): NamedLimit => ({
   kind: limitKinds[limit],
   letter: letters[axis] ?? "",
 });
 
 /** Returns the limit of a segment, by its flags. */
 export const limitOfFlags = (flags: number, letters: readonly string[]): NamedLimit =>
-  isRest(flags) || moveKinds[kindCodeOf(flags)] === "dwell" ? DWELL : limitOf(limitCodeOf(flags), limitAxisOf(flags), letters);
+  isStandstill(flags) || moveKinds[decodeKind(flags)] === "dwell" ? DWELL : toNamedLimit(decodeLimit(flags), decodeLimitAxis(flags), letters);
 
 /** Returns a limit from the words of a report (docs/report.md): "rotary B speed". */
 export function limitOfReport(text: string): NamedLimit {

@@ -1,13 +1,13 @@
 // Marks of a run, in the order of time: events, alarms, exceeded limits, contacts, findings.
 
-import type { Placed, Report } from "./report";
+import type { Located, Report } from "./report";
 import type { Robot, Run } from "./run";
 
 export const markKinds = ["alarm", "collision", "violation", "zone", "motor", "finding", "near", "event"] as const;
 /** Kinds, the most severe first; "near" is a clearance below the requested one. */
 export type MarkKind = (typeof markKinds)[number];
 
-export interface Mark extends Placed {
+export interface Mark extends Located {
   t_s: number;
   kind: MarkKind;
   /** Kind of an event, or the message of any other mark. */
@@ -18,11 +18,11 @@ export interface Mark extends Placed {
   clearance_mm: number;
 }
 
-const placed = (from: Placed): Placed => ({ file: from.file, line: from.line });
+const placed = (from: Located): Located => ({ file: from.file, line: from.line });
 const plain = { detail: "", pair: null, clearance_mm: 0 };
 
 /** Returns the first motion of a line, s. */
-function startOfLine(robot: Robot | undefined, { file, line }: Placed): number {
+function lineStart_s(robot: Robot | undefined, { file, line }: Located): number {
   if (!robot || file === null || line === null) return 0;
   const block = robot.blocks.firstOf(robot.files.indexOf(file), line);
   return block < 0 ? 0 : robot.blocks.start_s(block);
@@ -48,7 +48,7 @@ function* unordered(report: Report, robot: Robot | undefined): Generator<Mark> {
   }
   for (const { t_s, clearance_mm, pair, ...place } of report.clearances ?? []) {
     if (clearance_mm <= 0) continue; // a contact, which is there as such
-    yield { ...plain, ...placed(place), t_s: t_s ?? startOfLine(robot, place), kind: "near", text: "", pair, clearance_mm };
+    yield { ...plain, ...placed(place), t_s: t_s ?? lineStart_s(robot, place), kind: "near", text: "", pair, clearance_mm };
   }
   if (report.alarm) {
     yield { ...plain, ...placed(report.alarm), t_s: report.cycle_time_s, kind: "alarm", text: report.alarm.message };
@@ -58,7 +58,7 @@ function* unordered(report: Report, robot: Robot | undefined): Generator<Mark> {
 /**
  * Returns the marks of one robot; a clearance with unknown time is placed at the first motion of its line.
  */
-export function marksOf(run: Run, index: number): Mark[] {
+export function runMarks(run: Run, index: number): Mark[] {
   const report = run.reportOf(index);
   if (!report) return [];
   const marks = [...unordered(report, run.robots[index])];

@@ -8,24 +8,24 @@ export const SAME_TIME_S = 1e-9;
 export type { Severity };
 
 /** A line of a source. */
-export interface Place {
+export interface SourceLocation {
   file: string;
   line: number;
 }
 
 /** Null: of no line. */
-export interface Placed {
+export interface Located {
   file: string | null;
   line: number | null;
 }
 
-export interface ReportEvent extends Placed {
+export interface ReportEvent extends Located {
   t_s: number;
   kind: string;
   detail?: string;
 }
 
-export interface Violation extends Placed {
+export interface Violation extends Located {
   t_s: number;
   axis: string;
   unit: string;
@@ -35,14 +35,14 @@ export interface Violation extends Placed {
   message: string;
 }
 
-export interface Collision extends Placed {
+export interface Collision extends Located {
   t_s: number;
   pair: [string, string];
   point_mm: [number, number, number];
   kind: "penetrating" | "touching";
 }
 
-export interface Clearance extends Placed {
+export interface Clearance extends Located {
   /** Time; missing if not known. */
   t_s?: number;
   clearance_mm: number;
@@ -50,7 +50,7 @@ export interface Clearance extends Placed {
   point_mm: [number, number, number];
 }
 
-export interface ReportDiagnostic extends Placed {
+export interface ReportDiagnostic extends Located {
   severity: Severity;
   code: string;
   text: string;
@@ -60,7 +60,7 @@ export interface ReportDiagnostic extends Placed {
 }
 
 /** Effort of an axis motor, N or Nm; null: not in the machine file. */
-export interface AxisEffort extends Placed {
+export interface AxisEffort extends Located {
   axis: string;
   unit: string;
   t_s: number;
@@ -73,7 +73,7 @@ export interface AxisEffort extends Placed {
   friction_j: number;
 }
 
-export interface EffortExcess extends Placed {
+export interface EffortExcess extends Located {
   t_s: number;
   axis: string;
   kind: "peak" | "continuous";
@@ -94,7 +94,7 @@ export interface Efforts {
 }
 
 /** Following error of an axis, mm or deg. */
-export interface AxisFollowing extends Placed {
+export interface AxisFollowing extends Located {
   axis: string;
   unit: string;
   behind_s: number;
@@ -104,7 +104,7 @@ export interface AxisFollowing extends Placed {
 }
 
 /** Largest distance of the TCP from its path. */
-export interface ContourError extends Placed {
+export interface ContourError extends Located {
   error_mm: number;
   t_s: number;
 }
@@ -122,7 +122,7 @@ export interface Report {
   machine: string;
   controller: string | null;
   status: RunStatus;
-  alarm: (Placed & { code: string; message: string; axis: string | null }) | null;
+  alarm: (Located & { code: string; message: string; axis: string | null }) | null;
   cycle_time_s: number;
   /** With violations: time after which the times are not those of the machine. */
   valid_until_s?: number | null;
@@ -137,7 +137,7 @@ export interface Report {
   events?: ReportEvent[];
   warnings: string[];
   diagnostics?: ReportDiagnostic[];
-  findings?: (Placed & { t_s: number; code: string; message: string })[];
+  findings?: (Located & { t_s: number; code: string; message: string })[];
   collisions?: Collision[];
   clearances?: Clearance[];
   cell?: { name: string; clearance_mm: number; looked_at?: { pairs: number; with_robots?: number } };

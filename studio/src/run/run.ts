@@ -3,8 +3,8 @@
 import type { Message } from "../core/message";
 import { Blocks } from "./blocks";
 import { Chain, axisValue, jointValue } from "./chain";
-import { Laws, type FetchLaws } from "./laws";
-import { SAME_TIME_S, type Clearance, type Place, type Report, type ReportEvent, type Severity } from "./report";
+import { ChunkCache, type FetchLaws } from "./chunk_cache";
+import { SAME_TIME_S, type Clearance, type SourceLocation, type Report, type ReportEvent, type Severity } from "./report";
 import type { Scene } from "./scene";
 import { lastIndex } from "./search";
 import { Segments } from "./segments";
@@ -25,14 +25,14 @@ export class Robot {
     public scene: Scene,
     /** Meshes of bodies: nine coordinates (mm) for a triangle. */
     readonly meshes: Float32Array[],
-    laws: Laws | null = null,
+    laws: ChunkCache | null = null,
   ) {
     this.segments = new Segments(scene.axes.length, scene.position_joints, laws);
     this.blocks = new Blocks(this.segments);
     this.chain = new Chain(scene);
   }
 
-  renew(scene: Scene, files: string[]): void {
+  refresh(scene: Scene, files: string[]): void {
     this.scene = scene;
     this.files = files;
     this.chain = new Chain(scene);
@@ -56,7 +56,7 @@ export class Robot {
   }
 
   /** Returns the TCP in use at a time, by its number in the scene; null: not loaded yet. */
-  tip_at(t_s: number): number | null {
+  tcp_at(t_s: number): number | null {
     const segment = this.segments.at(t_s);
     return segment >= 0 ? (this.segments.info(segment)?.tip ?? null) : 0;
   }
@@ -68,7 +68,7 @@ export class Robot {
   }
 }
 
-export interface Told {
+export interface EngineDiagnostic {
   severity: Severity;
   code: string;
   file: string;
@@ -80,21 +80,21 @@ export interface Told {
 }
 
 /** Sets the times of clearances, which reports do not have because each needs a search. */
-function tellWhen(clearances: Clearance[] = [], near_s: (number | null)[] = []): void {
+function addClearanceTimes(clearances: Clearance[] = [], near_s: (number | null)[] = []): void {
   clearances.forEach((clearance, i) => (clearance.t_s = near_s[i] ?? undefined));
 }
 
 export class Run {
   readonly robots: Robot[] = [];
-  readonly told: Told[] = [];
+  readonly told: EngineDiagnostic[] = [];
   report: Report | null = null;
   reportText = "";
   /** Reason why it was not run. */
-  failure: { code: string; message: string } | null = null;
+  error: { code: string; message: string } | null = null;
   /** Events of each robot in the order of time. */
   private readonly events = new Map<number, ReportEvent[]>();
   /** Loader of missing parts, for a run that may be too long for the page. */
-  readonly laws: Laws | null;
+  readonly laws: ChunkCache | null;
   /** Number of messages of segments received. */
   private parts = 0;
 
@@ -103,9 +103,9 @@ export class Run {
     readonly sources: Map<string, string> = new Map(),
     fetchLaws: FetchLaws | null = null,
     /** Name under which the engine keeps it; empty: it does not. */
-    readonly keptAs = "",
+    readonly storageKey = "",
   ) {
-    this.laws = fetchLaws && new Laws(fetchLaws);
+    this.laws = fetchLaws && new ChunkCache(fetchLaws);
   }
 
   /** True if not all of it is loaded. */
@@ -117,8 +117,8 @@ export class Run {
   want(t_s: number, ahead = false): void {
     if (!this.isLong) return;
     const all = this.robots.map(({ segments }) => segments);
-    const now = all.flatMap((segments) => segments.lacking(t_s) ?? []);
-    const next = all.flatMap((segments) => segments.lacking(segments.stretchAt(t_s)?.end_s ?? 0) ?? []);
+    const now = all.flatMap((segments) => segments.missingSection(t_s) ?? []);
+    const next = all.flatMap((segments) => segments.missingSection(segments.sectionAt(t_s)?.end_s ?? 0) ?? []);
     this.laws?.want(ahead ? [...now, ...next] : now);
   }
 
@@ -127,14 +127,14 @@ export class Run {
   }
 
   /** Processes a message of the engine. */
-  take(message: Message): void {
+  addMessage(message: Message): void {
     const { header, columns } = message;
     const robot = this.robots[header.robot as number];
     switch (message.is) {
       case "scene": {
         const scene = header.scene as Scene;
         const files = header.files as string[];
-        if (robot) return robot.renew(scene, files);
+        if (robot) return robot.refresh(scene, files);
         const meshes: Float32Array[] = [];
         for (let i = 0; columns.has(`mesh${i}`); ++i) meshes.push(columns.get(`mesh${i}`) as Float32Array);
         const added = new Robot(header.name as string, scene, meshes, this.laws);
@@ -153,16 +153,16 @@ export class Run {
         robot.series.set(message.is, new Series(message));
         return;
       case "told":
-        this.told.push(header as unknown as Told);
+        this.told.push(header as unknown as EngineDiagnostic);
         return;
       case "report":
         this.report = header.report as Report;
-        this.robots.forEach((each, i) => tellWhen(this.reportOf(i)?.clearances, each.scene.near_s));
+        this.robots.forEach((each, i) => addClearanceTimes(this.reportOf(i)?.clearances, each.scene.near_s));
         this.events.clear();
         this.reportText = header.text as string;
         return;
       case "failed":
-        this.failure = header as unknown as { code: string; message: string };
+        this.error = header as unknown as { code: string; message: string };
         return;
     }
   }
@@ -176,7 +176,7 @@ export class Run {
    * Returns the active lines at a time: those of events at that instant, which occur between moves, else that
    * of the active segment; none if the robot is done.
    */
-  placesAt(robot: number, t_s: number): Place[] {
+  placesAt(robot: number, t_s: number): SourceLocation[] {
     if (!this.robots[robot]) return [];
     const places = this.eventsAt(robot, t_s).flatMap(({ file, line }) =>
       file !== null && line !== null ? [{ file, line }] : [],
@@ -189,7 +189,7 @@ export class Run {
    * Returns the line of the segment active at a time; null: the robot is done, has not moved at all, or the
    * data is not loaded.
    */
-  placeOfMotion(robot: number, t_s: number): Place | null {
+  placeOfMotion(robot: number, t_s: number): SourceLocation | null {
     const { segments, files } = this.robots[robot] ?? {};
     if (!segments || segments.count === 0 || t_s > segments.end_s + SAME_TIME_S) return null;
     const at = segments.lineAt(t_s);

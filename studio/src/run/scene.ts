@@ -57,7 +57,7 @@ export type Frame =
   | { name: string; parent: number; in_parent: Matrix };
 
 /** Motion of a frame in its parent from `from_s` on, until its next drift. */
-export interface Drift {
+export interface UniformMotion {
   frame: number;
   from_s: number;
   pose: Matrix;
@@ -97,7 +97,7 @@ export interface Scene {
   clearance_mm?: number;
   frames?: Frame[];
   bodies?: Body[];
-  drifts?: Drift[];
+  drifts?: UniformMotion[];
   /** Times of the report's clearances. */
   near_s?: (number | null)[];
 }

@@ -1,24 +1,24 @@
 // Segments of a run, as columns in chunks, in the order of time.
 
 import type { Message } from "../core/message";
-import { jointsAt, leadOf, pathSpeed, type JointState, type Part, type Records } from "./evaluate";
+import { jointsAt, pathLawOffset, pathSpeed, type JointState, type SegmentRecord, type Records } from "./evaluate";
 import { Flag, limitKinds, moveKinds, segmentKinds, type LimitKind, type MoveKind } from "./kinds";
-import { lawLength, newRange, widenByLaw } from "./law";
-import type { Laws } from "./laws";
+import { lawLength, newRange, extendByLaw } from "./law";
+import type { ChunkCache } from "./chunk_cache";
 import { lastIndex } from "./search";
-import { Stretch, type Chunk, type Line, type MaybeUnderWay } from "./stretch";
+import { RunSection, type Chunk, type Line, type SegmentRange } from "./run_section";
 
 /**
  * Decodes the flags of a segment (docs/studio.md): numbers of moveKinds and limitKinds, the limit's axis (-1:
  * none).
  */
-export const kindCodeOf = (flags: number): number => (flags >>> 8) & 15;
-export const limitCodeOf = (flags: number): number => (flags >>> 12) & 15;
-export const limitAxisOf = (flags: number): number => ((flags >>> 16) & 31) - 1;
-const REST = segmentKinds.indexOf("rest");
+export const decodeKind = (flags: number): number => (flags >>> 8) & 15;
+export const decodeLimit = (flags: number): number => (flags >>> 12) & 15;
+export const decodeLimitAxis = (flags: number): number => ((flags >>> 16) & 31) - 1;
+const STANDSTILL = segmentKinds.indexOf("rest");
 /** True if nothing moves, also within a move: a controller may wait for its axes to settle. */
-export const isRest = (flags: number): boolean => (flags & 3) === REST;
-export const isRapid = (flags: number): boolean => moveKinds[kindCodeOf(flags)] === "rapid";
+export const isStandstill = (flags: number): boolean => (flags & 3) === STANDSTILL;
+export const isRapid = (flags: number): boolean => moveKinds[decodeKind(flags)] === "rapid";
 
 /** Segment as used by rows. */
 export interface SegmentInfo {
@@ -33,7 +33,7 @@ export interface SegmentInfo {
   file: number;
   tip: number;
   kind: MoveKind;
-  rests: boolean;
+  isStationary: boolean;
   processOn: boolean;
   limit: LimitKind;
   /** Axis of the limit, as an index; -1: none. */
@@ -41,8 +41,8 @@ export interface SegmentInfo {
 }
 
 /** Range of segments with the active one, from the first to the last; a single one if the chunk is loaded. */
-interface UnderWay extends MaybeUnderWay {
-  stretch: Stretch;
+interface ActiveSegments extends SegmentRange {
+  section: RunSection;
   chunk: Chunk | null;
 }
 
@@ -52,7 +52,7 @@ interface UnderWay extends MaybeUnderWay {
  */
 export class Segments {
   /** All stretches, in the order of time. */
-  readonly stretches: Stretch[] = [];
+  readonly sections: RunSection[] = [];
   /** Chunks of the permanently loaded stretches, which come first. */
   readonly chunks: Chunk[] = [];
   count = 0;
@@ -60,73 +60,73 @@ export class Segments {
   constructor(
     readonly joints: number,
     readonly carriers: number[],
-    private readonly laws: Laws | null = null,
+    private readonly laws: ChunkCache | null = null,
   ) {}
 
   /** `number`: number of earlier messages of segments. */
-  add(message: Message, number = this.stretches.length): void {
-    const stretch = new Stretch(message.header.first as number, message, number, this.stretches.at(-1));
-    if (stretch.count === 0 && stretch.vertices === 0) return;
-    this.stretches.push(stretch);
-    if (stretch.whole) this.chunks.push(stretch.whole);
-    this.count = stretch.first + stretch.count;
+  add(message: Message, number = this.sections.length): void {
+    const section = new RunSection(message.header.first as number, message, number, this.sections.at(-1));
+    if (section.count === 0 && section.vertices === 0) return;
+    this.sections.push(section);
+    if (section.whole) this.chunks.push(section.whole);
+    this.count = section.first + section.count;
   }
 
   /** True if some segments are not permanently loaded. */
   get isLong(): boolean {
-    return this.chunks.length < this.stretches.length;
+    return this.chunks.length < this.sections.length;
   }
 
   get end_s(): number {
-    return this.stretches.at(-1)?.end_s ?? 0;
+    return this.sections.at(-1)?.end_s ?? 0;
   }
 
   /** The stretch of a segment. */
-  stretchOf(index: number): Stretch {
-    const { stretches } = this;
-    return stretches[Math.max(lastIndex(stretches.length, (i) => stretches[i].first <= index), 0)];
+  sectionOf(index: number): RunSection {
+    const { sections } = this;
+    return sections[Math.max(lastIndex(sections.length, (i) => sections[i].first <= index), 0)];
   }
 
   /** Returns the stretch active at a time; undefined: nothing moves. */
-  stretchAt(t_s: number): Stretch | undefined {
-    const { stretches } = this;
+  sectionAt(t_s: number): RunSection | undefined {
+    const { sections } = this;
     if (this.count === 0) return undefined;
-    return stretches[Math.max(lastIndex(stretches.length, (i) => stretches[i].start_s <= t_s), 0)];
+    return sections[Math.max(lastIndex(sections.length, (i) => sections[i].start_s <= t_s), 0)];
   }
 
-  private chunk(stretch: Stretch): Chunk | null {
-    return stretch.whole ?? this.laws?.get(stretch) ?? null;
+  private chunk(section: RunSection): Chunk | null {
+    return section.whole ?? this.laws?.get(section) ?? null;
   }
 
   /** Returns the chunk of a segment, and its index there; null: not loaded. */
   locate(index: number): [Chunk, number] | null {
-    const stretch = this.stretchOf(index);
-    const chunk = this.chunk(stretch);
-    return chunk && [chunk, index - stretch.first];
+    const section = this.sectionOf(index);
+    const chunk = this.chunk(section);
+    return chunk && [chunk, index - section.first];
   }
 
   /** Returns the stretch active at a time if it is not loaded. */
-  lacking(t_s: number): Stretch | null {
-    const stretch = this.stretchAt(t_s);
-    return stretch && !this.chunk(stretch) ? stretch : null;
+  missingSection(t_s: number): RunSection | null {
+    const section = this.sectionAt(t_s);
+    return section && !this.chunk(section) ? section : null;
   }
 
   /** Fetches all data of a segment; returns true if it is then loaded. */
   async need(index: number): Promise<boolean> {
-    const stretch = this.stretchOf(index);
-    return stretch.whole !== null || ((await this.laws?.need(stretch)) ?? false);
+    const section = this.sectionOf(index);
+    return section.whole !== null || ((await this.laws?.need(section)) ?? false);
   }
 
   /**
    * Returns the segments active at a time: of two that meet there the later one; undefined: nothing moves.
    */
-  private underWay(t_s: number): UnderWay | undefined {
-    const stretch = this.stretchAt(t_s);
-    if (!stretch) return undefined;
-    const chunk = this.chunk(stretch);
-    if (!chunk) return { stretch, chunk, ...stretch.underWay(t_s) };
+  private activeSegments(t_s: number): ActiveSegments | undefined {
+    const section = this.sectionAt(t_s);
+    if (!section) return undefined;
+    const chunk = this.chunk(section);
+    if (!chunk) return { section, chunk, ...section.activeSegments(t_s) };
     const index = chunk.first + Math.max(lastIndex(chunk.count, (i) => chunk.start_s[i] <= t_s), 0);
-    return { stretch, chunk, from: index, to: index, vertex: -1 };
+    return { section, chunk, from: index, to: index, vertex: -1 };
   }
 
   /**
@@ -134,24 +134,24 @@ export class Segments {
    * that.
    */
   at(t_s: number): number {
-    return this.underWay(t_s)?.to ?? -1;
+    return this.activeSegments(t_s)?.to ?? -1;
   }
 
   /**
-   * Returns the flags of the active segment, as far as loaded (Stretch.flagsOf); null: none, or not known.
+   * Returns the flags of the active segment, as far as loaded (Stretch.vertexFlags); null: none, or not known.
    */
-  flags_at(t_s: number): number | null {
-    const now = this.underWay(t_s);
-    if (!now || t_s > now.stretch.end_s) return null;
-    const { stretch, chunk, vertex } = now;
-    if (!chunk) return vertex < 0 ? null : stretch.flagsOf(vertex);
+  flagsAt(t_s: number): number | null {
+    const now = this.activeSegments(t_s);
+    if (!now || t_s > now.section.end_s) return null;
+    const { section, chunk, vertex } = now;
+    if (!chunk) return vertex < 0 ? null : section.vertexFlags(vertex);
     const i = now.to - chunk.first;
     return t_s > chunk.start_s[i] + chunk.duration_s[i] ? null : chunk.flags[i];
   }
 
   /** Returns the source line of the active segment; null: none, or not known. */
   lineAt(t_s: number): Line | null {
-    const now = this.underWay(t_s);
+    const now = this.activeSegments(t_s);
     if (!now) return null;
     const [line, last] = [this.lineOf(now.from), this.lineOf(now.to)];
     return line.file === last.file && line.line === last.line ? line : null;
@@ -159,26 +159,26 @@ export class Segments {
 
   /** Returns the TCP position at a time on the drawn path (mm, in the work frame); null: nothing moves. */
   tip_mm(t_s: number): number[] | null {
-    return this.stretchAt(t_s)?.tip_mm(t_s) ?? null;
+    return this.sectionAt(t_s)?.tip_mm(t_s) ?? null;
   }
 
   /** Returns the start of a segment; from vertices if it is not loaded. */
   start_s(index: number): number {
-    const stretch = this.stretchOf(index);
-    const chunk = this.chunk(stretch);
-    return chunk ? chunk.start_s[index - stretch.first] : stretch.roughStart_s(index);
+    const section = this.sectionOf(index);
+    const chunk = this.chunk(section);
+    return chunk ? chunk.start_s[index - section.first] : section.approximateStart_s(index);
   }
 
   /** Returns the end of a segment, as start_s(). */
-  end_s_of(index: number): number {
+  segmentEnd_s(index: number): number {
     const here = this.locate(index);
     if (here) return here[0].start_s[here[1]] + here[0].duration_s[here[1]];
-    const stretch = this.stretchOf(index);
-    return index + 1 < stretch.first + stretch.count ? stretch.roughStart_s(index + 1) : stretch.end_s;
+    const section = this.sectionOf(index);
+    return index + 1 < section.first + section.count ? section.approximateStart_s(index + 1) : section.end_s;
   }
 
   lineOf(index: number): Line {
-    return this.stretchOf(index).lineOf(index);
+    return this.sectionOf(index).lineOf(index);
   }
 
   info(index: number): SegmentInfo | null {
@@ -196,16 +196,16 @@ export class Segments {
       line: chunk.line[i],
       file: chunk.file[i],
       tip: chunk.tip[i],
-      kind: moveKinds[kindCodeOf(flags)],
-      rests: isRest(flags),
+      kind: moveKinds[decodeKind(flags)],
+      isStationary: isStandstill(flags),
       processOn: (flags & Flag.processOn) !== 0,
-      limit: limitKinds[limitCodeOf(flags)],
-      limitAxis: limitAxisOf(flags),
+      limit: limitKinds[decodeLimit(flags)],
+      limitAxis: decodeLimitAxis(flags),
     };
   }
 
   /** Returns the data for a segment's state. */
-  part(chunk: Chunk, i: number): Part {
+  part(chunk: Chunk, i: number): SegmentRecord {
     return { at: chunk.record[i], flags: chunk.flags[i], duration_s: chunk.duration_s[i] };
   }
 
@@ -215,13 +215,13 @@ export class Segments {
 
   /** Returns joints (mm, rad) at a time of the run; null: none, or not loaded. */
   joints_at(t_s: number): JointState | null {
-    const here = this.hereAt(t_s);
+    const here = this.locateAt(t_s);
     if (!here) return null;
     const [chunk, i] = here;
     return jointsAt(this.records(chunk), this.part(chunk, i), t_s - chunk.start_s[i]);
   }
 
-  private hereAt(t_s: number): [Chunk, number] | null {
+  private locateAt(t_s: number): [Chunk, number] | null {
     const index = this.at(t_s);
     return index < 0 ? null : this.locate(index);
   }
@@ -229,7 +229,7 @@ export class Segments {
   /** Returns the speed of the tool along its path, mm/s; 0 after the end of the run; null: not loaded. */
   speed_at(t_s: number): number | null {
     if (this.count === 0 || t_s >= this.end_s) return 0;
-    const here = this.hereAt(t_s);
+    const here = this.locateAt(t_s);
     if (!here) return null;
     const [chunk, i] = here;
     const since_s = t_s - chunk.start_s[i];
@@ -238,11 +238,11 @@ export class Segments {
 
   /** Returns the highest speed of a segment along the tool's path, mm/s. */
   peakSpeed(chunk: Chunk, i: number): number {
-    const law = leadOf(this.records(chunk), chunk.record[i]);
+    const law = pathLawOffset(this.records(chunk), chunk.record[i]);
     const length = lawLength(chunk.values, law);
     if (!(length > 0)) return 0;
     const range = newRange();
-    widenByLaw(chunk.values, law, range);
+    extendByLaw(chunk.values, law, range);
     return (range[1] * chunk.length_mm[i]) / length;
   }
 }

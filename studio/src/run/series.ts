@@ -15,7 +15,7 @@ export interface Channel {
 }
 
 /** Rounding margin (s) at both ends; no values exist beyond it. */
-const AT_END_S = 1e-6;
+const END_TOLERANCE_S = 1e-6;
 
 export class Series {
   readonly channels: Channel[];
@@ -66,7 +66,7 @@ export class Series {
   }
 
   /** Widens the range by the values of an instant or a step. */
-  widen(index: number, low: Float32Array, high: Float32Array): void {
+  expand(index: number, low: Float32Array, high: Float32Array): void {
     const at = index * this.width;
     for (let j = 0; j < this.width; ++j) {
       if (this.low[at + j] < low[j]) low[j] = this.low[at + j];
@@ -79,7 +79,7 @@ export class Series {
     const { width, count } = this;
     const index = this.indexAt(t_s);
     if (this.step_s > 0) return this.putFarthest(index, out);
-    const isOutside = count === 0 || t_s < this.t_s[0] - AT_END_S || t_s > this.t_s[count - 1] + AT_END_S;
+    const isOutside = count === 0 || t_s < this.t_s[0] - END_TOLERANCE_S || t_s > this.t_s[count - 1] + END_TOLERANCE_S;
     const before = Math.max(index, 0) * width;
     const after = Math.min(index + 1, count - 1) * width;
     const [from_s, to_s] = [this.t_s[before / width], this.t_s[after / width]];

@@ -24,7 +24,7 @@ export const bar = {
     spindle_override_percent: "Spindle override, %",
   },
   collisions: "Look for collisions",
-  aside: (taken: number, names: string[]) => {
+  ignoredFiles: (taken: number, names: string[]) => {
     const listed = names.slice(0, 3).join(", ") + (names.length > 3 ? ` and ${names.length - 3} more` : "");
     return taken > 0 ? `Also opened: ${listed}` : `Not a program, machine, cell or machine data: ${listed}`;
   },
@@ -37,7 +37,7 @@ export const bar = {
   redoTitle: (what: string) => (what ? `Redo: ${what} (Ctrl+Shift+Z)` : "Nothing to redo (Ctrl+Shift+Z)"),
   undone: (what: string) => `Undone: ${what}`,
   redone: (what: string) => `Done again: ${what}`,
-  cancelled: (shown: string) => (shown ? `Cancelled. What is shown is the run of ${shown}` : "Cancelled"),
+  cancelled: (displayed: string) => (displayed ? `Cancelled. What is shown is the run of ${displayed}` : "Cancelled"),
   changed: (count: number) => (count > 0 ? `More (${count})` : "More"),
   dismiss: "Dismiss",
   none: "none",

@@ -7,7 +7,7 @@ export const machine = {
   changed: (owner: string, what: string) => (owner ? `${owner}: ${what}` : what),
   otherFile: (what: string) => `Another file is shown by now: it was left as it is (${what}).`,
   changedMeanwhile: "The file was changed meanwhile: nothing was done. Try again.",
-  asText: "Edit as text",
+  showText: "Edit as text",
   asTextHint: "Show the file as text, beside the program; of a sample a copy is made",
   save: "Save",
   saveHint: "Save the file",
@@ -77,7 +77,7 @@ export const machine = {
     modelHint: "What the control does where nothing else is said below: one that is built in, or a file of yours.",
     overrides: "Overrides of the operator",
     stops: "What the control waits at",
-    onlySaid: "Only what is said here",
+    onlySetKeys: "Only what is said here",
     inFile: (name: string) => `in ${name}`,
   },
   items: {
@@ -184,7 +184,7 @@ export const machine = {
     bodies: "With the sample's bodies: they have its sizes",
     text: "The machine file",
     remark: (name: string, sample: string) => `${name}: made of the sample ${sample}, whose remarks follow.`,
-    take: "Take it",
+    accept: "Take it",
     made: (name: string) => `New machine ${name}`,
   },
 };

@@ -269,7 +269,7 @@ export const paths = {
     ofSubPath: "a sub-path",
     ofMachinePoint: "a fixed or reference point",
     unknownKey: (key: string, where: string, known: string) => `unknown key '${key}' in ${where}; it may hold: ${known}`,
-    value: (key: string, wanted: string) => `'${key}' ${wanted}`,
+    value: (key: string, requested: string) => `'${key}' ${requested}`,
     string: "must be a string",
     text: "must be a string that is not empty",
     rate: "must be a number greater than 0 and at most 1e9",

@@ -91,7 +91,7 @@ export const variants = {
   filterHint: "A line (230), lines (200-260), or a part of the text",
   rows: "Blocks whose times differ, the greatest difference first",
   rowColumns: { line: "Line", difference: "Difference" },
-  rowCount: (shown: string, count: string) => `${shown} of ${count} blocks that differ`,
+  rowCount: (displayed: string, count: string) => `${displayed} of ${count} blocks that differ`,
   noRows: "No block differs.",
   noMatch: "No block that differs matches.",
   kinds: { both: "", changed: "changed", onlyA: "first only", onlyB: "second only" },

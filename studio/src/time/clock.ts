@@ -2,7 +2,7 @@
 
 import { kindColours } from "../core/colours";
 import { element } from "../core/dom";
-import { end_sOf, lineAtWork, robotOf } from "../core/shown";
+import { clockEnd_s, activeLine, shownRobot } from "../core/display_state";
 import type { Store } from "../core/store";
 import { clockText, feedText, programmedFeedText } from "../core/units";
 import { texts } from "../texts";
@@ -20,9 +20,9 @@ export function createClock(store: Store): HTMLElement {
 
   store.watch(["time_s", "run", "beside", "robot", "units", "selection", "fetched"], () => {
     const t_s = store.get("time_s");
-    const robot = robotOf(store);
+    const robot = shownRobot(store);
     clock.textContent = clockText(t_s);
-    whole.textContent = `/ ${clockText(end_sOf(store))}`;
+    whole.textContent = `/ ${clockText(clockEnd_s(store))}`;
     seconds.textContent = `${t_s.toFixed(3)} s`;
     const index = robot ? robot.segments.at(t_s) : -1;
     place.textContent = kind.textContent = feed.textContent = "";
@@ -30,7 +30,7 @@ export function createClock(store: Store): HTMLElement {
     if (!robot || index < 0) return;
     const info = robot.segments.info(index);
     const speed_mm_s = robot.segments.speed_at(t_s);
-    const here = lineAtWork(store);
+    const here = activeLine(store);
     place.textContent = here ? texts.run.line(here.line) : "";
     place.title = here?.file ?? "";
     kind.hidden = info === null;

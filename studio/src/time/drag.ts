@@ -6,7 +6,7 @@ export interface Drag {
   move(event: PointerEvent, x_px: number, y_px: number): void;
 }
 
-export function dragOn(element: HTMLElement, drag: Drag): void {
+export function listenToDrag(element: HTMLElement, drag: Drag): void {
   let last: PointerEvent | null = null;
   element.addEventListener("pointerdown", (event) => {
     if (event.button !== 0) return;

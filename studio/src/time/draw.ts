@@ -6,8 +6,8 @@ import { timeText } from "../core/units";
 import { markKinds, type Mark, type MarkKind } from "../run/marks";
 import { SAME_TIME_S } from "../run/report";
 import { moveKinds } from "../run/kinds";
-import { kindCodeOf, type Segments } from "../run/segments";
-import { isOnWithin } from "./process";
+import { decodeKind, type Segments } from "../run/segments";
+import { isProcessOnWithin } from "./process";
 import { firstAfter } from "./steps";
 import { ticks, type TimeWindow } from "./window";
 
@@ -37,7 +37,7 @@ const KINDS = { top: 29, height: 11 };
 const PROCESS = { top: 41, height: 6 };
 
 /** Column of pixels of an instant. */
-export const pixelOf = (window: TimeWindow, width: number, t_s: number): number =>
+export const timePixel = (window: TimeWindow, width: number, t_s: number): number =>
   window.span_s > 0 ? ((t_s - window.start_s) / window.span_s) * width : 0;
 
 export function drawStrip(canvas: HTMLCanvasElement, window: TimeWindow, content: Content | null): void {
@@ -61,7 +61,7 @@ function drawTicks(ctx: CanvasRenderingContext2D, window: TimeWindow, width: num
   ctx.font = "11px system-ui, sans-serif";
   ctx.textBaseline = "top";
   for (const t_s of at_s) {
-    const x = pixelOf(window, width, t_s);
+    const x = timePixel(window, width, t_s);
     ctx.fillStyle = themeColour("--line");
     ctx.fillRect(x, TICKS.top, 1, MARKS.top + MARKS.height);
     ctx.fillStyle = themeColour("--dim");
@@ -75,8 +75,8 @@ function drawKinds(ctx: CanvasRenderingContext2D, window: TimeWindow, width: num
   let kind = -1;
   for (let x = 0; x <= width; ++x) {
     const t_s = window.start_s + ((x + 0.5) / width) * window.span_s;
-    const flags = x === width ? null : segments.flags_at(t_s);
-    const here = flags === null ? -1 : kindCodeOf(flags);
+    const flags = x === width ? null : segments.flagsAt(t_s);
+    const here = flags === null ? -1 : decodeKind(flags);
     if (here === kind) continue;
     if (kind >= 0) {
       ctx.fillStyle = kindColours[moveKinds[kind]];
@@ -91,21 +91,21 @@ function drawProcess(ctx: CanvasRenderingContext2D, window: TimeWindow, width: n
   const step_s = window.span_s / width;
   for (let x = 0; x < width; ++x) {
     const t_s = window.start_s + x * step_s;
-    if (isOnWithin(edges_s, t_s, t_s + step_s)) ctx.fillRect(x, PROCESS.top, 1, PROCESS.height);
+    if (isProcessOnWithin(edges_s, t_s, t_s + step_s)) ctx.fillRect(x, PROCESS.top, 1, PROCESS.height);
   }
 }
 
 /** Draws only the most severe mark in a column of pixels. */
 function drawMarks(ctx: CanvasRenderingContext2D, window: TimeWindow, width: number, marks: readonly Mark[]): void {
-  const gravest = new Map<number, MarkKind>();
+  const mostSevere = new Map<number, MarkKind>();
   const rank = (kind: MarkKind) => markKinds.indexOf(kind);
   for (let i = firstAfter(marks, window.start_s - SAME_TIME_S); i < marks.length && marks[i].t_s <= window.end_s; ++i) {
-    const x = Math.round(pixelOf(window, width, marks[i].t_s));
-    const known = gravest.get(x);
-    if (known === undefined || rank(marks[i].kind) < rank(known)) gravest.set(x, marks[i].kind);
+    const x = Math.round(timePixel(window, width, marks[i].t_s));
+    const known = mostSevere.get(x);
+    if (known === undefined || rank(marks[i].kind) < rank(known)) mostSevere.set(x, marks[i].kind);
   }
-  const lightFirst = [...gravest].sort((a, b) => rank(b[1]) - rank(a[1]));
-  for (const [x, kind] of lightFirst) drawMark(ctx, x, kind);
+  const ascendingSeverity = [...mostSevere].sort((a, b) => rank(b[1]) - rank(a[1]));
+  for (const [x, kind] of ascendingSeverity) drawMark(ctx, x, kind);
 }
 
 /** Draws a shape for each kind, in addition to colours: bar, triangle, cross, diamond, circle. */

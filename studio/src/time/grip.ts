@@ -2,18 +2,18 @@
 
 import { element } from "../core/dom";
 import { texts } from "../texts";
-import { dragOn } from "./drag";
+import { listenToDrag } from "./drag";
 
-const LEAST_PX = 150;
-const MOST_SHARE = 0.75;
+const MIN_HEIGHT_PX = 150;
+const MAX_SHARE = 0.75;
 const STEP_PX = 20;
 
 /** `strip` is in the last row of a grid. */
 export function createGrip(strip: HTMLElement): HTMLElement {
   const grid = strip.parentElement!;
   const grow = (by_px: number) => {
-    const most_px = grid.clientHeight * MOST_SHARE;
-    const height_px = Math.max(Math.min(strip.offsetHeight + by_px, most_px), LEAST_PX);
+    const most_px = grid.clientHeight * MAX_SHARE;
+    const height_px = Math.max(Math.min(strip.offsetHeight + by_px, most_px), MIN_HEIGHT_PX);
     grid.style.gridTemplateRows = `minmax(0, 1fr) ${height_px}px`;
   };
   const label = texts.time.grip;
@@ -26,7 +26,7 @@ export function createGrip(strip: HTMLElement): HTMLElement {
     title: label,
     ondblclick: () => (grid.style.gridTemplateRows = ""),
   });
-  dragOn(grip, { move: (_event, _x_px, y_px) => grow(-y_px) });
+  listenToDrag(grip, { move: (_event, _x_px, y_px) => grow(-y_px) });
   grip.addEventListener("keydown", (event) => {
     const by_px = { ArrowUp: STEP_PX, ArrowDown: -STEP_PX }[event.key];
     if (by_px === undefined) return;

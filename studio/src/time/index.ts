@@ -5,9 +5,9 @@ import "./time.css";
 import { element } from "../core/dom";
 import type { Frames } from "../core/frames";
 import type { Session } from "../core/session";
-import { end_sOf, robotOf } from "../core/shown";
+import { clockEnd_s, shownRobot } from "../core/display_state";
 import type { Store } from "../core/store";
-import { marksOf, type Mark } from "../run/marks";
+import { runMarks, type Mark } from "../run/marks";
 import { texts } from "../texts";
 import { createCharts } from "./charts";
 import { createClock } from "./clock";
@@ -15,7 +15,7 @@ import { createGrip } from "./grip";
 import { createKeyboard } from "./keyboard";
 import { fullMarkText } from "./mark_text";
 import { createPlayer } from "./player";
-import { processOn_s } from "./process";
+import { processEdges_s } from "./process";
 import { createScrubber } from "./scrubber";
 import { goToEnd, goToStart, stepBlock, stepMark } from "./steps";
 import { createTransport, type Actions } from "./transport";
@@ -56,14 +56,14 @@ export function createTime(host: HTMLElement, store: Store, _session: Session, f
   // The text of a mark does not apply to another instant.
   store.on("time_s", () => {
     if (told.textContent) told.textContent = "";
-    if (!window.isWhole) window.show(store.get("time_s"));
+    if (!window.isComplete) window.show(store.get("time_s"));
   });
   store.watch(["run", "beside", "robot"], () => {
     const run = store.get("run");
-    const robot = robotOf(store);
-    marks = run && robot ? marksOf(run, store.get("robot")) : [];
-    window.begin(end_sOf(store));
-    const content = robot && { segments: robot.segments, marks, process_s: processOn_s(robot.segments) };
+    const robot = shownRobot(store);
+    marks = run && robot ? runMarks(run, store.get("robot")) : [];
+    window.begin(clockEnd_s(store));
+    const content = robot && { segments: robot.segments, marks, process_s: processEdges_s(robot.segments) };
     scrubber.begin(content ?? null);
     charts.begin(marks);
     host.classList.toggle("empty", !content);

@@ -5,7 +5,7 @@ export type Keys = Record<string, () => void>;
 const boxes = ":is([type=checkbox], [type=radio])";
 const writes = `input:not(${boxes}), textarea, select, [contenteditable], .cm-editor`;
 // These elements use Space themselves.
-const presses = `button, summary, a[href], input${boxes}, [role=tab], [role=option], [role=menuitem]`;
+const pressableElements = `button, summary, a[href], input${boxes}, [role=tab], [role=option], [role=menuitem]`;
 
 /** Listens on the page; `keys` by KeyboardEvent.key. */
 export function createKeyboard(keys: Keys): void {
@@ -13,7 +13,7 @@ export function createKeyboard(keys: Keys): void {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
     const target = event.target as Element;
     if (target.closest?.(writes)) return;
-    if (event.key === " " && target.closest?.(presses)) return;
+    if (event.key === " " && target.closest?.(pressableElements)) return;
     const act = keys[event.key];
     if (!act) return;
     event.preventDefault();

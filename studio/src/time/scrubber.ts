@@ -2,21 +2,21 @@
 // stretch in the run.
 
 import { element } from "../core/dom";
-import { goTo } from "../core/go";
+import { goTo } from "../core/navigation";
 import { onTheme } from "../core/theme";
 import type { Store } from "../core/store";
 import { timeText } from "../core/units";
 import type { Mark } from "../run/marks";
 import { texts } from "../texts";
-import { dragOn } from "./drag";
-import { drawStrip, pixelOf, type Content } from "./draw";
+import { listenToDrag } from "./drag";
+import { drawStrip, timePixel, type Content } from "./draw";
 import { fullMarkText } from "./mark_text";
 import type { TimeWindow } from "./window";
 
 const words = texts.time;
-const NEAR_PX = 6;
-const FINE = 0.1;
-const TOLD_MARKS = 4;
+const SNAP_DISTANCE_PX = 6;
+const FINE_FACTOR = 0.1;
+const MAX_TOOLTIP_MARKS = 4;
 const WHEEL_STEP = 1 / 1000;
 
 export interface Scrubber {
@@ -38,15 +38,15 @@ export function createScrubber(store: Store, window: TimeWindow): Scrubber {
   let frame = 0;
 
   const timeOf = (x: number) => window.start_s + (x / Math.max(track.clientWidth, 1)) * window.span_s;
-  const xOf = (event: MouseEvent) => event.clientX - track.getBoundingClientRect().left;
-  const put = (t_s: number) => store.set("time_s", Math.min(Math.max(t_s, 0), window.whole_s));
+  const pointerX = (event: MouseEvent) => event.clientX - track.getBoundingClientRect().left;
+  const put = (t_s: number) => store.set("time_s", Math.min(Math.max(t_s, 0), window.total_s));
 
   function draw(): void {
     drawStrip(canvas, window, content);
-    const whole_s = Math.max(window.whole_s, 1e-12);
-    thumb.style.left = `${(100 * window.start_s) / whole_s}%`;
-    thumb.style.width = `${(100 * window.span_s) / whole_s}%`;
-    overview.classList.toggle("whole", window.isWhole);
+    const total_s = Math.max(window.total_s, 1e-12);
+    thumb.style.left = `${(100 * window.start_s) / total_s}%`;
+    thumb.style.width = `${(100 * window.span_s) / total_s}%`;
+    overview.classList.toggle("whole", window.isComplete);
     point();
   }
 
@@ -57,56 +57,56 @@ export function createScrubber(store: Store, window: TimeWindow): Scrubber {
 
   function point(): void {
     const t_s = store.get("time_s");
-    now.style.transform = `translateX(${pixelOf(window, track.clientWidth, t_s)}px)`;
+    now.style.transform = `translateX(${timePixel(window, track.clientWidth, t_s)}px)`;
     now.hidden = t_s < window.start_s || t_s > window.end_s;
     track.setAttribute("aria-valuemin", "0");
-    track.setAttribute("aria-valuemax", String(window.whole_s));
+    track.setAttribute("aria-valuemax", String(window.total_s));
     track.setAttribute("aria-valuenow", String(t_s));
     track.setAttribute("aria-valuetext", timeText(t_s));
   }
 
   function near(x: number): Mark[] {
     if (!content) return [];
-    const distance = (mark: Mark) => Math.abs(pixelOf(window, track.clientWidth, mark.t_s) - x);
-    return content.marks.filter((mark) => distance(mark) <= NEAR_PX).sort((a, b) => distance(a) - distance(b));
+    const distance = (mark: Mark) => Math.abs(timePixel(window, track.clientWidth, mark.t_s) - x);
+    return content.marks.filter((mark) => distance(mark) <= SNAP_DISTANCE_PX).sort((a, b) => distance(a) - distance(b));
   }
 
   function tell(x: number): void {
     const marks = near(x);
     const textOf = (mark: Mark) => `${timeText(mark.t_s)}  ${fullMarkText(mark, store.get("units"))}`;
-    const told = marks.slice(0, TOLD_MARKS).map(textOf);
-    if (marks.length > TOLD_MARKS) told.push(words.more(marks.length - TOLD_MARKS));
+    const told = marks.slice(0, MAX_TOOLTIP_MARKS).map(textOf);
+    if (marks.length > MAX_TOOLTIP_MARKS) told.push(words.more(marks.length - MAX_TOOLTIP_MARKS));
     tip.textContent = [...told, ...(told.length === 0 ? [timeText(timeOf(x))] : [])].join("\n");
     tip.hidden = !content;
     const left = Math.min(Math.max(track.offsetLeft + x - tip.offsetWidth / 2, 0), root.clientWidth - tip.offsetWidth);
     tip.style.left = `${left}px`;
   }
 
-  dragOn(track, {
+  listenToDrag(track, {
     begin: (event) => {
       store.set("playing", false);
-      const [mark] = near(xOf(event));
+      const [mark] = near(pointerX(event));
       if (mark) goTo(store, mark, mark.t_s);
-      else if (!event.shiftKey) put(timeOf(xOf(event)));
+      else if (!event.shiftKey) put(timeOf(pointerX(event)));
     },
     move: (event, by_px) => {
-      if (event.shiftKey) put(store.get("time_s") + ((FINE * by_px) / track.clientWidth) * window.span_s);
-      else put(timeOf(xOf(event)));
-      tell(xOf(event));
+      if (event.shiftKey) put(store.get("time_s") + ((FINE_FACTOR * by_px) / track.clientWidth) * window.span_s);
+      else put(timeOf(pointerX(event)));
+      tell(pointerX(event));
     },
   });
-  dragOn(overview, {
+  listenToDrag(overview, {
     begin: (event) => {
       const rect = overview.getBoundingClientRect();
-      const t_s = ((event.clientX - rect.left) / rect.width) * window.whole_s;
+      const t_s = ((event.clientX - rect.left) / rect.width) * window.total_s;
       if (t_s < window.start_s || t_s > window.end_s) window.pan(t_s - window.start_s - window.span_s / 2);
     },
-    move: (_, by_px) => window.pan((by_px / overview.clientWidth) * window.whole_s),
+    move: (_, by_px) => window.pan((by_px / overview.clientWidth) * window.total_s),
   });
-  track.addEventListener("pointermove", (event) => tell(xOf(event)));
+  track.addEventListener("pointermove", (event) => tell(pointerX(event)));
   track.addEventListener("pointerleave", () => (tip.hidden = true));
   track.addEventListener("dblclick", () => window.reset());
-  track.addEventListener("wheel", (event) => onWheel(event, timeOf(xOf(event))), { passive: false });
+  track.addEventListener("wheel", (event) => onWheel(event, timeOf(pointerX(event))), { passive: false });
   track.addEventListener("keydown", onKey);
 
   function onWheel(event: WheelEvent, t_s: number): void {
@@ -120,7 +120,7 @@ export function createScrubber(store: Store, window: TimeWindow): Scrubber {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const t_s = store.get("time_s");
     const step_s = window.span_s / (event.shiftKey ? 1000 : 100);
-    const acts: Record<string, () => void> = {
+    const actions: Record<string, () => void> = {
       ArrowLeft: () => put(t_s - step_s),
       ArrowDown: () => put(t_s - step_s),
       ArrowRight: () => put(t_s + step_s),
@@ -132,9 +132,9 @@ export function createScrubber(store: Store, window: TimeWindow): Scrubber {
       "-": () => window.zoom(t_s, 2),
       "0": () => window.reset(),
     };
-    if (!acts[event.key]) return;
+    if (!actions[event.key]) return;
     event.preventDefault();
-    acts[event.key]();
+    actions[event.key]();
     window.show(store.get("time_s"));
   }
 

@@ -1,7 +1,7 @@
 // Steps from block to block and from mark to mark.
 
-import { goTo, showStart } from "../core/go";
-import { end_sOf, robotOf } from "../core/shown";
+import { goTo, showBlockStart } from "../core/navigation";
+import { clockEnd_s, shownRobot } from "../core/display_state";
 import type { Store } from "../core/store";
 import type { Mark } from "../run/marks";
 import { SAME_TIME_S } from "../run/report";
@@ -13,12 +13,12 @@ export function goToStart(store: Store): void {
 }
 
 export function goToEnd(store: Store): void {
-  store.set("time_s", end_sOf(store));
+  store.set("time_s", clockEnd_s(store));
 }
 
 /** Moves to the start of the previous or next block; from within a block back to its own start. */
 export function stepBlock(store: Store, by: 1 | -1): void {
-  const robot = robotOf(store);
+  const robot = shownRobot(store);
   if (!robot || robot.segments.count === 0) return;
   const { segments } = robot;
   const t_s = store.get("time_s");
@@ -26,7 +26,7 @@ export function stepBlock(store: Store, by: 1 | -1): void {
   const here = segments.at(t_s);
   if (segments.locate(here)) return stepFrom(store, robot, by);
   void segments.need(here).then(() => {
-    if (robotOf(store) === robot && store.get("time_s") === t_s) stepFrom(store, robot, by);
+    if (shownRobot(store) === robot && store.get("time_s") === t_s) stepFrom(store, robot, by);
   });
 }
 
@@ -35,7 +35,7 @@ function stepFrom(store: Store, { blocks, segments }: Robot, by: 1 | -1): void {
   let block = blocks.of(segments.at(t_s));
   if (by > 0) while (block >= 0 && blocks.start_s(block) <= t_s + SAME_TIME_S) block = blocks.after(block);
   else while (blocks.before(block) >= 0 && blocks.start_s(block) >= t_s - SAME_TIME_S) block = blocks.before(block);
-  if (block >= 0) showStart(store, block);
+  if (block >= 0) showBlockStart(store, block);
   else goToEnd(store);
 }
 

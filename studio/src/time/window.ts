@@ -1,19 +1,19 @@
 // Stretch of time that scrubber and charts show.
 
-const LEAST_S = 1e-4;
+const MIN_SPAN_S = 1e-4;
 
 export class TimeWindow {
   start_s = 0;
   end_s = 0;
-  whole_s = 0;
+  total_s = 0;
   private readonly listeners = new Set<() => void>();
 
   get span_s(): number {
     return this.end_s - this.start_s;
   }
 
-  get isWhole(): boolean {
-    return this.span_s >= this.whole_s;
+  get isComplete(): boolean {
+    return this.span_s >= this.total_s;
   }
 
   on(listener: () => void): void {
@@ -21,21 +21,21 @@ export class TimeWindow {
   }
 
   /** Starts with another run or robot; if its time differs, all of it is shown. */
-  begin(whole_s: number): void {
-    const same = whole_s === this.whole_s;
-    this.whole_s = whole_s;
+  begin(total_s: number): void {
+    const same = total_s === this.total_s;
+    this.total_s = total_s;
     if (same) this.put(this.start_s, this.end_s);
-    else this.put(0, whole_s);
+    else this.put(0, total_s);
   }
 
   reset(): void {
-    this.set(0, this.whole_s);
+    this.set(0, this.total_s);
   }
 
   /** Shows as much of it as possible, and keeps the span. */
   set(start_s: number, end_s: number): void {
-    const span_s = Math.min(Math.max(end_s - start_s, Math.min(LEAST_S, this.whole_s)), this.whole_s);
-    const from_s = Math.min(Math.max(start_s, 0), this.whole_s - span_s);
+    const span_s = Math.min(Math.max(end_s - start_s, Math.min(MIN_SPAN_S, this.total_s)), this.total_s);
+    const from_s = Math.min(Math.max(start_s, 0), this.total_s - span_s);
     if (from_s !== this.start_s || from_s + span_s !== this.end_s) this.put(from_s, from_s + span_s);
   }
 
@@ -65,12 +65,12 @@ export class TimeWindow {
 
 /** Returns "round" instants in a stretch of time, about `count` of them. */
 export function ticks(start_s: number, end_s: number, count: number): { at_s: number[]; digits: number } {
-  const rough_s = (end_s - start_s) / Math.max(count, 1);
-  if (!(rough_s > 0)) return { at_s: [], digits: 0 };
+  const minStep_s = (end_s - start_s) / Math.max(count, 1);
+  if (!(minStep_s > 0)) return { at_s: [], digits: 0 };
   const steps = [1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 18000, 36000, 86400];
-  const power = 10 ** Math.floor(Math.log10(rough_s));
-  const below = [1, 2, 5, 10].map((step) => step * power).find((step) => step >= rough_s)!;
-  const step_s = rough_s < 1 ? below : (steps.find((step) => step >= rough_s) ?? below);
+  const power = 10 ** Math.floor(Math.log10(minStep_s));
+  const below = [1, 2, 5, 10].map((step) => step * power).find((step) => step >= minStep_s)!;
+  const step_s = minStep_s < 1 ? below : (steps.find((step) => step >= minStep_s) ?? below);
   const at_s: number[] = [];
   for (let i = Math.ceil(start_s / step_s); i * step_s <= end_s; ++i) at_s.push(i * step_s);
   return { at_s, digits: Math.max(0, Math.ceil(-Math.log10(step_s) - 1e-9)) };

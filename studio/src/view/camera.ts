@@ -2,15 +2,15 @@
 
 import { Box3, Matrix4, OrthographicCamera, PerspectiveCamera, Vector3 } from "three";
 
-export type Stand = "top" | "front" | "side" | "iso";
+export type StandardView = "top" | "front" | "side" | "iso";
 
 const FOV_DEG = 35;
 const HALF_FOV = (FOV_DEG / 2) * (Math.PI / 180);
-const STRAIGHT = Math.PI / 2;
+const RIGHT_ANGLE = Math.PI / 2;
 
-const stands: Record<Stand, [azimuth: number, elevation: number]> = {
-  top: [-STRAIGHT, STRAIGHT],
-  front: [-STRAIGHT, 0],
+const stands: Record<StandardView, [azimuth: number, elevation: number]> = {
+  top: [-RIGHT_ANGLE, RIGHT_ANGLE],
+  front: [-RIGHT_ANGLE, 0],
   side: [0, 0],
   iso: [-0.3 * Math.PI, 0.2 * Math.PI],
 };
@@ -60,7 +60,7 @@ export class CameraRig {
     this.height_px = Math.max(height_px, 1);
   }
 
-  see(world: Box3): void {
+  setVisibleBounds(world: Box3): void {
     if (!world.isEmpty()) this.world.copy(world);
   }
 
@@ -93,7 +93,7 @@ export class CameraRig {
   /** By pixels on the screen. */
   orbit(dx_px: number, dy_px: number): void {
     this.azimuth -= dx_px * 0.007;
-    this.elevation = Math.min(Math.max(this.elevation + dy_px * 0.007, -STRAIGHT), STRAIGHT);
+    this.elevation = Math.min(Math.max(this.elevation + dy_px * 0.007, -RIGHT_ANGLE), RIGHT_ANGLE);
   }
 
   pan(dx_px: number, dy_px: number): void {
@@ -115,7 +115,7 @@ export class CameraRig {
     this.distance_mm = to;
   }
 
-  stand(name: Stand): void {
+  setStandardView(name: StandardView): void {
     [this.azimuth, this.elevation] = stands[name];
   }
 

@@ -3,12 +3,12 @@
 import { WebGLRenderer } from "three";
 
 export interface CanvasEvents {
-  resized(): void;
+  onResized(): void;
   lost(): void;
   restored(): void;
 }
 
-const MOST_RATIO = 2;
+const MAX_PIXEL_RATIO = 2;
 
 /**
  * True if a processor does the work of a graphics card: smooth edges of bodies would cost half of its time.
@@ -42,7 +42,7 @@ export class Canvas {
     this.element.addEventListener("webglcontextrestored", () => on.restored());
     const resize = () => {
       this.fill();
-      on.resized();
+      on.onResized();
     };
     new ResizeObserver(resize).observe(host);
     window.addEventListener("resize", resize);
@@ -72,7 +72,7 @@ export class Canvas {
     if (this.renderer.xr.isPresenting) return;
     this.width_px = Math.max(this.host.clientWidth, 1);
     this.height_px = Math.max(this.host.clientHeight, 1);
-    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, MOST_RATIO));
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, MAX_PIXEL_RATIO));
     this.renderer.setSize(this.width_px, this.height_px);
   }
 

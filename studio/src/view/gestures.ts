@@ -1,7 +1,7 @@
 // Gestures of mouse, pen and fingers: one rotates, two or the right button pan, the wheel or a pinch zooms.
 
 /** Object that the pointer holds until release. */
-export interface Grabbed {
+export interface ActiveGrab {
   drag(x_px: number, y_px: number): void;
   drop(): void;
   cancel(): void;
@@ -11,7 +11,7 @@ export interface Gestures {
   /**
    * Called on a press at a position, px from the left and from above; returns null if nothing can be grabbed.
    */
-  grab(x_px: number, y_px: number): Grabbed | null;
+  grab(x_px: number, y_px: number): ActiveGrab | null;
   orbit(dx_px: number, dy_px: number): void;
   pan(dx_px: number, dy_px: number): void;
   /** Zooms about a position, px from the middle. */
@@ -22,18 +22,18 @@ export interface Gestures {
   leave(): void;
 }
 
-const STILL_PX = 4;
+const MAX_CLICK_MOVE_PX = 4;
 
-interface Finger {
+interface PointerPosition {
   x: number;
   y: number;
 }
 
 export function listenToGestures(element: HTMLElement, on: Gestures): void {
-  const fingers = new Map<number, Finger>();
+  const pointers = new Map<number, PointerPosition>();
   let moved_px = 0;
   let shifts = false;
-  let grabbed: Grabbed | null = null;
+  let activeGrab: ActiveGrab | null = null;
 
   const place = (event: MouseEvent) => {
     const { left, top, width, height } = element.getBoundingClientRect();
@@ -41,58 +41,58 @@ export function listenToGestures(element: HTMLElement, on: Gestures): void {
     return { x, y, fromMiddle: [x - width / 2, y - height / 2] as const };
   };
   const middle = () => {
-    const all = [...fingers.values()];
+    const all = [...pointers.values()];
     return { x: (all[0].x + all[1].x) / 2, y: (all[0].y + all[1].y) / 2 };
   };
   const spread = () => {
-    const all = [...fingers.values()];
+    const all = [...pointers.values()];
     return Math.hypot(all[0].x - all[1].x, all[0].y - all[1].y);
   };
 
   element.addEventListener("pointerdown", (event) => {
     element.setPointerCapture(event.pointerId);
     const { x, y } = place(event);
-    if (fingers.size === 0) {
+    if (pointers.size === 0) {
       moved_px = 0;
       shifts = event.button !== 0 || event.shiftKey || event.ctrlKey;
-      grabbed = shifts ? null : on.grab(x, y);
+      activeGrab = shifts ? null : on.grab(x, y);
     } else moved_px = Infinity;
-    fingers.set(event.pointerId, { x, y });
+    pointers.set(event.pointerId, { x, y });
   });
 
   element.addEventListener("pointermove", (event) => {
     const { x, y } = place(event);
-    const finger = fingers.get(event.pointerId);
-    if (!finger) return on.hover(x, y);
-    const [dx, dy] = [x - finger.x, y - finger.y];
+    const pointer = pointers.get(event.pointerId);
+    if (!pointer) return on.hover(x, y);
+    const [dx, dy] = [x - pointer.x, y - pointer.y];
     moved_px += Math.abs(dx) + Math.abs(dy);
-    if (grabbed) {
-      if (moved_px >= STILL_PX) grabbed.drag(x, y);
+    if (activeGrab) {
+      if (moved_px >= MAX_CLICK_MOVE_PX) activeGrab.drag(x, y);
       return;
     }
-    if (fingers.size === 2) {
+    if (pointers.size === 2) {
       const [before, wide] = [middle(), spread()];
-      Object.assign(finger, { x, y });
+      Object.assign(pointer, { x, y });
       const after = middle();
       on.pan(after.x - before.x, after.y - before.y);
       const { width, height } = element.getBoundingClientRect();
       if (spread() > 0) on.zoom(wide / spread(), after.x - width / 2, after.y - height / 2);
       return;
     }
-    if (moved_px < STILL_PX) return;
-    Object.assign(finger, { x, y });
+    if (moved_px < MAX_CLICK_MOVE_PX) return;
+    Object.assign(pointer, { x, y });
     if (shifts) on.pan(dx, dy);
     else on.orbit(dx, dy);
   });
 
   const end = (event: PointerEvent) => {
-    if (!fingers.delete(event.pointerId)) return;
+    if (!pointers.delete(event.pointerId)) return;
     const { x, y } = place(event);
-    const held = grabbed;
-    grabbed = null;
-    if (held && event.type === "pointerup" && moved_px >= STILL_PX) return held.drop();
+    const held = activeGrab;
+    activeGrab = null;
+    if (held && event.type === "pointerup" && moved_px >= MAX_CLICK_MOVE_PX) return held.drop();
     held?.cancel();
-    if (event.type === "pointerup" && moved_px < STILL_PX && event.button === 0) on.click(x, y);
+    if (event.type === "pointerup" && moved_px < MAX_CLICK_MOVE_PX && event.button === 0) on.click(x, y);
   };
   element.addEventListener("pointerup", end);
   element.addEventListener("pointercancel", end);

@@ -6,37 +6,37 @@ import type { Frames } from "../core/frames";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import { texts } from "../texts";
-import type { CreateBeside } from "./beside_place";
-import type { Stand } from "./camera";
+import type { CreateComparisonView } from "./comparison_view_context";
+import type { StandardView } from "./camera";
 import { Canvas } from "./canvas";
 import { listenToGestures } from "./gestures";
 import { createLayers } from "./layers";
-import { Hand } from "./hand";
-import type { CreateHeadset } from "./headset_place";
-import type { CreateHolds } from "./holds";
+import { PointerController } from "./pointer_controller";
+import type { CreateHeadset } from "./headset_context";
+import type { CreateDraggables } from "./draggables";
 import { createToolbar, keysOf, listenToKeys, type Actions } from "./toolbar";
 import { View } from "./view";
-import { watchEnvelope } from "./envelope_shown";
+import { watchEnvelope } from "./envelope_loader";
 
 /** Parts of the view that not every page has. */
 export interface ViewParts {
-  createHolds: CreateHolds;
+  createDraggables: CreateDraggables;
   createHeadset: CreateHeadset;
-  createBeside: CreateBeside;
+  createComparisonView: CreateComparisonView;
 }
 
 /** For tests, and for the curious. */
 export interface ViewHandle {
   readonly view: View;
   fit(all?: boolean): void;
-  stand(name: Stand): void;
+  setStandardView(name: StandardView): void;
   orbit(dx_px: number, dy_px: number): void;
   /** Returns the time until a frame is drawn, ms. */
-  frame_ms(kind: "rest" | "orbit" | "empty"): number;
+  measureFrame_ms(kind: "rest" | "orbit" | "empty"): number;
   /** True if the complete path is in the kept picture. */
   complete(): boolean;
   /** Returns the position of a point of the work (mm, of the chosen robot) in the window, in pixels. */
-  screen_of(point_mm: [number, number, number]): [number, number];
+  screenPosition(point_mm: [number, number, number]): [number, number];
 }
 
 /** Returns null if WebGL 2 is missing, after showing a message. */
@@ -46,7 +46,7 @@ export function createView(host: HTMLElement, store: Store, session: Session, fr
   host.append(surface);
   let view: View | null = null;
   const canvas = Canvas.make(surface, {
-    resized: () => view?.resized(),
+    onResized: () => view?.onResized(),
     lost: () => (hint.textContent = texts.view.lost),
     restored: () => {
       hint.textContent = "";
@@ -57,33 +57,33 @@ export function createView(host: HTMLElement, store: Store, session: Session, fr
     surface.replaceWith(element("p", { class: "none", role: "alert" }, texts.view.noWebgl));
     return null;
   }
-  view = new View(canvas, store, session, parts.createHolds);
+  view = new View(canvas, store, session, parts.createDraggables);
   watchEnvelope(store, session, view, (text) => (hint.textContent = text));
-  const hand = new Hand(view, store, hint);
-  const act = actionsOf(view, store);
-  surface.append(canvas.element, view.labels.element, hand.tooltip.element);
+  const pointerController = new PointerController(view, store, hint);
+  const act = viewActions(view, store);
+  surface.append(canvas.element, view.labels.element, pointerController.tooltip.element);
   const toolbar = createToolbar(store, act, createLayers(store, view.own, () => view.invalidate()));
   host.append(toolbar);
   host.append(view.legend.element, view.triad.element, hint);
-  listenToGestures(surface, hand);
+  listenToGestures(surface, pointerController);
   listenToKeys(surface, keysOf(store, act));
   // The surface handles Escape while measuring.
   store.on("measuring", (isOn) => isOn && surface.focus({ preventScroll: true }));
-  view.resized();
+  view.onResized();
   void parts.createHeadset({ view, store, frames, toolbar });
-  parts.createBeside({ host, view, store, session, frames });
+  parts.createComparisonView({ host, view, store, session, frames });
   return {
     view,
     fit: (all = false) => view.fit(all),
-    stand: (name) => view.stand(name),
+    setStandardView: (name) => view.setStandardView(name),
     orbit: act.orbit,
-    frame_ms: (kind) => view.frame_ms(kind),
+    measureFrame_ms: (kind) => view.measureFrame_ms(kind),
     complete: () => view.layer.complete,
-    screen_of: (point_mm) => view.screenOf(point_mm),
+    screenPosition: (point_mm) => view.screenOf(point_mm),
   };
 }
 
-function actionsOf(view: View, store: Store): Actions {
+function viewActions(view: View, store: Store): Actions {
   const { rig } = view;
   const moved = <A extends unknown[]>(move: (...by: A) => void) => {
     return (...by: A) => {
@@ -93,7 +93,7 @@ function actionsOf(view: View, store: Store): Actions {
   };
   return {
     fit: (all) => view.fit(all),
-    stand: (name) => view.stand(name),
+    setStandardView: (name) => view.setStandardView(name),
     orbit: moved((dx, dy) => rig.orbit(dx, dy)),
     pan: moved((dx, dy) => rig.pan(dx, dy)),
     zoom: moved((factor) => rig.zoom(factor)),

@@ -5,9 +5,9 @@ import type { State, Store } from "../core/store";
 import { texts } from "../texts";
 import { icon } from "./icons";
 
-type Shown = "showRapids" | "showDirections" | "showZones" | "showEnvelope" | "compare";
+type LayerKey = "showRapids" | "showDirections" | "showZones" | "showEnvelope" | "compare";
 /** Of this view alone. */
-export interface OwnLayers {
+export interface ViewLayers {
   machine: boolean;
   /** Objects of the cell: the workpiece, and its surroundings. */
   cell: boolean;
@@ -17,9 +17,9 @@ export interface OwnLayers {
 
 const words = texts.view;
 
-export function createLayers(store: Store, own: OwnLayers, changed: () => void): HTMLElement {
+export function createLayers(store: Store, own: ViewLayers, changed: () => void): HTMLElement {
   const list = element("div", { class: "list", role: "group", "aria-label": words.show });
-  for (const name of Object.keys(own) as (keyof OwnLayers)[]) {
+  for (const name of Object.keys(own) as (keyof ViewLayers)[]) {
     const { row, box } = check(words.layers[name], (on) => {
       own[name] = on;
       changed();
@@ -27,8 +27,8 @@ export function createLayers(store: Store, own: OwnLayers, changed: () => void):
     box.checked = own[name];
     list.append(row);
   }
-  for (const key of ["showRapids", "showDirections", "showZones", "showEnvelope", "compare"] as Shown[]) {
-    const { row, box } = check(words.layers[key], (on) => store.set(key, on as State[Shown]));
+  for (const key of ["showRapids", "showDirections", "showZones", "showEnvelope", "compare"] as LayerKey[]) {
+    const { row, box } = check(words.layers[key], (on) => store.set(key, on as State[LayerKey]));
     store.watch([key], () => (box.checked = store.get(key)));
     if (key === "compare") store.watch(["previous"], () => (box.disabled = store.get("previous") === null));
     list.append(row);

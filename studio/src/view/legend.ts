@@ -5,14 +5,14 @@ import { choice, element } from "../core/dom";
 import type { ColourMode, Store, Units } from "../core/store";
 import { feedText, lengthText, timeText } from "../core/units";
 import { texts } from "../texts";
-import { classColour, type Key } from "./path/path_colours";
+import { classColour, type LegendKey } from "./path/path_colours";
 
 const words = texts.view;
-const STOPS = 9;
+const GRADIENT_STOPS = 9;
 
 const gradient = (): string => {
-  const stops = Array.from({ length: STOPS }, (_, i) => {
-    const parts = scaleColour(i / (STOPS - 1)).map((part) => Math.round(part * 255));
+  const stops = Array.from({ length: GRADIENT_STOPS }, (_, i) => {
+    const parts = scaleColour(i / (GRADIENT_STOPS - 1)).map((part) => Math.round(part * 255));
     return `rgb(${parts.join()})`;
   });
   return `linear-gradient(to right, ${stops.join()})`;
@@ -44,13 +44,13 @@ export class Legend {
     this.element.append(modes, this.list, this.note);
   }
 
-  show(key: Key | null, gridStep_mm: number): void {
+  show(key: LegendKey | null, gridStep_mm: number): void {
     const units = this.store.get("units");
     this.list.replaceChildren(...(key ? this.entries(key, units) : []));
     this.note.textContent = gridStep_mm > 0 ? `${words.layers.grid} ${lengthText(gridStep_mm, units)}` : "";
   }
 
-  private entries({ mode, scale, classes, isPartial }: Key, units: Units): HTMLElement[] {
+  private entries({ mode, scale, classes, isPartial }: LegendKey, units: Units): HTMLElement[] {
     if (!scale) {
       return classes.map((name) => {
         const swatch = element("i", { style: `background: ${classColour(mode, name)}` });

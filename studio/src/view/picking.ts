@@ -8,17 +8,17 @@ import type { Hit } from "./path/path_layer";
 import type { Stage } from "./stage";
 
 const SNAP_PX = 8;
-const HALVINGS = 24;
+const BISECTION_STEPS = 24;
 
 /** Returns the position along a part, 0 to 1. */
-export function shareOf(a: Vector3, b: Vector3, place: Vector3): number {
+export function segmentShare(a: Vector3, b: Vector3, place: Vector3): number {
   const way = b.clone().sub(a);
   const square = way.lengthSq();
   return square > 0 ? Math.min(Math.max(place.clone().sub(a).dot(way) / square, 0), 1) : 0;
 }
 
 /** Returns the part that ends at a vertex, and the position of a hit along it. */
-export function pieceOf(data: PathData, { vertex, t_s }: Hit): { a: Vector3; b: Vector3; share: number } {
+export function hitSegment(data: PathData, { vertex, t_s }: Hit): { a: Vector3; b: Vector3; share: number } {
   const from_s = data.time_s(vertex - 1);
   const to_s = data.time_s(vertex);
   const share = to_s > from_s ? Math.min(Math.max((t_s - from_s) / (to_s - from_s), 0), 1) : 1;
@@ -29,25 +29,25 @@ export function pieceOf(data: PathData, { vertex, t_s }: Hit): { a: Vector3; b: 
  * Returns the time at which the tool is at a hit: parts are drawn evenly in time, but the tool accelerates
  * and decelerates in them. If its joints are not loaded, returns the drawn time.
  */
-export function timeOf(data: PathData, hit: Hit, machine: Machine): number {
-  const { a, b, share } = pieceOf(data, hit);
+export function hitTime(data: PathData, hit: Hit, machine: Machine): number {
+  const { a, b, share } = hitSegment(data, hit);
   let [from_s, to_s] = [data.time_s(hit.vertex - 1), data.time_s(hit.vertex)];
   if (a.distanceToSquared(b) === 0) return from_s;
-  for (let i = 0; i < HALVINGS; ++i) {
+  for (let i = 0; i < BISECTION_STEPS; ++i) {
     const middle_s = (from_s + to_s) / 2;
     const { places, tip_mm } = machine.at(middle_s);
-    if (shareOf(a, b, tip_mm.applyMatrix4(places.work.invert())) < share) from_s = middle_s;
+    if (segmentShare(a, b, tip_mm.applyMatrix4(places.work.invert())) < share) from_s = middle_s;
     else to_s = middle_s;
   }
   return to_s;
 }
 
 /** Returns the ends of a part that are also ends of a segment; the others only make an arc look round. */
-function endsOf(data: PathData, vertex: number): Vector3[] {
-  const segment = data.segmentOf(vertex);
+function segmentEnds(data: PathData, vertex: number): Vector3[] {
+  const segment = data.vertexSegment(vertex);
   const ends: Vector3[] = [];
-  if (vertex === 1 || data.segmentOf(vertex - 1) !== segment) ends.push(data.point(vertex - 1));
-  if (vertex + 1 >= data.count || data.segmentOf(vertex + 1) !== segment) ends.push(data.point(vertex));
+  if (vertex === 1 || data.vertexSegment(vertex - 1) !== segment) ends.push(data.point(vertex - 1));
+  if (vertex + 1 >= data.count || data.vertexSegment(vertex + 1) !== segment) ends.push(data.point(vertex));
   return ends;
 }
 
@@ -62,13 +62,13 @@ function rayAt(x_px: number, y_px: number, size: Size, rig: CameraRig): Raycaste
   return ray;
 }
 
-function isSeen(object: Object3D): boolean {
-  return object.visible && (object.parent === null || isSeen(object.parent));
+function isVisible(object: Object3D): boolean {
+  return object.visible && (object.parent === null || isVisible(object.parent));
 }
 
 /** Returns the first visible body of machines and cells on a ray. */
 function firstBody(ray: Raycaster, stage: Stage): Intersection | undefined {
-  return ray.intersectObject(stage.machinery, true).find(({ object }) => isSeen(object));
+  return ray.intersectObject(stage.machinery, true).find(({ object }) => isVisible(object));
 }
 
 /** Returns the name of the body at a position; null: no body, or it has no name. */
@@ -80,7 +80,7 @@ export function bodyAt(x_px: number, y_px: number, size: Size, stage: Stage, rig
  * Returns a position to measure from, in a work frame: on the path (ends of segments attract), on a body, or
  * on the work plane.
  */
-export function placeAt(
+export function positionAt(
   x_px: number,
   y_px: number,
   size: Size,
@@ -92,11 +92,11 @@ export function placeAt(
 ): Vector3 | null {
   const toFrame = frame.clone().invert();
   if (hit) {
-    const { a, b, share } = pieceOf(stage.paths[hit.robot], hit);
+    const { a, b, share } = hitSegment(stage.paths[hit.robot], hit);
     const work = works[hit.robot];
-    const near = endsOf(stage.paths[hit.robot], hit.vertex).find((end) => {
-      const seen = rig.project(end.clone().applyMatrix4(work));
-      return seen && Math.hypot(seen.x - x_px, seen.y - y_px) < SNAP_PX;
+    const near = segmentEnds(stage.paths[hit.robot], hit.vertex).find((end) => {
+      const projected = rig.project(end.clone().applyMatrix4(work));
+      return projected && Math.hypot(projected.x - x_px, projected.y - y_px) < SNAP_PX;
     });
     return (near ?? a.lerp(b, share)).applyMatrix4(work).applyMatrix4(toFrame);
   }
@@ -112,11 +112,11 @@ export function placeAt(
  * Returns the vertex time up to which a path is done: the current drawn part is cut at the position of the
  * tool.
  */
-export function doneUpTo(data: PathData, t_s: number, tipInWork: Vector3): number {
+export function lastDoneVertex(data: PathData, t_s: number, tcpInWork: Vector3): number {
   const vertex = data.at(t_s);
   if (vertex <= 0) return -1;
   if (vertex >= data.count) return Infinity;
   const from_s = data.time_s(vertex - 1);
-  const share = shareOf(data.point(vertex - 1), data.point(vertex), tipInWork);
+  const share = segmentShare(data.point(vertex - 1), data.point(vertex), tcpInWork);
   return from_s + share * (data.time_s(vertex) - from_s);
 }

@@ -2,27 +2,27 @@
 
 import { AmbientLight, Box3, DirectionalLight, Group, Matrix4, Scene, Vector3 } from "three";
 import type { Units } from "../core/store";
-import type { Place } from "../run/report";
+import type { SourceLocation } from "../run/report";
 import type { Robot, Run } from "../run/run";
-import { Alarms } from "./alarms";
+import { ContactHighlights } from "./contact_highlights";
 import type { CameraRig } from "./camera";
 import type { Frame } from "./frame";
-import { Looks } from "./machine/looks";
+import { BodyMaterials } from "./machine/body_materials";
 import { Machine, type Instant } from "./machine/machine";
 import { Directions } from "./marks/directions";
 import { Envelope } from "./marks/envelope";
 import { Extents } from "./marks/extents";
 import { Grid } from "./marks/grid";
-import { LateTips } from "./marks/late_tips";
+import { ApproximateTcps } from "./marks/approximate_tcps";
 import { Measure } from "./marks/measure";
 import { Zones } from "./marks/zones";
 import { PathData } from "./path/path_data";
 import type { Palette } from "./theme";
 
-const EMPTY = new Box3(new Vector3(-100, -100, 0), new Vector3(100, 100, 0));
+const DEFAULT_BOUNDS = new Box3(new Vector3(-100, -100, 0), new Vector3(100, 100, 0));
 
 /** A shorter path, as of a run that ended before it began, is not worth showing. */
-const LEAST_WORK_MM = 1;
+const MIN_WORK_SIZE_MM = 1;
 
 export class Stage {
   readonly scene = new Scene();
@@ -33,11 +33,11 @@ export class Stage {
   readonly zones = new Zones();
   readonly envelope = new Envelope();
   readonly directions = new Directions();
-  private readonly lateTips = new LateTips();
+  private readonly lateTips = new ApproximateTcps();
   machines: Machine[] = [];
   paths: PathData[] = [];
-  alarms = new Alarms(null);
-  private readonly looks = new Looks();
+  alarms = new ContactHighlights(null);
+  private readonly bodyMaterials = new BodyMaterials();
   private readonly lamp = new DirectionalLight(0xffffff, 2.2);
   private readonly known = new WeakMap<Robot, PathData>();
 
@@ -46,7 +46,7 @@ export class Stage {
     const parts = [this.machinery, this.grid.group, this.extents.lines, this.measure.lines, this.zones.group];
     this.scene.add(...parts, this.envelope.group, this.directions.group, this.lateTips.group);
     this.scene.add(new AmbientLight(0xffffff, 1.5), this.lamp, this.lamp.target);
-    this.grid.lay(EMPTY, "mm");
+    this.grid.layOut(DEFAULT_BOUNDS, "mm");
   }
 
   /** Returns the paths of a run's robots; made once for each. */
@@ -58,23 +58,23 @@ export class Stage {
     });
   }
 
-  take(run: Run | null, units: Units): void {
+  setContent(run: Run | null, units: Units): void {
     for (const machine of this.machines) machine.dispose();
     this.machinery.clear();
     this.paths = this.pathsOf(run);
-    this.machines = run?.robots.map((robot, i) => new Machine(robot, run.reportOf(i), this.looks)) ?? [];
+    this.machines = run?.robots.map((robot, i) => new Machine(robot, run.reportOf(i), this.bodyMaterials)) ?? [];
     for (const machine of this.machines) this.machinery.add(machine.group);
-    this.alarms = new Alarms(run);
-    this.zones.take(run?.robots ?? [], (robot) => this.pathBox(robot));
-    this.directions.take(this.paths);
+    this.alarms = new ContactHighlights(run);
+    this.zones.setContent(run?.robots ?? [], (robot) => this.pathBox(robot));
+    this.directions.setContent(this.paths);
     this.measure.clear();
-    this.extents.take(this.pathBox(0));
+    this.extents.setContent(this.pathBox(0));
     this.layGrid(units);
   }
 
   layGrid(units: Units): void {
     const box = this.pathBox(0);
-    this.grid.lay(box.isEmpty() ? EMPTY : box, units);
+    this.grid.layOut(box.isEmpty() ? DEFAULT_BOUNDS : box, units);
   }
 
   /** Returns the box of a robot's path in its work frame, without rapid moves if others exist. */
@@ -91,13 +91,13 @@ export class Stage {
       const path = this.pathBox(i);
       if (!path.isEmpty()) box.union(path.clone().applyMatrix4(work));
     });
-    return box.getSize(new Vector3()).length() < LEAST_WORK_MM ? this.wholeBox() : box;
+    return box.getSize(new Vector3()).length() < MIN_WORK_SIZE_MM ? this.wholeBox() : box;
   }
 
   wholeBox(): Box3 {
     this.machinery.updateMatrixWorld(true);
     const box = new Box3().setFromObject(this.machinery);
-    return box.isEmpty() ? EMPTY.clone() : box;
+    return box.isEmpty() ? DEFAULT_BOUNDS.clone() : box;
   }
 
   /** Places everything for an instant; `frame` is the work frame of the marks. */
@@ -114,11 +114,11 @@ export class Stage {
 
   /** Marks TCPs on their paths, while the joints are not loaded. */
   markTips({ instants }: Frame, mmPerPixelAt: (place: Vector3) => number): void {
-    this.lateTips.put(instants.flatMap(({ isLate, tip_mm }) => (isLate ? tip_mm : [])), mmPerPixelAt);
+    this.lateTips.put(instants.flatMap(({ isApproximate, tip_mm }) => (isApproximate ? tip_mm : [])), mmPerPixelAt);
   }
 
   /** Highlights bodies that have collided by now, or come near in the current lines. */
-  light(t_s: number, lines: Place[]): void {
+  light(t_s: number, lines: SourceLocation[]): void {
     const look = this.alarms.at(t_s, lines) ?? (() => undefined);
     for (const machine of this.machines) machine.bodies.light(look);
   }
@@ -130,7 +130,7 @@ export class Stage {
   }
 
   recolour(colours: Palette): void {
-    this.looks.recolour(colours);
+    this.bodyMaterials.recolour(colours);
     const parts = [this.grid, this.extents, this.measure, this.zones, this.envelope, this.directions, this.lateTips];
     for (const part of parts) part.recolour(colours);
   }

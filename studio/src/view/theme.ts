@@ -18,7 +18,7 @@ export interface Palette {
   grid: Color;
   marks: Color;
   selected: Color;
-  underWay: Color;
+  progressColour: Color;
   hit: Color;
   near: Color;
   envelope: Color;
@@ -43,7 +43,7 @@ export function palette(): Palette {
     grid: pick("#a9b4c4", "#3c4656"),
     marks: pick("#39424f", "#dfe5ee"),
     selected: pick(vermilion, yellow),
-    underWay: pick("#1d2330", "#ffffff"),
+    progressColour: pick("#1d2330", "#ffffff"),
     hit: pick("#e0301e", "#ff5a47"),
     near: new Color(orange),
     envelope: new Color(purple),
@@ -56,7 +56,7 @@ export function palette(): Palette {
 }
 
 /** Returns the colour for the project's own shaders. */
-export function rgbOf(colour: Color): number[] {
+export function toRgb(colour: Color): number[] {
   const { r, g, b } = colour.getRGB({ r: 0, g: 0, b: 0 }, SRGBColorSpace);
   return [r, g, b];
 }

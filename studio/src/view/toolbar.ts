@@ -3,12 +3,12 @@
 import { element } from "../core/dom";
 import type { State, Store } from "../core/store";
 import { texts } from "../texts";
-import type { Stand } from "./camera";
+import type { StandardView } from "./camera";
 import { icon, type Icon } from "./icons";
 
 export interface Actions {
   fit(all: boolean): void;
-  stand(name: Stand): void;
+  setStandardView(name: StandardView): void;
   orbit(dx_px: number, dy_px: number): void;
   pan(dx_px: number, dy_px: number): void;
   zoom(factor: number): void;
@@ -25,7 +25,7 @@ function button(name: Icon, label: string, key: string, press: (event: Event) =>
   return element("button", attributes, icon(name));
 }
 
-function pressed(store: Store, key: Switch, made: HTMLElement): HTMLElement {
+function bindPressed(store: Store, key: Switch, made: HTMLElement): HTMLElement {
   store.watch([key], () => made.setAttribute("aria-pressed", String(store.get(key))));
   return made;
 }
@@ -33,7 +33,7 @@ function pressed(store: Store, key: Switch, made: HTMLElement): HTMLElement {
 const toggle = (store: Store, key: Switch) => () => store.set(key, !store.get(key));
 
 export function createToolbar(store: Store, act: Actions, layers: HTMLElement): HTMLElement {
-  const stands: [Stand, string][] = [
+  const stands: [StandardView, string][] = [
     ["top", "1"],
     ["front", "2"],
     ["side", "3"],
@@ -43,10 +43,10 @@ export function createToolbar(store: Store, act: Actions, layers: HTMLElement): 
     "div",
     { class: "tools", role: "toolbar", "aria-label": words.tools, "aria-orientation": "vertical" },
     button("fit", words.fit, "F", (event) => act.fit((event as MouseEvent).shiftKey)),
-    ...stands.map(([name, key]) => button(name, words.stands[name], key, () => act.stand(name))),
-    pressed(store, "perspective", button("perspective", words.perspective, "P", toggle(store, "perspective"))),
-    pressed(store, "follow", button("follow", words.follow, "T", toggle(store, "follow"))),
-    pressed(store, "measuring", button("measure", words.measure, "M", toggle(store, "measuring"))),
+    ...stands.map(([name, key]) => button(name, words.stands[name], key, () => act.setStandardView(name))),
+    bindPressed(store, "perspective", button("perspective", words.perspective, "P", toggle(store, "perspective"))),
+    bindPressed(store, "follow", button("follow", words.follow, "T", toggle(store, "follow"))),
+    bindPressed(store, "measuring", button("measure", words.measure, "M", toggle(store, "measuring"))),
     layers,
   );
 }
@@ -56,10 +56,10 @@ const STEP_PX = 30;
 /** Returns keys by KeyboardEvent.key, letters small; a "+" before it: with Shift. */
 export function keysOf(store: Store, act: Actions): Record<string, () => void> {
   return {
-    1: () => act.stand("top"),
-    2: () => act.stand("front"),
-    3: () => act.stand("side"),
-    4: () => act.stand("iso"),
+    1: () => act.setStandardView("top"),
+    2: () => act.setStandardView("front"),
+    3: () => act.setStandardView("side"),
+    4: () => act.setStandardView("iso"),
     f: () => act.fit(false),
     "+f": () => act.fit(true),
     p: toggle(store, "perspective"),

@@ -5,26 +5,26 @@ import { Debounced } from "../core/debounced";
 import type { Session } from "../core/session";
 import type { Store } from "../core/store";
 import { onTheme } from "../core/theme";
-import type { Place } from "../run/report";
+import type { SourceLocation } from "../run/report";
 import type { Run } from "../run/run";
-import { CameraRig, type Stand } from "./camera";
+import { CameraRig, type StandardView } from "./camera";
 import { Canvas } from "./canvas";
-import { chosenRanges, rangeOfBlock, type Range } from "./chosen";
+import { selectedRanges, blockRange, type Range } from "./selected_ranges";
 import type { Frame } from "./frame";
-import type { CreateHolds, Hold } from "./holds";
-import type { OwnLayers } from "./layers";
+import type { CreateDraggables, Draggable } from "./draggables";
+import type { ViewLayers } from "./layers";
 import { Legend } from "./legend";
 import { Labels } from "./marks/labels";
 import { Triad } from "./marks/triad";
-import { keyOf } from "./path/path_colours";
+import { legendKey } from "./path/path_colours";
 import { PathLayer, type Hit, type Look } from "./path/path_layer";
-import { doneUpTo } from "./picking";
+import { lastDoneVertex } from "./picking";
 import { Stage } from "./stage";
-import { isDark, palette, rgbOf } from "./theme";
+import { isDark, palette, toRgb } from "./theme";
 
-const REST_MS = 150;
-const DIMMED = { dark: 0.34, light: 0.28 };
-const LIGHTENED = { dark: 0.2, light: 0 };
+const IDLE_MS = 150;
+const REMAINING_OPACITY = { dark: 0.34, light: 0.28 };
+const WHITE_SHARE = { dark: 0.2, light: 0 };
 
 export class View {
   readonly rig = new CameraRig();
@@ -32,8 +32,8 @@ export class View {
   readonly labels = new Labels();
   readonly triad = new Triad();
   readonly legend: Legend;
-  readonly own: OwnLayers = { machine: true, cell: true, grid: true, extents: false };
-  readonly holds: Hold[];
+  readonly own: ViewLayers = { machine: true, cell: true, grid: true, extents: false };
+  readonly holds: Draggable[];
   layer: PathLayer;
   private colours = palette();
   private chosen: Range[][] = [];
@@ -54,16 +54,16 @@ export class View {
     readonly canvas: Canvas,
     private readonly store: Store,
     session: Session,
-    createHolds: CreateHolds,
+    createDraggables: CreateDraggables,
   ) {
     this.layer = new PathLayer(canvas.gl);
     this.legend = new Legend(store);
     const { stage, rig } = this;
-    this.holds = createHolds({
+    this.holds = createDraggables({
       ...{ store, session, stage, rig, size: canvas },
       changed: () => this.invalidate(),
       moved: () => this.turned(),
-      outOfSight: () => this.fit(false),
+      onOutOfView: () => this.fit(false),
     });
     this.recolour();
     onTheme(() => this.recolour());
@@ -90,17 +90,17 @@ export class View {
 
   /** Called after a move of the camera; at standstill, marks are updated for the view. */
   turned(): void {
-    this.resting.after(REST_MS);
+    this.resting.after(IDLE_MS);
     this.invalidate();
     for (const watcher of this.watchers) watcher();
   }
 
-  resized(): void {
+  onResized(): void {
     this.rig.resize(this.canvas.width_px, this.canvas.height_px);
     if (this.stage.paths.length === 0) this.fit(false);
     // A canvas of another size is empty until it is drawn.
     this.draw();
-    this.resting.after(REST_MS);
+    this.resting.after(IDLE_MS);
   }
 
   /** Lends renderer and scene to another picture, until takeBack(). */
@@ -127,7 +127,7 @@ export class View {
     this.stage.recolour(this.colours);
     for (const hold of this.holds) hold.recolour(this.colours);
     this.canvas.renderer.setClearColor(this.colours.background);
-    this.layer.renew();
+    this.layer.refresh();
     this.invalidate();
   }
 
@@ -142,7 +142,7 @@ export class View {
     if (isGrowing && run === this.taken) return this.grow();
     this.taken = isGrowing ? run : null;
     const before = this.stage.paths.length > 0;
-    this.stage.take(this.run, this.store.get("units"));
+    this.stage.setContent(this.run, this.store.get("units"));
     this.tip = null;
     this.takePaths();
     this.choose();
@@ -164,13 +164,13 @@ export class View {
 
   private key() {
     const segments = this.stage.paths.map((path) => path.segments);
-    return segments.length > 0 ? keyOf(this.store.get("colour"), segments) : null;
+    return segments.length > 0 ? legendKey(this.store.get("colour"), segments) : null;
   }
 
   private takePaths(): void {
     const previous = this.store.get("compare") ? this.stage.pathsOf(this.store.get("previous")) : [];
-    const key = this.key() ?? keyOf(this.store.get("colour"), []);
-    this.layer.take(this.stage.paths, previous, key);
+    const key = this.key() ?? legendKey(this.store.get("colour"), []);
+    this.layer.setContent(this.stage.paths, previous, key);
     this.legend.show(this.key(), this.stage.grid.step_mm);
     this.invalidate();
   }
@@ -186,7 +186,7 @@ export class View {
   private choose(): void {
     const { run, store } = this;
     const state = { selection: store.get("selection"), robot: store.get("robot") };
-    this.chosen = run ? this.stage.paths.map((data, i) => chosenRanges(run, i, data, state)) : [];
+    this.chosen = run ? this.stage.paths.map((data, i) => selectedRanges(run, i, data, state)) : [];
     this.bringToSight();
     this.invalidate();
   }
@@ -199,9 +199,9 @@ export class View {
     if (to <= from) return;
     const work = this.frame.instants[robot]?.places.work ?? new Matrix4();
     const place = this.stage.paths[robot].point((from + to - 1) >> 1).applyMatrix4(work);
-    const seen = this.rig.project(place);
+    const viewed = this.rig.project(place);
     const { width_px, height_px } = this.canvas;
-    if (seen && seen.x > 0 && seen.y > 0 && seen.x < width_px && seen.y < height_px) return;
+    if (viewed && viewed.x > 0 && viewed.y > 0 && viewed.x < width_px && viewed.y < height_px) return;
     this.rig.target.copy(place);
     this.turned();
   }
@@ -210,9 +210,9 @@ export class View {
   private seesWork(): boolean {
     const box = this.stage.workBox(this.works());
     const growth = box.getSize(new Vector3()).length() / this.fittedSize_mm;
-    const seen = this.rig.project(box.getCenter(new Vector3()));
-    if (!seen || growth > 2 || growth < 0.5) return false;
-    return seen.x > 0 && seen.y > 0 && seen.x < this.canvas.width_px && seen.y < this.canvas.height_px;
+    const viewed = this.rig.project(box.getCenter(new Vector3()));
+    if (!viewed || growth > 2 || growth < 0.5) return false;
+    return viewed.x > 0 && viewed.y > 0 && viewed.x < this.canvas.width_px && viewed.y < this.canvas.height_px;
   }
 
   private works(): Matrix4[] {
@@ -239,8 +239,8 @@ export class View {
     return [left + (width * (x + 1)) / 2, top + (height * (1 - y)) / 2];
   }
 
-  stand(name: Stand): void {
-    this.rig.stand(name);
+  setStandardView(name: StandardView): void {
+    this.rig.setStandardView(name);
     this.fit(false);
   }
 
@@ -264,8 +264,8 @@ export class View {
     this.place();
     const { stage } = this;
     if (stage.machines.length === 0) return;
-    const seen = stage.wholeBox().union(stage.workBox(this.works()));
-    this.rig.see(seen.expandByScalar(0.5 * seen.getSize(new Vector3()).length()));
+    const viewed = stage.wholeBox().union(stage.workBox(this.works()));
+    this.rig.setVisibleBounds(viewed.expandByScalar(0.5 * viewed.getSize(new Vector3()).length()));
   }
 
   private update(): Frame {
@@ -281,7 +281,7 @@ export class View {
     return frame;
   }
 
-  private linesUnderWay({ t_s, instants }: Frame): Place[] {
+  private linesUnderWay({ t_s, instants }: Frame): SourceLocation[] {
     return instants.flatMap((_, i) => this.run?.placesAt(i, t_s) ?? []);
   }
 
@@ -293,24 +293,24 @@ export class View {
 
   private look({ t_s, instants }: Frame): Look {
     const { camera } = this.rig;
-    const seen = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse);
+    const viewed = camera.projectionMatrix.clone().multiply(camera.matrixWorldInverse);
     const theme = isDark() ? "dark" : "light";
     const end_s = this.run?.end_s ?? 0;
     // Before the start and after the end the path is shown undimmed, and also while joints are moved by hand.
     const whole = this.taken !== null || this.store.get("jog") !== null || t_s >= end_s || (t_s <= 0 && !this.store.get("playing"));
     return {
       ...this.canvas.drawn,
-      matrices: instants.map(({ places }) => seen.clone().multiply(places.work)),
+      matrices: instants.map(({ places }) => viewed.clone().multiply(places.work)),
       pixelRatio: this.canvas.pixelRatio,
       mmPerPixel: this.rig.mmPerPixel / this.canvas.pixelRatio,
       rapids: this.store.get("showRapids"),
       compare: this.store.get("compare"),
-      compareColour: rgbOf(this.colours.compare),
+      compareColour: toRgb(this.colours.compare),
       now_s: instants.map(({ places, tip_mm }, i) =>
-        whole ? Infinity : doneUpTo(this.stage.paths[i], t_s, tip_mm.clone().applyMatrix4(places.work.clone().invert())),
+        whole ? Infinity : lastDoneVertex(this.stage.paths[i], t_s, tip_mm.clone().applyMatrix4(places.work.clone().invert())),
       ),
-      dimmed: DIMMED[theme],
-      lightened: LIGHTENED[theme],
+      dimmed: REMAINING_OPACITY[theme],
+      lightened: WHITE_SHARE[theme],
     };
   }
 
@@ -338,7 +338,7 @@ export class View {
     for (const hold of this.holds) hold.draw(renderer, frame.work);
     this.annotate(frame);
     if (more === "now") this.invalidate();
-    else if (more === "at rest") setTimeout(() => this.invalidate(), REST_MS);
+    else if (more === "at rest") setTimeout(() => this.invalidate(), IDLE_MS);
   }
 
   private drawAccents({ instants }: Frame, look: Look): void {
@@ -346,11 +346,11 @@ export class View {
     instants.forEach(({ segment }, robot) => {
       if (segment >= 0 && look.now_s[robot] !== Infinity) {
         const known = stage.machines[robot].robot;
-        const ranges = [rangeOfBlock(known, stage.paths[robot], known.blocks.of(segment))];
-        layer.accent({ robot, ranges, colour: rgbOf(colours.underWay), width_px: 7, opacity: 0.2 }, look);
+        const ranges = [blockRange(known, stage.paths[robot], known.blocks.of(segment))];
+        layer.accent({ robot, ranges, colour: toRgb(colours.progressColour), width_px: 7, opacity: 0.2 }, look);
       }
       const ranges = this.chosen[robot] ?? [];
-      layer.accent({ robot, ranges, colour: rgbOf(colours.selected), width_px: 4, opacity: 1 }, look);
+      layer.accent({ robot, ranges, colour: toRgb(colours.selected), width_px: 4, opacity: 1 }, look);
     });
   }
 
@@ -365,28 +365,28 @@ export class View {
 
   private layDirections(): void {
     this.rig.apply();
-    for (const hold of this.holds) hold.lay?.();
+    for (const hold of this.holds) hold.layOut?.();
     this.invalidate();
     if (!this.store.get("showDirections") || this.stage.paths.length === 0) return;
     const { stage, rig, canvas } = this;
-    stage.directions.lay(stage.paths, this.works(), rig, canvas, this.store.get("showRapids"));
+    stage.directions.layOut(stage.paths, this.works(), rig, canvas, this.store.get("showRapids"));
   }
 
   /** Returns the path at a position, px from the left and from above. */
-  hit(x_px: number, y_px: number, reach_px: number): Hit | null {
+  hit(x_px: number, y_px: number, hitRadius_px: number): Hit | null {
     if (this.taken) return null; // its instants and lines are not shown yet
     const { width_px, height_px, pixelRatio } = this.canvas;
-    return this.layer.hit(x_px / width_px, 1 - y_px / height_px, Math.round(reach_px * pixelRatio));
+    return this.layer.hit(x_px / width_px, 1 - y_px / height_px, Math.round(hitRadius_px * pixelRatio));
   }
 
-  get shown(): Frame | null {
+  get displayed(): Frame | null {
     return this.frame;
   }
 
   /**
    * Returns the time until a frame is drawn: at standstill, while the camera orbits, or for an empty frame.
    */
-  frame_ms(kind: "rest" | "orbit" | "empty"): number {
+  measureFrame_ms(kind: "rest" | "orbit" | "empty"): number {
     const begun_ms = performance.now();
     if (kind === "empty") {
       this.canvas.renderer.resetState();

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { withServed } from "../served.mjs";
-import { run, setState, settled, state, withPage } from "../steps.mjs";
+import { run, setState, untilSettled, state, withPage } from "../steps.mjs";
 
 const JET = "samples/jet.txt";
 const VICE = "NCFILE\r\nOFFSET\r\n54 1 2 3 # left vice\r\nENDFILE\r\n";
@@ -27,7 +27,7 @@ const focused = (page) => page.evaluate(() => document.activeElement.innerText.s
 
 /** Returns the path of the TCP, without the start of the run. */
 const way = (page) =>
-  page.evaluate(() => window.studio.store.get("run").robots[0].segments.stretches.flatMap((stretch) => [...stretch.vertex_mm]).slice(3));
+  page.evaluate(() => window.studio.store.get("run").robots[0].segments.sections.flatMap((section) => [...section.vertex_mm]).slice(3));
 
 /** Waits until the run that is shown is another one, as `act` brings it about. */
 async function runAnew(page, act) {
@@ -385,7 +385,7 @@ export default {
       await field(page, "X").fill("1.5001");
       await setState(page, "time_s", 60);
       await setState(page, "notice", "");
-      await settled(page);
+      await untilSettled(page);
       assert.equal(await state(page, "playing"), false);
       const path = join(places.samples, "../docs/images/studio-data.png");
       if (process.env.GSIM_RENEW_PICTURES) await page.screenshot({ path });

@@ -7,7 +7,7 @@ import { execFileSync } from "node:child_process";
 import { copyFileSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { dropFiles, settled, withPage } from "../steps.mjs";
+import { dropFiles, untilSettled, withPage } from "../steps.mjs";
 
 const CELL = "samples/cell/table.toml";
 /**
@@ -55,7 +55,7 @@ export default {
         const began = performance.now();
         const picture = async (name) => {
           const from = performance.now();
-          await settled(page);
+          await untilSettled(page);
           if (process.env.GSIM_RENEW_PICTURES) await page.screenshot({ path: join(places.samples, `../docs/images/studio-drawing-${name}.png`) });
           pictures_s += (performance.now() - from) / 1000;
         };
@@ -72,7 +72,7 @@ export default {
 
         // 2: the path.
         await makePath(page, dialog, { X: 110 });
-        await page.evaluate(() => window.studio.view.stand("top"));
+        await page.evaluate(() => window.studio.view.setStandardView("top"));
         await picture("path");
 
         // 3: the program, and that it does what the path says.
@@ -80,8 +80,8 @@ export default {
         assert.equal(first.status, "completed");
         const said = side(page).locator(".round-trip");
         await said.filter({ hasText: /plate\.nc is [\d.]+ mm off the path/ }).waitFor();
-        const [, way_mm, path_mm] = (await said.textContent()).match(/is ([\d.]+) mm off .* path ([\d.]+) mm off/).map(Number);
-        assert.ok(way_mm < 0.02 && path_mm < 0.02, `${way_mm}, ${path_mm} mm`);
+        const [, path_off_mm, path_mm] = (await said.textContent()).match(/is ([\d.]+) mm off .* path ([\d.]+) mm off/).map(Number);
+        assert.ok(path_off_mm < 0.02 && path_mm < 0.02, `${path_off_mm}, ${path_mm} mm`);
         await said.scrollIntoViewIfNeeded();
         await picture("written");
 
@@ -90,7 +90,7 @@ export default {
         await tab(page, "Run");
         await tab(page, "Summary");
         await side(page).getByText(/nozzle.*left clamp|left clamp.*nozzle/).first().click();
-        await page.evaluate(() => window.studio.view.stand("iso"));
+        await page.evaluate(() => window.studio.view.setStandardView("iso"));
         await picture("collision");
 
         // 5: elsewhere on the material, as a second path and program, and without error.

@@ -6,7 +6,7 @@ import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { run, setState, settled, state, withPage } from "../steps.mjs";
+import { run, setState, untilSettled, state, withPage } from "../steps.mjs";
 
 const MACHINE = "samples/machines/gantry-dynamics.toml";
 const setup = { program: "samples/rosette.ngc", machine: MACHINE, dialect: "rs274ngc" };
@@ -61,12 +61,12 @@ const OFF = { power: 0.003, effort: 0.003, error: 0.002, contour: 0.01 };
  * be on either side of a jump.
  */
 function compare(name, rows, column, ours) {
-  const wanted = rows.map((row) => row[column]);
-  const most = Math.max(...wanted.filter(Number.isFinite).map(Math.abs));
+  const expectedValue = rows.map((row) => row[column]);
+  const most = Math.max(...expectedValue.filter(Number.isFinite).map(Math.abs));
   let [worst, compared] = [0, 0];
   for (let i = 1; i + 1 < rows.length; ++i) {
-    const off = Math.abs(ours[i][name] - wanted[i]);
-    const around = [wanted[i - 1], wanted[i], wanted[i + 1]];
+    const off = Math.abs(ours[i][name] - expectedValue[i]);
+    const around = [expectedValue[i - 1], expectedValue[i], expectedValue[i + 1]];
     if (!(Math.max(...around) - Math.min(...around) < 0.02 * most)) continue;
     if (ours[i].isTold) assert.ok(off <= 1e-6 * most, `${name} is off by ${off} of ${most} at ${rows[i].t_s} s, which is told`);
     worst = Math.max(worst, off);
@@ -118,12 +118,12 @@ export default {
           heading.style.scrollMarginTop = "40px"; // clear of the tabs
           heading.scrollIntoView();
         });
-        await settled(page);
+        await untilSettled(page);
         if (process.env.GSIM_RENEW_PICTURES) await page.screenshot({ path: join(docs(places), "studio-forces.png") });
         await setState(page, "theme", "dark");
         await box(page, "Power").check();
         await box(page, "Contour error").check();
-        await settled(page);
+        await untilSettled(page);
         if (process.env.GSIM_RENEW_PICTURES) await page.screenshot({ path: join(places.build, "studio-forces-dark.png") });
         assert.match(await chart("Power").innerText(), /W/);
         assert.match(await chart("Contour error").innerText(), /mm/);

@@ -24,18 +24,18 @@ const change = (page, setup) => page.evaluate((to) => window.studio.session.chan
 async function answeredLate(page, kind, ask, act) {
   await page.evaluate((held) => {
     const { session } = window.studio;
-    const { question } = session;
+    const { sendRequest } = session;
     const late = (window.late = { asked: 0, told: 0 });
     const isLetGo = new Promise((letGo) => (late.letGo = letGo));
-    session.question = async (request, ...more) => {
-      const answer = await question.call(session, request, ...more);
-      if (request.do !== held) return answer;
+    session.sendRequest = async (request, ...more) => {
+      const response = await sendRequest.call(session, request, ...more);
+      if (request.do !== held) return response;
       ++late.asked;
       await isLetGo;
       setTimeout(() => ++late.told); // after all others that waited for it
-      return answer;
+      return response;
     };
-    late.end = () => (session.question = question);
+    late.end = () => (session.sendRequest = sendRequest);
   }, kind);
   await ask();
   await page.waitForFunction(() => window.late.asked > 0);
@@ -152,7 +152,7 @@ export default {
   "where another machine is chosen meanwhile neither is changed, and that is said": (places) =>
     withMachine(places, ROUTER, async (page, speed) => {
       await answeredLate(page, "toml", speed, () => change(page, { machine: UNLIMITED }));
-      await page.waitForFunction(() => /^Another file is shown by now/.test(window.studio.store.get("notice")));
+      await page.waitForFunction(() => /^Another file is displayed by now/.test(window.studio.store.get("notice")));
       const [machine, own] = await page.evaluate(() => [window.studio.session.setup.machine, window.studio.documents.ownNames()]);
       assert.deepEqual([machine, own], [UNLIMITED, ["move.nc", "mine.toml"]]);
     }),
@@ -233,7 +233,7 @@ export default {
         });
         const changed = () => page.evaluate(() => window.studio.session.changedSince(window.ran));
         const becomes = (names) =>
-          page.waitForFunction((wanted) => String(window.studio.session.changedSince(window.ran).sort()) === wanted, String(names), { timeout: 10_000 });
+          page.waitForFunction((expectedValue) => String(window.studio.session.changedSince(window.ran).sort()) === expectedValue, String(names), { timeout: 10_000 });
         const has = (name) => page.evaluate((of) => window.studio.documents.own(of) !== undefined, name);
         assert.deepEqual([await has("one.toml"), await has("two.toml"), await changed()], [false, false, []]);
         served.write("two.toml", "a = 2\n");

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { withServed } from "../served.mjs";
-import { settled, state } from "../steps.mjs";
+import { untilSettled, state } from "../steps.mjs";
 
 const SHORT = "G21 G90\nG1 X10 F600\nM2\n";
 const WHOLE = 16_384;
@@ -43,7 +43,7 @@ const runProgram = (page, program) =>
     await session.run();
     const run = store.get("run");
     const [{ segments }] = run.robots;
-    return { end_s: run.end_s, count: segments.count, isLong: run.isLong, stretches: segments.stretches.length, failure: run.failure };
+    return { end_s: run.end_s, count: segments.count, isLong: run.isLong, sections: segments.sections.length, error: run.error };
   }, program);
 
 /**
@@ -72,10 +72,10 @@ const noticed = (page, text) => page.waitForFunction((words) => document.getElem
  * Checks that axes and lines at instants are those of the complete run, and that no more data is kept than
  * should be.
  */
-async function scrubsAs(page, instants_s, wanted) {
+async function scrubsAs(page, instants_s, expectedValue) {
   const found = await scrubbed(page, instants_s);
   for (const [i, { axes, places }] of found.entries()) {
-    assert.deepEqual([axes, places], [wanted[i].axes, wanted[i].places], `at ${instants_s[i]} s`);
+    assert.deepEqual([axes, places], [expectedValue[i].axes, expectedValue[i].places], `at ${instants_s[i]} s`);
   }
   assert.equal(Math.max(...found.map(({ kept }) => kept)), 16, "as many as are kept");
   const times = found.map(({ ms }) => ms).filter((ms) => ms > 5).sort((a, b) => a - b);
@@ -84,8 +84,8 @@ async function scrubsAs(page, instants_s, wanted) {
 
 /** A click on the middle of the third side of the square about all the others. */
 async function clickOnWay(page) {
-  await settled(page);
-  const [x, y] = await page.evaluate(() => window.studio.view.screen_of([30, 100, 5]));
+  await untilSettled(page);
+  const [x, y] = await page.evaluate(() => window.studio.view.screenPosition([30, 100, 5]));
   await page.mouse.click(x, y);
   await page.waitForFunction(() => window.studio.store.get("selection") !== null, null, PATIENCE);
   assert.equal((await state(page, "selection")).line, LINES + 6);
@@ -96,18 +96,18 @@ async function clickOnWay(page) {
 
 /** The cursor on a line brings its start, exactly. */
 async function goToLine(page, line) {
-  await settled(page);
+  await untilSettled(page);
   await page.evaluate((above) => window.studio.store.set("textAsked", { file: "sub/long.nc", line: above }), line - 1);
   await page.locator("#code .code-place").filter({ hasText: `${line - 1} :` }).waitFor();
   await page.keyboard.press("ArrowDown");
-  await page.waitForFunction((wanted) => window.studio.store.get("selection")?.line === wanted, line, PATIENCE);
-  const shown = await page.waitForFunction(() => {
+  await page.waitForFunction((expectedValue) => window.studio.store.get("selection")?.line === expectedValue, line, PATIENCE);
+  const displayed = await page.waitForFunction(() => {
     const { store } = window.studio;
     const [{ segments }] = store.get("run").robots;
     const info = segments.info(segments.at(store.get("time_s")));
     return info && Math.abs(info.start_s - store.get("time_s")) < 1e-9 && info.line;
   }, null, PATIENCE);
-  assert.equal(await shown.jsonValue(), line);
+  assert.equal(await displayed.jsonValue(), line);
 }
 
 /**
@@ -125,20 +125,20 @@ async function saysWhatIsLacking(page) {
 async function goesOnByVertices(page) {
   const t_s = await page.evaluate(() => {
     const [{ segments }] = window.studio.store.get("run").robots;
-    return segments.stretches.find(({ first }) => !segments.locate(first)).start_s + 1;
+    return segments.sections.find(({ first }) => !segments.locate(first)).start_s + 1;
   });
   await page.evaluate((at_s) => window.studio.store.set("time_s", at_s), t_s);
   await noticed(page, "Joints and charts here cannot be had");
-  const shown = await page.evaluate((at_s) => {
+  const displayed = await page.evaluate((at_s) => {
     const run = window.studio.store.get("run");
     const [{ segments }] = run.robots;
     return { joints: segments.joints_at(at_s), tip_mm: segments.tip_mm(at_s), place: run.placesAt(0, at_s)[0] };
   }, t_s);
-  assert.equal(shown.joints, null);
+  assert.equal(displayed.joints, null);
   const said = page.locator("#time .feed");
   assert.deepEqual([await said.innerText(), await said.getAttribute("title")], ["…", "The move that is under way here is still being fetched, or cannot be had"]);
-  assert.ok(shown.tip_mm.every(Number.isFinite) && shown.place.line > 1000, JSON.stringify(shown));
-  await settled(page);
+  assert.ok(displayed.tip_mm.every(Number.isFinite) && displayed.place.line > 1000, JSON.stringify(displayed));
+  await untilSettled(page);
   await page.keyboard.press("Home");
   assert.ok(await page.evaluate(() => window.studio.store.get("run").robots[0].joints_at(0.1)), "the first of it is here for good");
 }
@@ -150,15 +150,15 @@ export default {
       files,
       async (page, served) => {
         const whole = await runProgram(page, "sub/long.nc");
-        assert.deepEqual([whole.count, whole.isLong, whole.failure], [LINES + 6, false, null]);
+        assert.deepEqual([whole.count, whole.isLong, whole.error], [LINES + 6, false, null]);
         const instants_s = [...inEach(30, whole.end_s), ...inEach(7, whole.end_s).reverse(), whole.end_s];
-        const wanted = await scrubbed(page, instants_s);
+        const expectedValue = await scrubbed(page, instants_s);
         await askForFew(page);
         const long = await runProgram(page, "sub/long.nc");
         assert.deepEqual({ ...long, isLong: false }, whole);
         assert.equal(long.isLong, true);
         assert.equal(await state(page, "previous"), null, "a long run is not compared");
-        await scrubsAs(page, instants_s, wanted);
+        await scrubsAs(page, instants_s, expectedValue);
         await clickOnWay(page);
         await goToLine(page, 200_001);
         await saysWhatIsLacking(page);

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { join } from "node:path";
-import { comparePicture, countPixels, difference, pictureOfView, run, setState, settled, state, withPage } from "../steps.mjs";
+import { comparePicture, countPixels, difference, pictureOfView, run, setState, untilSettled, state, withPage } from "../steps.mjs";
 
 const RED = [0, 150, 90];
 const CELL = { program: "samples/cell/clamp.nc", cell: "samples/cell/table.toml" };
@@ -81,14 +81,14 @@ export default {
     withPage(places.studio, async (page) => {
       await run(page, CELL);
       await at(page, 20);
-      await page.evaluate(() => window.studio.view.stand("top"));
+      await page.evaluate(() => window.studio.view.setStandardView("top"));
       // Next to the path, at the head above the workpiece.
       const clicked = async () => {
-        await settled(page);
+        await untilSettled(page);
         const [x, y] = await page.evaluate(() => {
           const { store, view } = window.studio;
           const [x_mm, y_mm] = store.get("run").robots[0].axes_at(store.get("time_s"));
-          return view.screen_of([x_mm + 70, y_mm, 0]);
+          return view.screenPosition([x_mm + 70, y_mm, 0]);
         });
         await page.mouse.click(x, y);
         return state(page, "body");

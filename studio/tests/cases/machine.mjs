@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { run, settled, state, withPage } from "../steps.mjs";
+import { run, untilSettled, state, withPage } from "../steps.mjs";
 
 const ROUTER = "samples/machines/router3.toml";
 const MOVE = { "move.nc": "G21 G90\nG0 X500\nM30\n" };
@@ -43,10 +43,10 @@ const setup = (page) => page.evaluate(() => ({ ...window.studio.session.setup })
 const text = (page, name) => page.evaluate((file) => window.studio.documents.text(file), name);
 const report = (page) => page.evaluate(() => window.studio.store.get("run").report);
 const ranIn = (page, time_s) =>
-  page.waitForFunction((wanted) => Math.abs((window.studio.store.get("run")?.report?.cycle_time_s ?? -1) - wanted) < 1e-3, time_s, { timeout: 20_000 });
+  page.waitForFunction((expectedValue) => Math.abs((window.studio.store.get("run")?.report?.cycle_time_s ?? -1) - expectedValue) < 1e-3, time_s, { timeout: 20_000 });
 /** Waits until a document contains a text. */
 const hasText = (page, name, part) =>
-  page.waitForFunction(([file, wanted]) => window.studio.documents.text(file).includes(wanted), [name, part], { timeout: 10_000 });
+  page.waitForFunction(([file, expectedValue]) => window.studio.documents.text(file).includes(expectedValue), [name, part], { timeout: 10_000 });
 
 /** The lines that are others in a text, by their numbers. */
 function changedLines(before, after) {
@@ -243,7 +243,7 @@ export default {
         const dialog = page.getByRole("dialog", { name: "New machine" });
         await field(dialog, "Kind").selectOption({ label: kind });
         await dialog.locator("fieldset").first().waitFor();
-        await page.waitForFunction((wanted) => document.querySelector("dialog.wizard pre").textContent.includes("[[axis]]") && !document.querySelector("dialog.wizard .primary").disabled && wanted, kind, { timeout: 20_000 });
+        await page.waitForFunction((expectedValue) => document.querySelector("dialog.wizard pre").textContent.includes("[[axis]]") && !document.querySelector("dialog.wizard .primary").disabled && expectedValue, kind, { timeout: 20_000 });
         await fill(dialog, "Name", `Number ${i}`);
         const first = dialog.locator("fieldset").first();
         await fill(first, "Max speed", "77");
@@ -251,8 +251,8 @@ export default {
         await field(dialog, "Control").selectOption(control);
         await page.waitForFunction(
           ([name, model]) => {
-            const shown = document.querySelector("dialog.wizard pre").textContent;
-            return shown.includes(`name = "${name}"`) && shown.includes(`model = "${model}"`) && !document.querySelector("dialog.wizard .primary").disabled;
+            const displayed = document.querySelector("dialog.wizard pre").textContent;
+            return displayed.includes(`name = "${name}"`) && displayed.includes(`model = "${model}"`) && !document.querySelector("dialog.wizard .primary").disabled;
           },
           [`Number ${i}`, control],
           { timeout: 20_000 },
@@ -263,13 +263,13 @@ export default {
         const file = `number-${i}.toml`;
         assert.equal((await setup(page)).machine, file);
         const checked = await page.evaluate(async (machine) => {
-          const { ok, message, messages } = await window.studio.session.question({ do: "machine", machine });
+          const { ok, message, messages } = await window.studio.session.sendRequest({ do: "machine", machine });
           return { ok, message, told: messages.filter(({ is }) => is === "told").length, inverse: messages.find(({ is }) => is === "machine")?.header.check.inverse };
         }, file);
         assert.ok(checked.ok, `${kind}: ${checked.message}`);
         assert.deepEqual([checked.told, checked.inverse.unsolved, checked.inverse.off], [0, 0, 0], kind);
         const ran = await run(page, { program: "try.nc", machine: file }, { "try.nc": program });
-        assert.equal(ran.status, "completed", `${kind}: ${ran.failure}`);
+        assert.equal(ran.status, "completed", `${kind}: ${ran.error}`);
         const first_axis = await page.evaluate(() => window.studio.store.get("run").robots[0].scene.axes[0]);
         assert.deepEqual([first_axis.max_speed, first_axis.max_jerk], [77, 9000]);
         const [remark] = (await text(page, file)).split("\n");
@@ -281,10 +281,10 @@ export default {
   "an object is made, moved by number and by hand until something touches it, saved and opened again": (places) =>
     withPage(places.studio, async (page) => {
       const collisions = async (of = page) => [...new Set((await report(of)).collisions.flatMap(({ pair }) => pair))];
-      const touched = (name, wanted, of = page) =>
+      const touched = (name, expectedValue, of = page) =>
         of.waitForFunction(
           ([body, is]) => window.studio.store.get("run")?.report?.collisions?.some(({ pair }) => pair.includes(body)) === is,
-          [name, wanted],
+          [name, expectedValue],
           { timeout: 20_000 },
         );
       await run(page, { program: "samples/cell/clamp.nc", cell: "samples/cell/table.toml" });
@@ -304,9 +304,9 @@ export default {
       assert.match(cell, /name = "stop block"\nshape = \{ box_mm = \[40/);
 
       // By hand: from above, the arrow along X, to the slot.
-      await page.evaluate(() => window.studio.view.stand("top"));
-      await settled(page);
-      const [from, to] = await page.evaluate(() => [[150, 300, 25], [240, 300, 25]].map((point) => window.studio.view.screen_of(point)));
+      await page.evaluate(() => window.studio.view.setStandardView("top"));
+      await untilSettled(page);
+      const [from, to] = await page.evaluate(() => [[150, 300, 25], [240, 300, 25]].map((point) => window.studio.view.screenPosition(point)));
       const arrow = [from[0] + 60, from[1]];
       await page.mouse.move(...arrow);
       await page.waitForTimeout(200);
@@ -398,10 +398,10 @@ export default {
     withPage(places.studio, async (page) => {
       await run(page, { program: "samples/cell/clamp.nc", cell: "samples/cell/table.toml" });
       await openForm(page, "Cell");
-      await page.evaluate(() => window.studio.view.stand("top"));
+      await page.evaluate(() => window.studio.view.setStandardView("top"));
       await page.evaluate(() => window.studio.view.fit(true));
-      await settled(page);
-      const [x, y] = await page.evaluate(() => window.studio.view.screen_of([1100, 400, 40]));
+      await untilSettled(page);
+      const [x, y] = await page.evaluate(() => window.studio.view.screenPosition([1100, 400, 40]));
       await page.mouse.click(x, y);
       await page.waitForFunction(() => document.querySelector(".machine-form details.card[open] > summary > b")?.textContent === "right clamp", null, { timeout: 5000 });
       await page.waitForFunction(() => window.studio.store.get("handle")?.pose[12] === 1000);
@@ -412,7 +412,7 @@ export default {
       places.studio,
       async (page) => {
         const picture = async (name) => {
-          await settled(page);
+          await untilSettled(page);
           if (process.env.GSIM_RENEW_PICTURES) await page.screenshot({ path: join(places.samples, `../docs/images/studio-${name}.png`) });
         };
         await run(page, { program: "samples/wheel.nc", machine: "samples/machines/af5-measured.toml" });

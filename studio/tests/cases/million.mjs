@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { memoryOfBrowser } from "../memory.mjs";
-import { settled, withPage } from "../steps.mjs";
+import { untilSettled, withPage } from "../steps.mjs";
 
 const GIGABYTE = 1e9;
 
@@ -19,7 +19,7 @@ const frames = (page, count, turn) =>
         times.push(performance.now() - began);
       }
       times.sort((a, b) => a - b);
-      return { median_ms: times[number >> 1], worst_ms: times[number - 1], own_ms: view.frame_ms(what), empty_ms: view.frame_ms("empty") };
+      return { median_ms: times[number >> 1], worst_ms: times[number - 1], own_ms: view.measureFrame_ms(what), empty_ms: view.measureFrame_ms("empty") };
     },
     [count, turn],
   );
@@ -53,7 +53,7 @@ export default {
       assert.equal(ran.segments, 1_000_000);
       console.log(`  run ${(ran.ms / 1000).toFixed(1)} s, whole picture ${(drawn_ms / 1000).toFixed(1)} s behind its end`);
       console.log(`  turning: ${rounded(await frames(page, 15, "orbit"))}`);
-      await settled(page);
+      await untilSettled(page);
       console.log(`  machine before the resting way: ${rounded(await frames(page, 30, "rest"))}`);
       const memory = memoryOfBrowser();
       console.log(`  the page's process: ${(memory / 1e6).toFixed(0)} MB`);

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { dropFiles, withPage, settled, state } from "../steps.mjs";
+import { dropFiles, withPage, untilSettled, state } from "../steps.mjs";
 
 const docs = (places) => join(places.samples, "../docs/images");
 const WHEEL = "samples/wheel.path.json";
@@ -31,7 +31,7 @@ async function put(page, label, value) {
 async function openPath(page, name) {
   await tab(page, "Paths");
   await page.evaluate((path) => window.studio.store.set("pathFile", path), name);
-  await settled(page);
+  await untilSettled(page);
 }
 
 /** The chosen point, as the file has it. */
@@ -45,7 +45,7 @@ const chosenPoint = (page) =>
 async function pull(page, axis, by_px, steps = 8) {
   const { position_mm } = await chosenPoint(page);
   const ends = await page.evaluate(
-    ([at, to]) => [at, to].map((point) => window.studio.view.screen_of(point)),
+    ([at, to]) => [at, to].map((point) => window.studio.view.screenPosition(point)),
     [position_mm, position_mm.map((value, i) => value + (i === axis ? 5 : 0))],
   );
   const length = Math.hypot(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]);
@@ -79,12 +79,12 @@ async function roundTrip(page, program) {
   );
   const [, way, path] = (await said.textContent()).match(/is ([\d.]+) mm off .* path ([\d.]+) mm off/);
   const { status } = await page.evaluate(() => window.studio.store.get("run").report);
-  return { way_mm: Number(way), path_mm: Number(path), status };
+  return { travel_mm: Number(way), path_mm: Number(path), status };
 }
 
-function assertNear({ way_mm, path_mm, status }) {
+function assertNear({ travel_mm, path_mm, status }) {
   assert.equal(status, "completed");
-  assert.ok(way_mm < NEAR_MM && path_mm < NEAR_MM, `${way_mm} and ${path_mm} mm`);
+  assert.ok(travel_mm < NEAR_MM && path_mm < NEAR_MM, `${travel_mm} and ${path_mm} mm`);
 }
 
 async function download(page, act) {
@@ -113,9 +113,9 @@ export default {
         assert.equal((await file(page)).paths.length, 8);
 
         // A click on a mark selects its point; its handle moves it, by one step that is undone and redone.
-        await settled(page);
+        await untilSettled(page);
         const { position_mm } = (await file(page)).paths[1].targets[5];
-        await page.mouse.click(...(await page.evaluate((at) => window.studio.view.screen_of(at), position_mm)));
+        await page.mouse.click(...(await page.evaluate((at) => window.studio.view.screenPosition(at), position_mm)));
         assert.deepEqual(await state(page, "pathPoint"), { path: 1, target: 5 });
         const before = await pathText(page);
         await (await pull(page, 0, 30)).drop();
@@ -142,7 +142,7 @@ export default {
         assert.deepEqual([program, dialect], ["plate.nc", "ab9"]);
         await choose(page, 1, 5);
         await page.locator("#side").evaluate((side) => (side.scrollTop = 0));
-        await settled(page);
+        await untilSettled(page);
         if (process.env.GSIM_RENEW_PICTURES) await page.screenshot({ path: join(docs(places), "studio-path.png") });
         const first_s = await page.evaluate(() => window.studio.store.get("run").report.cycle_time_s);
         assertNear(await writeFor(page, "rs274ngc", "plate.ngc"));
@@ -245,7 +245,7 @@ export default {
     withPage(places.studio, async (page) => {
       await openPath(page, WHEEL);
       await choose(page, 1, 1);
-      await settled(page);
+      await untilSettled(page);
       const before = await pathText(page);
       const { drop } = await pull(page, 1, 40);
       assert.notEqual(await pathText(page), before, "it is seen while it is pulled");
@@ -259,11 +259,11 @@ export default {
   "a ring turns the tool, and rotary axes stay rotary axes": (places) =>
     withPage(places.studio, async (page) => {
       await openPath(page, WHEEL);
-      await page.evaluate(() => window.studio.view.stand("top"));
+      await page.evaluate(() => window.studio.view.setStandardView("top"));
       await choose(page, 2, 0);
-      await settled(page);
+      await untilSettled(page);
       const { position_mm, rotary_deg } = await chosenPoint(page);
-      const [x, y] = await page.evaluate((at) => window.studio.view.screen_of(at), position_mm);
+      const [x, y] = await page.evaluate((at) => window.studio.view.screenPosition(at), position_mm);
       // From above, the ring about Z is a circle: by 20 degrees.
       const at = (degrees) => [x + 84 * Math.cos((degrees * Math.PI) / 180), y - 84 * Math.sin((degrees * Math.PI) / 180)];
       await page.mouse.move(...at(200));

@@ -10,10 +10,10 @@ const PART = "G21 G90\nG1 X10 F600\nG1 X20\nM2\n";
 const LONG = PART.replace("M2\n", `${`(${"-".repeat(998)})\n`.repeat(300)}M2\n`);
 
 const textOf = (page, name) => page.evaluate((of) => window.studio.documents.text(of), name);
-const markOf = (page, name) => page.evaluate((of) => window.studio.folder.markOf(of), name);
-const shown = (page) => page.locator("#code .cm-content").first().innerText();
+const markFor = (page, name) => page.evaluate((of) => window.studio.folder.markFor(of), name);
+const displayed = (page) => page.locator("#code .cm-content").first().innerText();
 const hasMark = (page, name, mark) =>
-  page.waitForFunction(([of, wanted]) => window.studio.folder.markOf(of) === wanted, [name, mark], { timeout: 10_000 });
+  page.waitForFunction(([of, expectedValue]) => window.studio.folder.markFor(of) === expectedValue, [name, mark], { timeout: 10_000 });
 
 export default {
   "what is typed into a long program while it is saved stays, unsaved": (places) =>
@@ -25,7 +25,7 @@ export default {
       await page.keyboard.type(" (more)");
       put.go();
       await noticed(page, "Saved: long.nc");
-      assert.match(await shown(page), /G1 X20 F300 \(more\)/);
+      assert.match(await displayed(page), /G1 X20 F300 \(more\)/);
       await hasMark(page, "long.nc", "unsaved");
       assert.equal(served.text("long.nc"), LONG.replace("X20", "X20 F300"));
       await page.keyboard.press("Control+s");
@@ -42,7 +42,7 @@ export default {
       await page.keyboard.type(" F300");
       get.go();
       await noticed(page, "long.nc was changed here and by another program");
-      assert.match(await shown(page), /G1 X10 F600\nG1 X20 F300/);
+      assert.match(await displayed(page), /G1 X10 F600\nG1 X20 F300/);
       assert.equal(await textOf(page, "long.nc"), LONG.replace("X20", "X20 F300"));
     }),
 
@@ -53,9 +53,9 @@ export default {
       rmSync(served.path("long.nc"));
       let typed = " F300";
       // Without a pause, in which the editor would hand it on.
-      for (; typed.length < 200 && (await markOf(page, "long.nc")) !== "gone"; typed += "1") await page.keyboard.type("1");
+      for (; typed.length < 200 && (await markFor(page, "long.nc")) !== "gone"; typed += "1") await page.keyboard.type("1");
       await noticed(page, "long.nc is no longer in the folder");
-      assert.ok((await shown(page)).includes(`G1 X20${typed}\n`));
+      assert.ok((await displayed(page)).includes(`G1 X20${typed}\n`));
       await page.waitForFunction((end) => window.studio.documents.text("long.nc").includes(end), `G1 X20${typed}\n`);
     }),
 
@@ -79,7 +79,7 @@ export default {
       const header = page.locator("#code .code-header");
       assert.match(await header.innerText(), /edited/);
       await page.keyboard.press("Backspace");
-      assert.equal(await markOf(page, "part.nc"), "");
+      assert.equal(await markFor(page, "part.nc"), "");
       assert.doesNotMatch(await header.innerText(), /edited/);
     }),
 
@@ -159,8 +159,8 @@ export default {
       await page.waitForFunction(() => window.studio.session.setup.program === "mine.nc");
       assert.match(await textOf(page, "mine.nc"), /^N210 .*12$/m);
       assert.match(served.text("mine.nc"), /^N210 .*1$/m);
-      assert.equal(await markOf(page, "mine.nc"), "unsaved");
-      assert.match(await shown(page), /N210 .*12\n/);
+      assert.equal(await markFor(page, "mine.nc"), "unsaved");
+      assert.match(await displayed(page), /N210 .*12\n/);
     }),
 
   "Save in the forms of machine, cell and paths saves into the folder": (places) => {
@@ -183,7 +183,7 @@ export default {
         await form.getByRole("button", { name: "Save", exact: true }).click();
         await noticed(page, `Saved: ${name}`);
         assert.equal(served.text(name), `${files[name]}\n`);
-        assert.equal(await markOf(page, name), "");
+        assert.equal(await markFor(page, name), "");
       };
       const row = side.locator(".machine-form .file-row:visible");
       // The saved file is the one in the form.
@@ -211,7 +211,7 @@ export default {
       await form.locator(".file-row:visible").getByRole("button", { name: "Save", exact: true }).click();
       await noticed(page, "Saved: router.toml");
       assert.match(served.text("router.toml"), /max_speed_mm_s = 123/);
-      assert.equal(await markOf(page, "router.toml"), "");
+      assert.equal(await markFor(page, "router.toml"), "");
     });
   },
 
@@ -243,6 +243,6 @@ export default {
       assert.equal(await textOf(page, "part.nc"), PART.replace("X20", "X20 F300"));
       await page.locator("#redo-button").click();
       assert.equal(await textOf(page, "part.nc"), theirs);
-      assert.equal(await markOf(page, "part.nc"), "");
+      assert.equal(await markFor(page, "part.nc"), "");
     }),
 };

@@ -104,11 +104,11 @@ export default {
       assert.equal(served.text("part.nc"), PART.replace("X20", "X25"));
       assert.equal(served.text("new/made.toml"), "a = 1\n");
       assert.equal(served.text("my wheel & all.nc"), "G21\nM2\n");
-      const { own, marked } = await page.evaluate(() => ({
+      const { own, fileMarks } = await page.evaluate(() => ({
         own: window.studio.documents.isOwn("samples/wheel.nc"),
-        marked: window.studio.folder.marked().size,
+        fileMarks: window.studio.folder.fileMarks().size,
       }));
-      assert.deepEqual([own, marked], [false, 0], "the sample is as it was");
+      assert.deepEqual([own, fileMarks], [false, 0], "the sample is as it was");
     }),
 
   "what another editor saves is shown and run": (places) =>
@@ -165,7 +165,7 @@ export default {
       await page.getByRole("button", { name: "Decide…" }).click();
       await page.locator("dialog").getByRole("button", { name: "Take the one on the disk" }).click();
       await page.waitForFunction(() => /G1 X15/.test(document.getElementById("code").innerText));
-      assert.equal(await page.evaluate(() => window.studio.folder.marked().size), 0);
+      assert.equal(await page.evaluate(() => window.studio.folder.fileMarks().size), 0);
       await page.evaluate(() => window.studio.session.history.undo());
       assert.match(await page.evaluate(() => window.studio.documents.text("part.nc")), /X20 F300/);
       assert.equal(served.text("part.nc"), PART.replace("X10", "X15"));
@@ -182,7 +182,7 @@ export default {
       await page.waitForFunction(() => /X15/.test(window.studio.documents.text("part.nc")));
       assert.equal(served.text("part-2.nc"), PART.replace("X20", "X20 F300"));
       assert.equal(served.text("part.nc"), PART.replace("X10", "X15"));
-      assert.equal(await page.evaluate(() => window.studio.folder.marked().size), 0);
+      assert.equal(await page.evaluate(() => window.studio.folder.fileMarks().size), 0);
     }),
 
   "a version that this page has not heard of is not written over": (places) =>
@@ -218,7 +218,7 @@ export default {
       await noticed(page, "part.nc is no longer in the folder");
       assert.match(await page.locator("#code").innerText(), /Ende für heute/);
       await page.getByRole("button", { name: "Save it again" }).click();
-      await page.waitForFunction(() => window.studio.folder.marked().size === 0);
+      await page.waitForFunction(() => window.studio.folder.fileMarks().size === 0);
       assert.equal(served.text("part.nc"), PART);
     }),
 
@@ -259,11 +259,11 @@ export default {
       await typeAfter(page, "G1 X20", " F300");
       await served.end();
       await noticed(page, "gsim-studio has ended");
-      const { failure } = await page.evaluate(async () => {
+      const { error } = await page.evaluate(async () => {
         await window.studio.session.run();
         return window.studio.store.get("run");
       });
-      assert.match(failure.message, /does not answer/);
+      assert.match(error.message, /does not response/);
       await noticed(page, "gsim-studio has ended");
       const downloading = page.waitForEvent("download");
       await page.locator("#save-button").click();

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { difference, pictureOfView, run, setState, settled, state, withPage } from "../steps.mjs";
+import { difference, pictureOfView, run, setState, untilSettled, state, withPage } from "../steps.mjs";
 
 const docs = (places) => join(places.samples, "../docs/images");
 const form = (page) => page.locator("#side .teach");
@@ -123,7 +123,7 @@ export default {
           await button(page, "Record point").click();
           points.push((await page.evaluate(() => window.studio.store.get("path").file.paths[0].targets)).at(-1));
         }
-        await settled(page);
+        await untilSettled(page);
         if (process.env.GSIM_RENEW_PICTURES) await page.screenshot({ path: join(docs(places), "studio-teach.png") });
         assert.deepEqual(points.map(({ feed_mm_min }) => feed_mm_min), [1000, undefined, undefined]);
         assert.equal(await page.evaluate(() => window.studio.session.history.undoLabel), "recording a point");
@@ -134,17 +134,17 @@ export default {
         await page.locator("#side .write .primary").click();
         await page.waitForFunction(() => window.studio.store.get("run")?.report?.program === "part.nc" && !window.studio.store.get("running"), null, { timeout: 60_000 });
         assert.equal(await page.evaluate(() => window.studio.store.get("run").report.status), "completed");
-        const off_mm = await page.evaluate((wanted) => {
-          const { stretches } = window.studio.store.get("run").robots[0].segments;
+        const deviation_mm = await page.evaluate((expectedValue) => {
+          const { sections } = window.studio.store.get("run").robots[0].segments;
           const away = ([x, y, z]) =>
             Math.min(
-              ...stretches.flatMap(({ vertex_mm }) =>
+              ...sections.flatMap(({ vertex_mm }) =>
                 Array.from({ length: vertex_mm.length / 3 }, (_, i) => Math.hypot(vertex_mm[3 * i] - x, vertex_mm[3 * i + 1] - y, vertex_mm[3 * i + 2] - z)),
               ),
             );
-          return wanted.map(({ position_mm }) => away(position_mm));
+          return expectedValue.map(({ position_mm }) => away(position_mm));
         }, points);
-        assert.ok(Math.max(...off_mm) < 0.01, `${off_mm}`);
+        assert.ok(Math.max(...deviation_mm) < 0.01, `${deviation_mm}`);
 
         // To the first of them, and on from there.
         await page.evaluate(() => window.studio.store.set("pathPoint", { path: 0, target: 0 }));

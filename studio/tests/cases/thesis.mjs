@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
-import { run, setState, settled, state, withPage } from "../steps.mjs";
+import { run, setState, untilSettled, state, withPage } from "../steps.mjs";
 
 const SIZE = { width: 1280, height: 800 };
 const CHARTS = { width: 900, height: 900 };
@@ -57,7 +57,7 @@ async function picture(page, places, name, locator, height = Infinity) {
 }
 
 async function pictureOf(page, places, name, clip) {
-  await settled(page);
+  await untilSettled(page);
   if (!process.env.GSIM_RENEW_PICTURES) return;
   await page.screenshot({ path: join(places.samples, `../docs/images/thesis-${name}.png`), clip });
 }
@@ -66,7 +66,7 @@ async function pictureOf(page, places, name, clip) {
 const onScreen = (page, from_mm, to_mm, margin_px) =>
   page.evaluate(
     ([from, to, margin]) => {
-      const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((bits) => window.studio.view.screen_of([0, 1, 2].map((i) => ((bits >> i) & 1 ? to : from)[i])));
+      const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((bits) => window.studio.view.screenPosition([0, 1, 2].map((i) => ((bits >> i) & 1 ? to : from)[i])));
       const [left, top] = [0, 1].map((i) => Math.min(...corners.map((at) => at[i])) - margin);
       const [right, bottom] = [0, 1].map((i) => Math.max(...corners.map((at) => at[i])) + margin);
       return { x: left, y: top, width: right - left, height: bottom - top };
@@ -81,23 +81,23 @@ const segments = (page) =>
     return segments.chunks.flatMap(({ count, duration_s, flags, record, values }) =>
       Array.from({ length: count }, (_, i) => {
         const law = record[i] + 2 * scene.axes.length;
-        const accelerations = Array.from({ length: values[law + 3] }, (_, piece) => values[law + 4 + 5 * piece + 3]);
+        const accelerations = Array.from({ length: values[law + 3] }, (_, section) => values[law + 4 + 5 * section + 3]);
         return { duration_s: duration_s[i], apart: (flags[i] & 64) !== 0, accelerations };
       }),
     );
   });
 
 async function onlyMove(page, program, setup = {}, files = {}) {
-  const { status, failure } = await run(page, { program: "move.nc", ...setup }, { "move.nc": program, ...files });
-  assert.equal(status, "completed", failure);
+  const { status, error } = await run(page, { program: "move.nc", ...setup }, { "move.nc": program, ...files });
+  assert.equal(status, "completed", error);
   const all = (await segments(page)).filter(({ duration_s }) => duration_s > 0);
   assert.equal(all.length, 1);
   return all[0];
 }
 
-async function chooseChart(page, wanted) {
+async function chooseChart(page, expectedValue) {
   const box = (name) => page.locator("#time .chooser").getByLabel(name, { exact: true });
-  for (const name of ["Speed and feed", "Axis speeds"]) await box(name).setChecked(name === wanted);
+  for (const name of ["Speed and feed", "Axis speeds"]) await box(name).setChecked(name === expectedValue);
   await box("% of limit").setChecked(false);
   for (const letter of ["Z", "B", "C"]) await box(letter).setChecked(false);
 }
@@ -149,8 +149,8 @@ export default {
         await page.locator("#code .cm-line").filter({ hasText: "G1{x=200" }).waitFor();
         await picture(page, places, "translation", page.locator("#code"));
 
-        const { status, failure } = await run(page, { program: "led.lua", cell: "trolley.toml" }, { "led.lua": LED, "trolley.toml": CELL });
-        assert.equal(status, "completed", failure);
+        const { status, error } = await run(page, { program: "led.lua", cell: "trolley.toml" }, { "led.lua": LED, "trolley.toml": CELL });
+        assert.equal(status, "completed", error);
         const [{ scene }] = (await state(page, "run")).robots;
         assert.deepEqual(scene.drifts.map(({ velocity_mm_s }) => Math.round(Math.hypot(...velocity_mm_s))), [100, 0]);
         near(scene.drifts[1].from_s - scene.drifts[0].from_s, 8);

@@ -5,7 +5,7 @@ import { readFileSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { withServed } from "../served.mjs";
-import { difference, run, setState, settled, state, withPage } from "../steps.mjs";
+import { difference, run, setState, untilSettled, state, withPage } from "../steps.mjs";
 
 const WHEEL = "samples/wheel.nc";
 const MEASURED = "samples/machines/af5-measured.toml";
@@ -69,7 +69,7 @@ const compared = async (page, first, second) => {
 };
 
 const canvases = async (page) => {
-  await settled(page);
+  await untilSettled(page);
   const all = page.locator("#view canvas");
   assert.equal(await all.count(), 2);
   return [await all.nth(0).screenshot(), await all.nth(1).screenshot()];
@@ -112,17 +112,17 @@ export default {
       const differences = sums.map((cells) => number(cells[3].slice(1)) * (cells[3].startsWith("−") ? -1 : 1));
       assert.deepEqual([...differences].sort((a, b) => Math.abs(b) - Math.abs(a)), differences, "the greatest difference first");
       const total = (await rows(page)).slice(1).map(([, time]) => secondsOf(time));
-      const shown = await form(page).locator(".variant-compare p.note[role=status]").innerText();
-      const [, few, many] = /^(\d+) of (\d+) blocks/.exec(shown);
+      const displayed = await form(page).locator(".variant-compare p.note[role=status]").innerText();
+      const [, few, many] = /^(\d+) of (\d+) blocks/.exec(displayed);
       if (few === many) near(differences.reduce((sum, each) => sum + each, 0), total[1] - total[0], 0.0006 * differences.length);
       assert.ok(differences[0] > 0.1, "the first one is slower at half the feed");
       assert.match(sums[0][2], /feed/, "and it says what limits it");
 
       const line = /^\d+/.exec(sums[1][0])[0];
       await form(page).getByRole("searchbox", { name: "Filter: line or text" }).fill(line);
-      await page.waitForFunction((wanted) => {
+      await page.waitForFunction((expectedValue) => {
         const all = [...document.querySelectorAll("#side .variant-compare .differences tbody tr")];
-        return all.length > 0 && all.every((each) => each.cells[0].textContent.startsWith(`${wanted} `));
+        return all.length > 0 && all.every((each) => each.cells[0].textContent.startsWith(`${expectedValue} `));
       }, line);
       await form(page).locator(".variant-compare .differences tbody tr").first().click();
       const at = await page.evaluate(() => {
@@ -253,8 +253,8 @@ export default {
       const times = (await rows(page)).map(([, time]) => secondsOf(time));
       assert.ok(times[1] > times[0] + 1, `stopping at each end takes longer: ${times}`);
       await button(page, "Put into the bar").click();
-      const shown = await page.evaluate(() => [window.studio.store.get("run").report.controller, window.studio.session.setup.controller]);
-      assert.deepEqual(shown, ["exact-stop", "exact-stop"]);
+      const displayed = await page.evaluate(() => [window.studio.store.get("run").report.controller, window.studio.session.setup.controller]);
+      assert.deepEqual(displayed, ["exact-stop", "exact-stop"]);
       await run(page, { program: WHEEL, machine: MEASURED, controller: "exact-stop" });
       near(await page.evaluate(() => window.studio.store.get("run").report.cycle_time_s), times[1], 0.0006);
     }),
@@ -265,7 +265,7 @@ export default {
       const all = await rows(page);
       const undo = () => page.locator("#undo-button").click();
       const redo = () => page.locator("#redo-button").click();
-      const shows = (count) => page.waitForFunction((wanted) => document.querySelectorAll("#side .variant-list tbody tr").length === wanted, count);
+      const shows = (count) => page.waitForFunction((expectedValue) => document.querySelectorAll("#side .variant-list tbody tr").length === expectedValue, count);
       await row(page, 1).click();
       await page.keyboard.press("Delete");
       await shows(2);
@@ -399,7 +399,7 @@ export default {
 
       // A line without motion is reported as such.
       await page.locator("#code .cm-line").filter({ hasText: /^M99$/ }).first().click();
-      await here.getByText(/line 13\. The run that is shown has no block of this line/).waitFor();
+      await here.getByText(/line 13\. The run that is displayed has no block of this line/).waitFor();
       assert.equal(await here.getByRole("button", { name: "Make a variant from here" }).isVisible(), false);
     }),
 };

@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { setState, settled, state, withPage } from "../steps.mjs";
+import { setState, untilSettled, state, withPage } from "../steps.mjs";
 
 const docs = (places) => join(places.samples, "../docs/images");
 
@@ -13,7 +13,7 @@ export default {
       places.studio,
       async (page) => {
         const picture = async (name) => {
-          await settled(page);
+          await untilSettled(page);
           if (process.env.GSIM_RENEW_PICTURES) await page.screenshot({ path: join(docs(places), `studio-${name}.png`) });
         };
         await setState(page, "time_s", 60);

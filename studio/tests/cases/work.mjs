@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { difference, dropFiles, pictureOfView, run, setState, settled, state, withPage } from "../steps.mjs";
+import { difference, dropFiles, pictureOfView, run, setState, untilSettled, state, withPage } from "../steps.mjs";
 
 const ENDLESS = "local _ENV = require 'gsim'\nprogram(1, function()\n  F(6000) while true do G1{x=100} G1{x=0} end\nend)\n";
 
@@ -24,7 +24,7 @@ async function clickLine(page, line) {
 export default {
   "a click on a line goes to its time, and shows it on the way": (places) =>
     withPage(places.studio, async (page) => {
-      await settled(page);
+      await untilSettled(page);
       const before = await pictureOfView(page);
       await clickLine(page, 38);
       await page.waitForFunction(() => window.studio.store.get("selection")?.line === 38);
@@ -36,13 +36,13 @@ export default {
 
   "a click on the way goes to its line": (places) =>
     withPage(places.studio, async (page) => {
-      await settled(page);
+      await untilSettled(page);
       const point = await page.evaluate(() => {
         const { store, view } = window.studio;
         const { segments } = store.get("run").robots[0];
-        const stretch = segments.stretchOf(20);
-        const vertex = stretch.firstVertexOf(20);
-        return { line: segments.lineOf(20).line, at: view.screen_of([...stretch.vertex_mm.subarray(3 * vertex, 3 * vertex + 3)]) };
+        const section = segments.sectionOf(20);
+        const vertex = section.firstVertex(20);
+        return { line: segments.lineOf(20).line, at: view.screenPosition([...section.vertex_mm.subarray(3 * vertex, 3 * vertex + 3)]) };
       });
       await page.mouse.click(point.at[0], point.at[1]);
       await page.waitForFunction(() => window.studio.store.get("selection") !== null);
@@ -137,8 +137,8 @@ export default {
 
   "a file that is no program is refused in words": (places) =>
     withPage(places.studio, async (page) => {
-      const { failure } = await run(page, { program: "nonsense.nc" }, { "nonsense.nc": "\u0000\u0001 what is this" });
-      assert.ok(failure);
+      const { error } = await run(page, { program: "nonsense.nc" }, { "nonsense.nc": "\u0000\u0001 what is this" });
+      assert.ok(error);
       assert.match(await page.locator("#side").innerText(), /not run/);
     }),
 
@@ -158,7 +158,7 @@ export default {
 
   "an edit of the wheel is seen within a second": (places) =>
     withPage(places.studio, async (page) => {
-      await settled(page);
+      await untilSettled(page);
       const elapsed_ms = await page.evaluate(async () => {
         const { session, documents, store } = window.studio;
         const began = performance.now();

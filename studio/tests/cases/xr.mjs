@@ -6,7 +6,7 @@ import { writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { openPage } from "../browser.mjs";
 import { emulateHeadset } from "../emulated_headset.mjs";
-import { countPixels, difference, pictureOfView, run, setState, settled, state, withPage } from "../steps.mjs";
+import { countPixels, difference, pictureOfView, run, setState, untilSettled, state, withPage } from "../steps.mjs";
 
 const worn = (places, test, argument = {}) => withPage(places.studio, test, { before: { script: emulateHeadset, argument } });
 const enterButton = (page) => page.locator("#view").getByRole("button", { name: "Enter VR" });
@@ -71,10 +71,10 @@ const seen = (page) =>
     });
   });
 
-const near = (value, wanted, most, what) => assert.ok(Math.abs(value - wanted) <= most, `${what}: ${value}, not ${wanted}`);
+const near = (value, expectedValue, most, what) => assert.ok(Math.abs(value - expectedValue) <= most, `${what}: ${value}, not ${expectedValue}`);
 
 /** How far the post is, by how far below eyes 1 m above the floor it ends, and how far to the right of the head, by its left edge; m. */
-async function stand(page) {
+async function setStandardView(page) {
   const [left, right] = await seen(page);
   const away_m = (-FOCUS_PX * 1) / ((left.bottom + right.bottom) / 2);
   const edge_px = (left.left + right.left) / 2;
@@ -116,7 +116,7 @@ async function assertRefused(page, why) {
 export default {
   "where there is no headset there is no button, and nothing is said": (places) =>
     withPage(places.studio, async (page) => {
-      await settled(page);
+      await untilSettled(page);
       assert.equal(await page.getByRole("button", { name: /VR/ }).count(), 0);
       assert.equal(await state(page, "notice"), "");
     }),
@@ -168,7 +168,7 @@ export default {
         await page.evaluate(() => Object.assign(window.headset.head, { y_m: 1 }));
         await enter(page);
         const begun = await eyes(page);
-        const from = await stand(page);
+        const from = await setStandardView(page);
         near(from.away_m, AWAY_M, 0.03, "away");
 
         // 1.5 m/s: 0.3 m on in 0.2 s; a stick that is pushed half, half of it.
@@ -178,16 +178,16 @@ export default {
         await page.evaluate(() => Object.assign(window.headset.head, { down: 0 }));
         await hold(page, { left: [0, 0.1], right: [0, 0] }); // sticks do not return to 0
         await show(page, 20, 10);
-        near((await stand(page)).away_m, from.away_m - 0.3, 0.02, "walked on");
+        near((await setStandardView(page)).away_m, from.away_m - 0.3, 0.02, "walked on");
         await hold(page, { left: [0, 0.5], right: [0, 0] });
         await show(page, 40, 10);
-        near((await stand(page)).away_m, from.away_m, 0.03, "walked back");
+        near((await setStandardView(page)).away_m, from.away_m, 0.03, "walked back");
         await hold(page, { left: [1, 0], right: [0, 0] });
         await show(page, 10, 20);
-        near((await stand(page)).right_m, from.right_m - 0.3, 0.02, "walked to the right");
+        near((await setStandardView(page)).right_m, from.right_m - 0.3, 0.02, "walked to the right");
         // A headset that showed nothing for a while has not walked meanwhile.
         await show(page, 1, 5000);
-        near((await stand(page)).right_m, from.right_m - 0.45, 0.02, "walked for the longest step");
+        near((await setStandardView(page)).right_m, from.right_m - 0.45, 0.02, "walked for the longest step");
 
         await press(page, "squeeze");
         await hold(page, { left: [0, 0], right: [0, 0] });
@@ -195,12 +195,12 @@ export default {
         assert.equal(await difference(page, begun, await eyes(page)), 0);
 
         // A push is one step, however long it is held; a body straight ahead moves to the left.
-        const wanted_px = (angle_deg) => -FOCUS_PX * Math.tan((angle_deg * Math.PI) / 180);
+        const required_px = (angle_deg) => -FOCUS_PX * Math.tan((angle_deg * Math.PI) / 180);
         const middle_px = async () => (await seen(page)).reduce((sum, { left, right }) => sum + (left + right) / 4, 0);
         const begun_px = await middle_px();
         await hold(page, { left: [0, 0], right: [1, 0] });
         await show(page, 30);
-        near(await middle_px(), begun_px + wanted_px(30), 0.05 * FOCUS_PX, "turned to the right");
+        near(await middle_px(), begun_px + required_px(30), 0.05 * FOCUS_PX, "turned to the right");
         await hold(page, { left: [0, 0], right: [0, 0] });
         await show(page);
         await hold(page, { left: [0, 0], right: [-1, 0] });
@@ -213,12 +213,12 @@ export default {
         await page.evaluate(() => Object.assign(window.headset.head, { turn: 0 }));
         await hold(page, { left: [0, 0], right: [0, 0] });
         await show(page);
-        near((await stand(page)).right_m, from.right_m + 0.15, 0.02, "walked to the left");
+        near((await setStandardView(page)).right_m, from.right_m + 0.15, 0.02, "walked to the left");
         // One hand does both.
         await press(page, "squeeze");
         await hold(page, { none: [0, -1] });
         await show(page, 21, 10);
-        near((await stand(page)).away_m, from.away_m - 0.315, 0.02, "walked with one hand");
+        near((await setStandardView(page)).away_m, from.away_m - 0.315, 0.02, "walked with one hand");
       },
       { width_px: EYE_PX, height_px: EYE_PX },
     ),
@@ -249,7 +249,7 @@ export default {
       places,
       async (page) => {
         await setState(page, "time_s", 30);
-        await settled(page);
+        await untilSettled(page);
         await enter(page);
         const drawn = await page.evaluate(() => window.headset.draws());
         await setState(page, "showRapids", false);
@@ -320,10 +320,10 @@ export default {
 
   "a program that runs meanwhile is in the headset, and in the page as without one": async (places) => {
     const CELL = { program: "samples/cell/clamp.nc", cell: "samples/cell/table.toml" };
-    let wanted;
+    let expectedValue;
     await withPage(places.studio, async (page) => {
       await run(page, CELL);
-      wanted = await pictureOfView(page);
+      expectedValue = await pictureOfView(page);
     });
     await worn(places, async (page) => {
       await enter(page);
@@ -333,7 +333,7 @@ export default {
       assert.ok((await difference(page, before, await eyes(page))) > 0.02);
       if (process.env.GSIM_RENEW_PICTURES) await takePicture(page, join(places.samples, "../docs/images/studio-xr.png"));
       await leaveButton(page).click();
-      await assertAsBefore(page, wanted, 0.0005);
+      await assertAsBefore(page, expectedValue, 0.0005);
     });
   },
 

@@ -17,7 +17,7 @@ const frames = [
   { name: "conveyor", parent: 0, in_parent: moved(100, 0, 0) },
   { name: "part", parent: 1, in_parent: moved(0, 5, 0) },
 ];
-const drift = (frame, from_s, pose, velocity_mm_s, spin_rad_s = still) => ({ frame, from_s, pose, velocity_mm_s, spin_rad_s });
+const uniformMotion = (frame, from_s, pose, velocity_mm_s, spin_rad_s = still) => ({ frame, from_s, pose, velocity_mm_s, spin_rad_s });
 
 export default {
   "joints move their links along and about Z, the tool last": ({ Chain }) => {
@@ -44,7 +44,7 @@ export default {
   },
 
   "a drifting frame takes along what is attached to it": ({ Chain }) => {
-    const chain = new Chain(scene({ frames, drifts: [drift(1, 2, moved(100, 0, 0), [10, 0, 0])] }));
+    const chain = new Chain(scene({ frames, drifts: [uniformMotion(1, 2, moved(100, 0, 0), [10, 0, 0])] }));
     assert.equal(chain.drifting, true);
     at(chain.places([0, 0], 1).frames[1], [100, 0, 0]);
     at(chain.places([0, 0], 5).frames[1], [130, 0, 0]);
@@ -52,8 +52,8 @@ export default {
   },
 
   "a drift holds until the next of its frame, and turns about its own origin": ({ Chain }) => {
-    const turning = drift(1, 6, moved(50, 0, 0), still, [0, 0, Math.PI / 4]);
-    const chain = new Chain(scene({ frames, drifts: [drift(1, 2, moved(100, 0, 0), [10, 0, 0]), turning] }));
+    const turning = uniformMotion(1, 6, moved(50, 0, 0), still, [0, 0, Math.PI / 4]);
+    const chain = new Chain(scene({ frames, drifts: [uniformMotion(1, 2, moved(100, 0, 0), [10, 0, 0]), turning] }));
     at(chain.places([0, 0], 5.9).frames[1], [139, 0, 0]);
     const { frames: placed } = chain.places([0, 0], 8);
     at(placed[1], [50, 0, 0]);
@@ -61,12 +61,12 @@ export default {
   },
 
   "a drift that is told anew from an earlier time replaces those behind it": ({ Chain }) => {
-    const drifts = [drift(1, 2, moved(100, 0, 0), [10, 0, 0]), drift(1, 2, moved(100, 0, 0), [0, 1, 0])];
+    const drifts = [uniformMotion(1, 2, moved(100, 0, 0), [10, 0, 0]), uniformMotion(1, 2, moved(100, 0, 0), [0, 1, 0])];
     at(new Chain(scene({ frames, drifts })).places([0, 0], 4).frames[1], [100, 2, 0]);
   },
 
   "where the base drifts the machine goes along, and the work stays": ({ Chain }) => {
-    const drifts = [drift(0, 0, moved(1, 2, 3), [0, 20, 0])];
+    const drifts = [uniformMotion(0, 0, moved(1, 2, 3), [0, 20, 0])];
     const places = new Chain(scene({ frames, drifts })).places([0, 0], 2);
     at(places.tool, [11, 42, 3]);
     at(places.work, [0, 0, 0]);

@@ -19,38 +19,38 @@ const language = {
 const named = (words) => words.map(({ letter, number }) => letter + number);
 
 /** Returns a program after toggling its lines from `from` to `to` (counted from 1, none selected: one). */
-function toggled({ EditorState, EditorSelection, toggleRemark }, isNgc, text, from = 1, to = from) {
+function toggled({ EditorState, EditorSelection, toggleLineComment }, isNgc, text, from = 1, to = from) {
   let state = EditorState.create({ doc: text });
   const { doc } = state;
   state = state.update({ selection: EditorSelection.range(doc.line(from).from, doc.line(to).to) }).state;
-  toggleRemark(isNgc)({ state, dispatch: (transaction) => (state = transaction.state) });
+  toggleLineComment(isNgc)({ state, dispatch: (transaction) => (state = transaction.state) });
   return state.doc.toString();
 }
 
 const sessionOf = (setup, texts = {}) => ({ setup: { dialect: "", machine: "", ...setup }, documents: { text: (name) => texts[name] ?? "" } });
 
 export default {
-  "words are letters with their numbers, wherever blanks stand": ({ wordsOf }) => {
-    assert.deepEqual(named(wordsOf("n10g1 x-1.5Y+.5 z 3. f1000", false)), ["N10", "G1", "X-1.5", "Y+.5", "Z3.", "F1000"]);
-    const [g, x] = wordsOf("G01 X5", false);
+  "words are letters with their numbers, wherever blanks stand": ({ parseWords }) => {
+    assert.deepEqual(named(parseWords("n10g1 x-1.5Y+.5 z 3. f1000", false)), ["N10", "G1", "X-1.5", "Y+.5", "Z3.", "F1000"]);
+    const [g, x] = parseWords("G01 X5", false);
     assert.deepEqual([g.from, g.to, x.from, x.to], [0, 3, 4, 6]);
   },
 
-  "comments, names and expressions are no words": ({ wordsOf }) => {
-    assert.deepEqual(named(wordsOf("G1 (X1 Y2) X3 ; Y4", true)), ["G1", "X3"]);
-    assert.deepEqual(named(wordsOf("G1 X[#<depth> * 2] Y#5 (open X7", true)).slice(0, 3), ["G1", "X", "Y"]);
-    assert.deepEqual(named(wordsOf("WHILE [#1 LT 5] DO1", false)).filter((word) => word !== "#"), []);
+  "comments, names and expressions are no words": ({ parseWords }) => {
+    assert.deepEqual(named(parseWords("G1 (X1 Y2) X3 ; Y4", true)), ["G1", "X3"]);
+    assert.deepEqual(named(parseWords("G1 X[#<depth> * 2] Y#5 (open X7", true)).slice(0, 3), ["G1", "X", "Y"]);
+    assert.deepEqual(named(parseWords("WHILE [#1 LT 5] DO1", false)).filter((word) => word !== "#"), []);
   },
 
-  "in the 9/Series a block may stand behind a semicolon": ({ wordsOf, withoutComments }) => {
-    assert.deepEqual(named(wordsOf("G1 X1; G4 P1", false)), ["G1", "X1", "G4", "P1"]);
-    assert.deepEqual(named(wordsOf("G1 X1; G4 P1", true)), ["G1", "X1"]);
-    assert.deepEqual(named(wordsOf("G1 X1; go on", false)), ["G1", "X1"]);
+  "in the 9/Series a block may stand behind a semicolon": ({ parseWords, withoutComments }) => {
+    assert.deepEqual(named(parseWords("G1 X1; G4 P1", false)), ["G1", "X1", "G4", "P1"]);
+    assert.deepEqual(named(parseWords("G1 X1; G4 P1", true)), ["G1", "X1"]);
+    assert.deepEqual(named(parseWords("G1 X1; go on", false)), ["G1", "X1"]);
     assert.equal(withoutComments("G1 (a) X1", false), "G1     X1");
   },
 
-  "corners and angles of the 9/Series are words of their own": ({ wordsOf }) => {
-    assert.deepEqual(named(wordsOf("G1 X1 ,C2 AR=5", false)), ["G1", "X1", ",C2", "AR=5"]);
+  "corners and angles of the 9/Series are words of their own": ({ parseWords }) => {
+    assert.deepEqual(named(parseWords("G1 X1 ,C2 AR=5", false)), ["G1", "X1", ",C2", "AR=5"]);
   },
 
   "codes have one name however they are written": ({ codeName }) => {
@@ -102,13 +102,13 @@ export default {
     assert.equal(toggled(page, false, "(A) G1 (B)"), "({A} G1 {B})");
   },
 
-  "a program's dialect is the setup's, the machine's, or its name's": ({ dialectName, isMisread }) => {
+  "a program's dialect is the setup's, the machine's, or its name's": ({ dialectName, needsDialectSetting }) => {
     assert.equal(dialectName(sessionOf({}), "a.nc"), "ab9");
     assert.equal(dialectName(sessionOf({}), "a.NGC"), "rs274ngc");
     assert.equal(dialectName(sessionOf({ dialect: "ab9" }), "a.ngc"), "ab9");
     const machine = sessionOf({ machine: "m.toml" }, { "m.toml": "[controller]\n  dialect = 'Linux CNC'" });
     assert.equal(dialectName(machine, "a.nc"), "rs274ngc");
-    assert.deepEqual([isMisread(sessionOf({}), "a.ngc"), isMisread(machine, "a.ngc"), isMisread(sessionOf({}), "a.nc")], [true, false, false]);
+    assert.deepEqual([needsDialectSetting(sessionOf({}), "a.ngc"), needsDialectSetting(machine, "a.ngc"), needsDialectSetting(sessionOf({}), "a.nc")], [true, false, false]);
   },
 
   "what no table has is unknown, but for a user's own M codes": ({ Dialect }) => {
@@ -118,40 +118,40 @@ export default {
     assert.equal(new Dialect("rs274ngc", null).title, "RS274/NGC (LinuxCNC)");
   },
 
-  "lines of a run are found again in a text that has been edited": ({ Sheet, EditorState }) => {
-    const sheet = new Sheet("a.nc", EditorState.create({ doc: "one\ntwo\nthree\n" }));
+  "lines of a run are found again in a text that has been edited": ({ EditorFile, EditorState }) => {
+    const sheet = new EditorFile("a.nc", EditorState.create({ doc: "one\ntwo\nthree\n" }));
     const edit = (from, to, insert) => {
       const { state, changes } = sheet.state.update({ changes: { from, to, insert } });
       sheet.state = state;
       sheet.changed(changes.desc);
     };
     edit(4, 4, "new\n");
-    assert.deepEqual([1, 2, 3].map((line) => sheet.lineOfRun(line)), [1, 3, 4]);
-    assert.deepEqual([1, 2, 3, 4].map((line) => sheet.runLineOf(line)), [1, 0, 2, 3]);
-    assert.deepEqual([sheet.isModified, sheet.changedSinceRun, sheet.touched(1), sheet.touched(3)], [true, true, false, false]);
-    sheet.runBegins();
+    assert.deepEqual([1, 2, 3].map((line) => sheet.fromRunLine(line)), [1, 3, 4]);
+    assert.deepEqual([1, 2, 3, 4].map((line) => sheet.toRunLine(line)), [1, 0, 2, 3]);
+    assert.deepEqual([sheet.isModified, sheet.isChangedSinceRun, sheet.touched(1), sheet.touched(3)], [true, true, false, false]);
+    sheet.beginRun();
     edit(0, 0, "more\n");
-    sheet.runEnds(true);
-    assert.deepEqual([1, 2].map((line) => sheet.lineOfRun(line)), [2, 3]);
+    sheet.endRun(true);
+    assert.deepEqual([1, 2].map((line) => sheet.fromRunLine(line)), [2, 3]);
     // One that had been made before is shown while its texts are what they were.
-    sheet.runEnds(false);
-    assert.deepEqual([1, 2].map((line) => sheet.lineOfRun(line)), [1, 2]);
-    assert.equal(sheet.changedSinceRun, false);
+    sheet.endRun(false);
+    assert.deepEqual([1, 2].map((line) => sheet.fromRunLine(line)), [1, 2]);
+    assert.equal(sheet.isChangedSinceRun, false);
   },
 
-  "findings of a file are told once, of a run those of all its robots": ({ findingsOf, findingsOfRun, diagnosticOf, Text }) => {
+  "findings of a file are told once, of a run those of all its robots": ({ fileFindings, runFindings, toDiagnostic, Text }) => {
     const at = (line, text, more = {}) => ({ file: "a.nc", line, text, ...more });
     const all = [[at(2, "no such code"), "error"], [at(2, "code"), "warning"], [at(null, "x"), "error"], [{ ...at(3, "x"), file: "b.nc" }, "error"]];
-    assert.deepEqual(findingsOf("a.nc", all).map(({ line, severity }) => [line, severity]), [[2, "error"]]);
+    assert.deepEqual(fileFindings("a.nc", all).map(({ line, severity }) => [line, severity]), [[2, "error"]]);
     const told = [at(1, "slow", { severity: "note" }), { ...at(1, "x", { severity: "error" }), file: "b.nc" }];
     const run = { told, report: { robots: [{ diagnostics: [at(4, "they meet", { severity: "warning" })] }] } };
-    assert.deepEqual(findingsOfRun(run, "a.nc").map(({ line, severity }) => [line, severity]), [[1, "note"], [4, "warning"]]);
-    const mark = diagnosticOf(Text.of(["G1", "G0 G999 X1"]), { ...all[0][0], severity: "error", code: "", hint: "", column: 4, end_column: 8 }, 2);
+    assert.deepEqual(runFindings(run, "a.nc").map(({ line, severity }) => [line, severity]), [[1, "note"], [4, "warning"]]);
+    const mark = toDiagnostic(Text.of(["G1", "G0 G999 X1"]), { ...all[0][0], severity: "error", code: "", hint: "", column: 4, end_column: 8 }, 2);
     assert.deepEqual([mark.from, mark.to], [6, 10]);
   },
 
-  "a text is edited until it is as it was kept last": ({ Sheet, EditorState }) => {
-    const sheet = new Sheet("a.nc", EditorState.create({ doc: "one" }));
+  "a text is edited until it is as it was kept last": ({ EditorFile, EditorState }) => {
+    const sheet = new EditorFile("a.nc", EditorState.create({ doc: "one" }));
     const put = (text) => (sheet.state = sheet.state.update({ changes: { from: 0, to: sheet.doc.length, insert: text } }).state);
     assert.equal(sheet.isModified, false);
     put("two");
@@ -172,14 +172,14 @@ export default {
     assert.deepEqual(changed("x", ""), { from: 0, to: 1, insert: "" });
   },
 
-  "Lua of one's own gets a name that is free": ({ LuaOfOwn, Documents }) => {
+  "Lua of one's own gets a name that is free": ({ EditedTranslations, Documents }) => {
     const documents = new Documents(new Map([["a.lua", "of somebody"]]));
-    const own = new LuaOfOwn(documents);
+    const own = new EditedTranslations(documents);
     const mark = "-- from a.nc; line n there is line n+1 here; hash 12ab";
     assert.deepEqual(own.make("a.nc", mark), { name: "a-2.lua", script: "-- from a.nc" });
     documents.put("a-2.lua", "-- from a.nc");
     assert.equal(own.make("a.nc", mark).name, "a-2.lua", "the same text again");
     assert.equal(own.make("a.nc", `${mark}\nG1{}`).name, "a-3.lua");
-    assert.deepEqual([own.originOf("a-3.lua"), own.originOf("a.lua")], ["a.nc", undefined]);
+    assert.deepEqual([own.sourceProgram("a-3.lua"), own.sourceProgram("a.lua")], ["a.nc", undefined]);
   },
 };

@@ -6,7 +6,7 @@ import { near } from "./made.mjs";
 
 export const modules = ["panels/paths/contour_picks", "panels/paths/contour_camera", "panels/paths/contour_list", "panels/paths/engine_requests"];
 
-const contour = (edges, more = {}) => ({ face: "the plane face #1", isHole: true, edges, length_mm: 30, depth_mm: 6, lean_deg: 12, line_mm: new Float64Array(6), ...more });
+const contour = (edges, more = {}) => ({ face: "the plane face #1", isHole: true, edges, length_mm: 30, depth_mm: 6, lean_deg: 12, polyline_mm: new Float64Array(6), ...more });
 const three = [contour(["#1", "#2"]), contour(["#3"]), contour(["#4", "#5"])];
 const size = { width: 400, height: 200 };
 
@@ -14,41 +14,41 @@ const size = { width: 400, height: 200 };
 const square = (x, y, z = 0) =>
   new Float64Array([[-10, -10], [10, -10], [10, 10], [-10, 10], [-10, -10]].flatMap(([dx, dy]) => [x + dx, y + dy, z]));
 /** Straight from above, X to the right. */
-const above = { yaw_rad: -Math.PI / 2, rise_rad: Math.PI / 2, zoom: 1, aside_mm: [0, 0] };
+const above = { yaw_rad: -Math.PI / 2, elevation_rad: Math.PI / 2, zoom: 1, aside_mm: [0, 0] };
 
 export default {
-  "an edge of each contour that is cut chooses it, and none where all are": ({ picksOf, pickedBy }) => {
-    assert.equal(picksOf(three, [true, true, true]), undefined);
-    assert.deepEqual(picksOf(three, [true, false, true]), ["#1", "#4"]);
-    assert.deepEqual(picksOf(three, [false, false, false]), []);
-    assert.deepEqual(pickedBy(three, undefined), [true, true, true]);
-    assert.deepEqual(pickedBy(three, []), [false, false, false]);
-    assert.deepEqual(pickedBy(three, ["#5", "#3"]), [false, true, true]);
+  "an edge of each contour that is cut chooses it, and none where all are": ({ selectedEdges, selectedContours }) => {
+    assert.equal(selectedEdges(three, [true, true, true]), undefined);
+    assert.deepEqual(selectedEdges(three, [true, false, true]), ["#1", "#4"]);
+    assert.deepEqual(selectedEdges(three, [false, false, false]), []);
+    assert.deepEqual(selectedContours(three, undefined), [true, true, true]);
+    assert.deepEqual(selectedContours(three, []), [false, false, false]);
+    assert.deepEqual(selectedContours(three, ["#5", "#3"]), [false, true, true]);
   },
 
-  "a contour that shares an edge with one that is not cut is chosen by another one": ({ picksOf, pickedBy }) => {
+  "a contour that shares an edge with one that is not cut is chosen by another one": ({ selectedEdges, selectedContours }) => {
     const sharing = [contour(["#1", "#2"]), contour(["#1", "#9"]), contour(["", "#2"])];
-    const picks = picksOf(sharing, [false, true, false]);
+    const picks = selectedEdges(sharing, [false, true, false]);
     assert.deepEqual(picks, ["#9"]);
-    assert.deepEqual(pickedBy(sharing, picks), [false, true, false]);
+    assert.deepEqual(selectedContours(sharing, picks), [false, true, false]);
   },
 
-  "contours with the same edges, of a body that stands in an assembly twice, go together": ({ withTicked }) => {
+  "contours with the same edges, of a body that stands in an assembly twice, go together": ({ toggleContour }) => {
     const twins = [contour(["#1", "#2"]), contour(["#3"]), contour(["#1", "#2"])];
-    assert.deepEqual(withTicked(twins, [true, true, true], 2, false), [false, true, false]);
-    assert.deepEqual(withTicked(twins, [false, false, false], 1, true), [false, true, false]);
+    assert.deepEqual(toggleContour(twins, [true, true, true], 2, false), [false, true, false]);
+    assert.deepEqual(toggleContour(twins, [false, false, false], 1, true), [false, true, false]);
   },
 
-  "what an earlier list of contours knew goes with it": ({ stillKnown }) => {
-    assert.equal(stillKnown(three, undefined), undefined);
-    assert.deepEqual(stillKnown(three, []), []);
-    assert.deepEqual(stillKnown(three, ["#3", "#99"]), ["#3"]);
-    assert.equal(stillKnown(three, ["#99"]), undefined);
+  "what an earlier list of contours knew goes with it": ({ keepKnownEdges }) => {
+    assert.equal(keepKnownEdges(three, undefined), undefined);
+    assert.deepEqual(keepKnownEdges(three, []), []);
+    assert.deepEqual(keepKnownEdges(three, ["#3", "#99"]), ["#3"]);
+    assert.equal(keepKnownEdges(three, ["#99"]), undefined);
   },
 
-  "without numbers of edges nothing can be picked": ({ canBePicked }) => {
-    assert.equal(canBePicked(three), true);
-    assert.equal(canBePicked([...three, contour(["", ""])]), false);
+  "without numbers of edges nothing can be picked": ({ areSelectable }) => {
+    assert.equal(areSelectable(three), true);
+    assert.equal(areSelectable([...three, contour(["", ""])]), false);
   },
 
   "a contour is told by kind, edge, face and sizes, in the page's unit": ({ contourText }) => {
@@ -56,12 +56,12 @@ export default {
     assert.match(contourText(contour([""], { isHole: false, length_mm: 25.4 }), "inch"), /^Outline of the plane face #1: 1\.000 in long/);
   },
 
-  "lines are seen without perspective, and fit into the picture": ({ drawn, extentOf, scaleOf }) => {
-    const extent = extentOf([square(0, 0), square(100, 0)], above);
+  "lines are seen without perspective, and fit into the picture": ({ drawn, lineExtent, pixelsPerMm }) => {
+    const extent = lineExtent([square(0, 0), square(100, 0)], above);
     assert.deepEqual(extent.middle, [50, 0, 0]);
     near(extent.width_mm, 120);
     near(extent.height_mm, 20);
-    const scale = scaleOf(extent, above, size);
+    const scale = pixelsPerMm(extent, above, size);
     near(scale * 120, 400 * 0.88, 1e-9);
     const line = drawn(square(0, 0), extent, above, size);
     // Its first corner is to the left of the middle and below it.
@@ -70,64 +70,64 @@ export default {
     near(line[2] - line[0], 20 * scale, 1e-4);
     // Height does not show from above, and is all that shows from the side.
     near(drawn(square(0, 0, 7), extent, above, size)[1], line[1], 1e-4);
-    const level = { ...above, rise_rad: 0 };
+    const level = { ...above, elevation_rad: 0 };
     near(drawn(square(0, 0, 7), extent, level, size)[1], 100 - 7 * scale, 1e-4);
   },
 
-  "faces that look to a side are seen from there": ({ firstCamera }) => {
-    const towards = ({ yaw_rad, rise_rad }) => [Math.cos(rise_rad) * Math.cos(yaw_rad), Math.cos(rise_rad) * Math.sin(yaw_rad), Math.sin(rise_rad)];
+  "faces that look to a side are seen from there": ({ initialCamera }) => {
+    const towards = ({ yaw_rad, elevation_rad }) => [Math.cos(elevation_rad) * Math.cos(yaw_rad), Math.cos(elevation_rad) * Math.sin(yaw_rad), Math.sin(elevation_rad)];
     for (const [side, direction] of Object.entries({ x: [1, 0, 0], "-x": [-1, 0, 0], y: [0, 1, 0], "-y": [0, -1, 0], z: [0, 0, 1], "-z": [0, 0, -1] })) {
-      const look = towards(firstCamera(side));
+      const look = towards(initialCamera(side));
       assert.ok(look.reduce((sum, value, i) => sum + value * direction[i], 0) > 0.75, side);
     }
   },
 
   "a turn goes no further than straight above and below": ({ turned }) => {
-    near(turned(above, 0, 500).rise_rad, Math.PI / 2);
-    near(turned(above, 0, -5000).rise_rad, -Math.PI / 2);
+    near(turned(above, 0, 500).elevation_rad, Math.PI / 2);
+    near(turned(above, 0, -5000).elevation_rad, -Math.PI / 2);
     near(turned(above, 100, 0).yaw_rad, above.yaw_rad - 1);
   },
 
-  "what is under the pointer stays there as the picture is zoomed": ({ drawn, extentOf, zoomed }) => {
-    const extent = extentOf([square(0, 0)], above);
+  "what is under the pointer stays there as the picture is zoomed": ({ drawn, lineExtent, zoomCamera }) => {
+    const extent = lineExtent([square(0, 0)], above);
     const before = drawn(square(0, 0), extent, above, size);
-    const camera = zoomed(above, 3, extent, size, before[2], before[3]);
+    const camera = zoomCamera(above, 3, extent, size, before[2], before[3]);
     const after = drawn(square(0, 0), extent, camera, size);
     near(after[2], before[2], 1e-3);
     near(after[3], before[3], 1e-3);
     near(after[2] - after[0], 3 * (before[2] - before[0]), 1e-3);
-    const back = zoomed(camera, 1 / 3, extent, size, before[2], before[3]);
+    const back = zoomCamera(camera, 1 / 3, extent, size, before[2], before[3]);
     near(back.aside_mm[0], 0, 1e-9);
     near(back.aside_mm[1], 0, 1e-9);
   },
 
-  "the nearest line is found within some pixels": ({ drawn, extentOf, lineAt }) => {
+  "the nearest line is found within some pixels": ({ drawn, lineExtent, nearestLine }) => {
     const lines_mm = [square(0, 0), square(100, 0)];
-    const extent = extentOf(lines_mm, above);
+    const extent = lineExtent(lines_mm, above);
     const lines = lines_mm.map((line) => drawn(line, extent, above, size));
     const [x, y] = lines[1];
-    assert.equal(lineAt(lines, x + 3, y + 4, 9), 1);
-    assert.equal(lineAt(lines, (lines[0][0] + lines[0][2]) / 2, lines[0][1] - 2, 9), 0);
-    assert.equal(lineAt(lines, 200, 100, 9), -1);
-    assert.equal(lineAt([], 0, 0, 9), -1);
+    assert.equal(nearestLine(lines, x + 3, y + 4, 9), 1);
+    assert.equal(nearestLine(lines, (lines[0][0] + lines[0][2]) / 2, lines[0][1] - 2, 9), 0);
+    assert.equal(nearestLine(lines, 200, 100, 9), -1);
+    assert.equal(nearestLine([], 0, 0, 9), -1);
   },
 
-  "the engine's list becomes contours with their lines": async ({ contoursOfPart }) => {
+  "the engine's list becomes contours with their lines": async ({ readContours }) => {
     const header = { is: "contours", contours: [
       { face: "a", is_hole: true, is_open: false, edges: ["#1"], length_mm: 1, depth_mm: 2, lean_deg: 3, points: 2 },
       { face: "b", is_hole: false, is_open: false, edges: ["#2"], length_mm: 4, depth_mm: 5, lean_deg: 6, points: 3 },
     ], notes: ["said"] };
     const columns = new Map([["lines", Float64Array.from({ length: 15 }, (_, i) => i)]]);
     const asked = [];
-    const session = { question: (request) => (asked.push(request), Promise.resolve({ ok: true, code: "", message: "", messages: [{ is: "contours", header, columns }] })) };
-    const { contours, notes } = await contoursOfPart(session, { drawing: "part.step", contours: { kind: "all" } });
+    const session = { sendRequest: (request) => (asked.push(request), Promise.resolve({ ok: true, code: "", message: "", messages: [{ is: "contours", header, columns }] })) };
+    const { contours, notes } = await readContours(session, { drawing: "part.step", contours: { kind: "all" } });
     assert.deepEqual(asked, [{ do: "contours", drawing: "part.step", contours: { kind: "all" } }]);
     assert.deepEqual(notes, ["said"]);
-    assert.deepEqual(contours.map(({ face, isHole, line_mm }) => [face, isHole, [...line_mm]]), [
+    assert.deepEqual(contours.map(({ face, isHole, polyline_mm }) => [face, isHole, [...polyline_mm]]), [
       ["a", true, [0, 1, 2, 3, 4, 5]],
       ["b", false, [6, 7, 8, 9, 10, 11, 12, 13, 14]],
     ]);
-    const refusing = { question: () => Promise.resolve({ ok: false, code: "input", message: "not read here", messages: [] }) };
-    assert.deepEqual(await contoursOfPart(refusing, {}), { refused: "not read here" });
+    const refusing = { sendRequest: () => Promise.resolve({ ok: false, code: "input", message: "not read here", messages: [] }) };
+    assert.deepEqual(await readContours(refusing, {}), { refused: "not read here" });
   },
 };

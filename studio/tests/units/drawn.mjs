@@ -32,8 +32,8 @@ function way(page) {
 export default {
   "a curve of few segments is exact": (page) => {
     const segments = shortMoves(page, 3, -1);
-    const leaves = new page.Leaves(segments, "position", () => {});
-    const { t_s, values, areColumns } = page.curvesOf(segments, leaves, 0, 0.03, 300);
+    const leaves = new page.ExtremaTree(segments, "position", () => {});
+    const { t_s, values, areColumns } = page.createCurves(segments, leaves, 0, 0.03, 300);
     assert.equal(areColumns, false);
     assert.deepEqual([t_s[0], t_s.at(-1)], [0, 0.03]);
     const inside = t_s.map((_, i) => i).filter((i) => i > 0 && Math.abs(t_s[i] - 0.01) > 1e-6 && Math.abs(t_s[i] - 0.02) > 1e-6);
@@ -47,24 +47,24 @@ export default {
     const segments = shortMoves(page);
     let leaves = null;
     await new Promise((done) => {
-      leaves = new page.Leaves(segments, "path", done);
+      leaves = new page.ExtremaTree(segments, "path", done);
       if (leaves.ready) done();
     });
-    const { values, areColumns } = page.curvesOf(segments, leaves, 0, segments.end_s, 100);
+    const { values, areColumns } = page.createCurves(segments, leaves, 0, segments.end_s, 100);
     assert.equal(areColumns, true);
     near(Math.max(...values[page.PATH.speed]), 1000, 1e-3);
     near(Math.min(...values[page.PATH.speed].filter(Number.isFinite)), 100, 1e-3);
     near(Math.max(...values[page.PATH.feed]), 10, 1e-6);
   },
 
-  "a probe widens to what a law comes to within a segment": ({ Segments, Probe }) => {
+  "a probe widens to what a law comes to within a segment": ({ Segments, CurveSampler }) => {
     const message = segmentsMessage([move(1, 2, { length_mm: 10 })]);
     // Up to 5 and down to 0 within 2 s; the joint moves 10 mm for the 5 of the leading law.
     message.columns.set("values", Float64Array.from([0, 0, 10, 0, ...lawOf(0, [[1, 5, 0], [1, -5, 0]]), 0]));
     const segments = new Segments(2, [0, 1]);
     segments.add(message);
     const widened = (group) => {
-      const probe = new Probe(segments, group);
+      const probe = new CurveSampler(segments, group);
       const [low, high] = [new Float32Array(probe.width).fill(Infinity), new Float32Array(probe.width).fill(-Infinity)];
       probe.widen(probe.spot(0), low, high, 0);
       return [low[0], high[0]];
@@ -82,8 +82,8 @@ export default {
   "vertices of a way know their segments, and segments their vertices": (page) => {
     const data = way(page);
     assert.equal(data.count, 7);
-    assert.deepEqual([1, 2, 3, 5, 6].map((vertex) => data.segmentOf(vertex)), [0, 0, 1, 2, 2]);
-    assert.deepEqual([data.rangeOf(0, 1), data.rangeOf(1, 2), data.rangeOf(1, 3)], [[0, 3], [3, 5], [3, 7]]);
+    assert.deepEqual([1, 2, 3, 5, 6].map((vertex) => data.vertexSegment(vertex)), [0, 0, 1, 2, 2]);
+    assert.deepEqual([data.axisRange(0, 1), data.axisRange(1, 2), data.axisRange(1, 3)], [[0, 3], [3, 5], [3, 7]]);
     assert.deepEqual([-1, 0, 0.5, 5.5, 6, 9].map((t_s) => data.at(t_s)), [0, 1, 1, 6, 7, 7]);
     assert.deepEqual([data.isRapid(2), data.isRapid(3)], [false, true]);
     assert.deepEqual(data.bounds.max.toArray(), [4, 9, 0]);
@@ -92,23 +92,23 @@ export default {
 
   "a hit is as far along its piece as its time says": (page) => {
     const data = way(page);
-    const { a, b, share } = page.pieceOf(data, { robot: 0, vertex: 3, t_s: 2.25 });
+    const { a, b, share } = page.hitSegment(data, { robot: 0, vertex: 3, t_s: 2.25 });
     assert.deepEqual([a.toArray(), b.toArray(), share], [[2, 0, 0], [2, 5, 0], 0.25]);
     const place = a.clone().lerp(b, 0.4);
-    near(page.shareOf(a, b, place), 0.4, 1e-12);
-    assert.equal(page.shareOf(a, a, place), 0);
-    assert.equal(page.shareOf(a, b, b.clone().multiplyScalar(9)), 1);
-    near(page.doneUpTo(data, 2.9, place), 2.4, 1e-9);
-    assert.equal(page.doneUpTo(data, 99, place), Infinity);
+    near(page.segmentShare(a, b, place), 0.4, 1e-12);
+    assert.equal(page.segmentShare(a, a, place), 0);
+    assert.equal(page.segmentShare(a, b, b.clone().multiplyScalar(9)), 1);
+    near(page.lastDoneVertex(data, 2.9, place), 2.4, 1e-9);
+    assert.equal(page.lastDoneVertex(data, 99, place), Infinity);
   },
 
   "colours of a way: classes that occur, and scales of what there is": (page) => {
     const data = way(page);
-    assert.deepEqual(page.keyOf("kind", [data.segments]).classes, ["rapid", "linear"]);
-    assert.deepEqual(page.keyOf("time", [data.segments]).scale, { low: 0, high: 6 });
-    assert.deepEqual(page.keyOf("feed", [data.segments]).scale, { low: 600, high: 600 });
-    assert.deepEqual(page.keyOf("feed", []).scale, { low: 0, high: 0 });
-    const texels = page.colourTexels(data, page.keyOf("kind", [data.segments]), 0, 7);
+    assert.deepEqual(page.legendKey("kind", [data.segments]).classes, ["rapid", "linear"]);
+    assert.deepEqual(page.legendKey("time", [data.segments]).scale, { low: 0, high: 6 });
+    assert.deepEqual(page.legendKey("feed", [data.segments]).scale, { low: 600, high: 600 });
+    assert.deepEqual(page.legendKey("feed", []).scale, { low: 0, high: 0 });
+    const texels = page.colourTexels(data, page.legendKey("kind", [data.segments]), 0, 7);
     assert.deepEqual([texels[4 * 2 + 3], texels[4 * 3 + 3]], [0, page.RAPID_MARK]);
     assert.notDeepEqual([...texels.slice(8, 11)], [...texels.slice(12, 15)]);
   },

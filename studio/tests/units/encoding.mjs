@@ -41,15 +41,15 @@ export default {
   "UTF-8 and UTF-16 with their marks come back": (page) => {
     for (const [text, encoding] of [["\ufeffG0 X1 (ä)\n", "utf8"], ["\ufeffG0 X1 (ä)\n", "utf16le"]]) {
       const bytes = bytesOf(text, encoding);
-      const { text: read, writing } = page.readText(bytes);
+      const { text: read, textFormat } = page.readText(bytes);
       assert.equal(read, "G0 X1 (ä)\n");
-      assert.deepEqual(page.writeText(read, writing), bytes);
+      assert.deepEqual(page.writeText(read, textFormat), bytes);
     }
   },
 
   "a letter that the encoding lacks makes the file UTF-8": (page) => {
-    const { writing } = page.readText(bytesOf("(\xe4)\n"));
-    assert.deepEqual(page.writeText("(Ω)\n", writing), bytesOf("(Ω)\n", "utf8"));
+    const { textFormat } = page.readText(bytesOf("(\xe4)\n"));
+    assert.deepEqual(page.writeText("(Ω)\n", textFormat), bytesOf("(Ω)\n", "utf8"));
   },
 
   "what is no text stays bytes, but a program with a NUL is shown": (page) => {

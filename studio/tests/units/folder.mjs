@@ -6,7 +6,7 @@ export const modules = ["core/folder", "core/history", "core/documents", "core/t
 
 const bytesOf = (text) => new TextEncoder().encode(text);
 const textOf = (bytes) => new TextDecoder().decode(bytes);
-const settled = () => new Promise((done) => setTimeout(done, 0));
+const untilSettled = () => new Promise((done) => setTimeout(done, 0));
 
 /** Tags say which content a file has. */
 const tagOf = (text) => `tag of ${text}`;
@@ -40,8 +40,8 @@ function fakeServer(disk) {
       return { ok: true, tag: tagOf(textOf(bytes)) };
     },
     follow(begun, changed) {
-      server.begun = () => (begun(), settled());
-      server.tell = (name, text) => (changed({ name, tag: text === undefined ? null : tagOf(text) }), settled());
+      server.begun = () => (begun(), untilSettled());
+      server.tell = (name, text) => (changed({ name, tag: text === undefined ? null : tagOf(text) }), untilSettled());
       return new Promise(() => {});
     },
     /** As another program does. */
@@ -61,7 +61,7 @@ function gate(server, kind) {
   return async () => {
     server.before = async () => {};
     go();
-    await settled();
+    await untilSettled();
   };
 }
 
@@ -95,7 +95,7 @@ async function opened({ Folder, History, Documents, Store, initialState }, disk,
   const folder = new Folder(server, session);
   await folder.open();
   void folder.follow();
-  await settled();
+  await untilSettled();
   return { server, documents, session, history, folder, editor, notices, store, type };
 }
 
@@ -105,13 +105,13 @@ export default {
     const open = gate(server, "write");
     type("a.nc", "12");
     const first = folder.save("a.nc");
-    await settled();
+    await untilSettled();
     type("a.nc", "123");
     const second = folder.save("a.nc");
     await open();
     assert.deepEqual([(await first).kind, (await second).kind], ["saved", "saved"]);
     assert.deepEqual(server.writes, [["a.nc", "12"], ["a.nc", "123"]]);
-    assert.deepEqual([documents.isUnsaved("a.nc"), folder.markOf("a.nc")], [false, ""]);
+    assert.deepEqual([documents.isUnsaved("a.nc"), folder.markFor("a.nc")], [false, ""]);
   },
 
   "a file that a list leaves out as it is cut is not gone, one that a whole list has no more is": async (page) => {
@@ -144,9 +144,9 @@ export default {
     const turns = new Turns();
     const done = [];
     let open;
-    const fails = turns.take("a", () => new Promise((_, fail) => (open = () => fail(new Error("first")))));
-    const behind = turns.take("a", async () => done.push("second of a"));
-    await turns.take("b", async () => done.push("b"));
+    const fails = turns.accept("a", () => new Promise((_, fail) => (open = () => fail(new Error("first")))));
+    const behind = turns.accept("a", async () => done.push("second of a"));
+    await turns.accept("b", async () => done.push("b"));
     assert.deepEqual(done, ["b"]);
     open();
     await assert.rejects(fails, /first/);
@@ -164,7 +164,7 @@ export default {
     void server.tell("a.nc", "12");
     assert.equal((await folder.save("a.nc")).kind, "saved");
     await server.tell("a.nc", "123");
-    assert.deepEqual([folder.markOf("a.nc"), server.files.get("a.nc"), history.undoLabel], ["", "1234", "typing in a.nc"]);
+    assert.deepEqual([folder.markFor("a.nc"), server.files.get("a.nc"), history.undoLabel], ["", "1234", "typing in a.nc"]);
   },
 
   "a save waits for a version of another program that is being read": async (page) => {
@@ -199,11 +199,11 @@ export default {
     const open = gate(server, "write");
     type("a.nc", "12");
     const saved = folder.save("a.nc");
-    await settled();
+    await untilSettled();
     editor.kept = ["a.nc", "123"];
     await open();
     await saved;
-    assert.deepEqual([server.files.get("a.nc"), documents.text("a.nc"), folder.markOf("a.nc")], ["12", "123", "unsaved"]);
+    assert.deepEqual([server.files.get("a.nc"), documents.text("a.nc"), folder.markFor("a.nc")], ["12", "123", "unsaved"]);
   },
 
   "what is typed while another version is read makes two of it": async (page) => {
@@ -212,7 +212,7 @@ export default {
     await server.change("a.nc", "theirs");
     editor.kept = ["a.nc", "12"];
     await open();
-    assert.deepEqual([documents.text("a.nc"), folder.markOf("a.nc")], ["12", "conflict"]);
+    assert.deepEqual([documents.text("a.nc"), folder.markFor("a.nc")], ["12", "conflict"]);
   },
 
   "what is typed into a file that is taken away stays": async (page) => {
@@ -220,7 +220,7 @@ export default {
     editor.kept = ["a.nc", "12"];
     server.files.delete("a.nc");
     await server.tell("a.nc", undefined);
-    assert.deepEqual([documents.text("a.nc"), folder.markOf("a.nc")], ["12", "gone"]);
+    assert.deepEqual([documents.text("a.nc"), folder.markFor("a.nc")], ["12", "gone"]);
   },
 
   "what is typed while theirs is taken comes back by undo": async (page) => {
@@ -229,7 +229,7 @@ export default {
     await server.change("a.nc", "theirs");
     const open = gate(server, "read");
     const taken = folder.takeTheirs("a.nc");
-    await settled();
+    await untilSettled();
     editor.kept = ["a.nc", "123"];
     await open();
     await taken;
@@ -253,10 +253,10 @@ export default {
     history.edit("new", { documents: { "new.nc": "2" }, setup: { program: "new.nc" } });
     await folder.save("new.nc");
     history.undo();
-    await settled();
-    assert.deepEqual([session.setup.program, documents.text("new.nc"), folder.markOf("new.nc")], ["a.nc", "2", ""]);
+    await untilSettled();
+    assert.deepEqual([session.setup.program, documents.text("new.nc"), folder.markFor("new.nc")], ["a.nc", "2", ""]);
     history.redo();
-    assert.deepEqual([session.setup.program, documents.text("new.nc"), folder.markOf("new.nc")], ["new.nc", "2", ""]);
+    assert.deepEqual([session.setup.program, documents.text("new.nc"), folder.markFor("new.nc")], ["new.nc", "2", ""]);
     history.undo();
     await server.change("new.nc", "theirs");
     assert.equal(documents.text("new.nc"), "theirs");
@@ -269,9 +269,9 @@ export default {
     await server.change("a.nc", "12, theirs");
     assert.equal(history.undoLabel, page.texts.folder.replaced("a.nc"));
     history.undo();
-    assert.deepEqual([documents.text("a.nc"), folder.markOf("a.nc"), history.undoLabel], ["12", "unsaved", "typing in a.nc"]);
+    assert.deepEqual([documents.text("a.nc"), folder.markFor("a.nc"), history.undoLabel], ["12", "unsaved", "typing in a.nc"]);
     history.redo();
-    assert.deepEqual([documents.text("a.nc"), folder.markOf("a.nc")], ["12, theirs", ""]);
+    assert.deepEqual([documents.text("a.nc"), folder.markFor("a.nc")], ["12, theirs", ""]);
   },
 
   "a file is not saved under the name of another one that is unsaved": async (page) => {
@@ -288,12 +288,12 @@ export default {
     documents.put("samples/wheel.nc", "G21\nG1\n");
     const open = gate(server, "write");
     const saved = folder.saveAs("samples/wheel.nc", "mine.nc");
-    await settled();
+    await untilSettled();
     editor.kept = ["samples/wheel.nc", "G21\nG1 X1\n"];
     await open();
     assert.equal((await saved).kind, "saved");
     assert.deepEqual([server.files.get("mine.nc"), documents.text("mine.nc")], ["G21\nG1\n", "G21\nG1 X1\n"]);
-    assert.deepEqual([session.setup.program, folder.markOf("mine.nc")], ["mine.nc", "unsaved"]);
+    assert.deepEqual([session.setup.program, folder.markFor("mine.nc")], ["mine.nc", "unsaved"]);
     assert.equal(documents.isOwn("samples/wheel.nc"), false);
     history.undo();
     assert.equal(documents.text("samples/wheel.nc"), "G21\nG1 X1\n");
@@ -304,7 +304,7 @@ export default {
     documents.put("samples/wheel.nc", "G21\nG1\n");
     const open = gate(server, "write");
     const saved = folder.saveAs("samples/wheel.nc", "mine.nc");
-    await settled();
+    await untilSettled();
     session.change({ program: "a.nc" });
     await open();
     await saved;

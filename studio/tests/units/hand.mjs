@@ -40,7 +40,7 @@ const turn = ({ Quaternion, Vector3 }, about, degrees) =>
 function standOf({ CameraRig, Matrix4, Vector3 }, name = "iso") {
   const rig = new CameraRig();
   rig.resize(800, 600);
-  rig.stand(name);
+  rig.setStandardView(name);
   rig.target.set(100, 50, 10);
   rig.apply();
   return { work: new Matrix4(), at: new Vector3(100, 50, 10), rig, width_px: 800, height_px: 600 };
@@ -62,80 +62,80 @@ export default {
     assert.equal(toolDirection({ rotary_deg: { A: 0 } }, null), null);
   },
 
-  "angles come back from the rotation that they make": ({ rotationOf, rpyOf }) => {
+  "angles come back from the rotation that they make": ({ toQuaternion, toRpy }) => {
     for (const rpy of [[10, 20, 30], [-170, 80, 5], [0, 0, 0], [45, -60, 120]]) {
-      rpyOf(rotationOf(rpy)).forEach((value, i) => near(value, rpy[i], 1e-6));
+      toRpy(toQuaternion(rpy)).forEach((value, i) => near(value, rpy[i], 1e-6));
     }
   },
 
   "rotary axes are found for directions, near to where they are": (page) => {
     const chain = new page.Chain(head());
-    for (const wanted of [[0.3, 0.2, 0.9], [1, 0, 0], [0, 0, 1], [-0.5, 0.5, 0.1], [0, -1, 0.01]]) {
+    for (const expectedValue of [[0.3, 0.2, 0.9], [1, 0, 0], [0, 0, 1], [-0.5, 0.5, 0.1], [0, -1, 0.01]]) {
       for (const start of [{ C: 10, A: 40 }, { C: 0, A: 5 }, { C: 200, A: -30 }]) {
-        const found = page.rotaryFor(new page.Vector3(...wanted), start, chain);
+        const found = page.solveRotaryAxes(new page.Vector3(...expectedValue), start, chain);
         const stands = page.toolDirection({ rotary_deg: found }, chain);
-        const length = Math.hypot(...wanted);
-        stands.toArray().forEach((value, i) => near(value, wanted[i] / length, 1e-7));
+        const length = Math.hypot(...expectedValue);
+        stands.toArray().forEach((value, i) => near(value, expectedValue[i] / length, 1e-7));
       }
     }
-    const small = page.rotaryFor(page.toolDirection({ rotary_deg: { C: 12, A: 41 } }, chain), { C: 10, A: 40 }, chain);
+    const small = page.solveRotaryAxes(page.toolDirection({ rotary_deg: { C: 12, A: 41 } }, chain), { C: 10, A: 40 }, chain);
     near(small.C, 12, 1e-5);
     near(small.A, 41, 1e-5);
-    assert.equal(page.rotaryFor(new page.Vector3(1, 0, 0), { C: 0 }, chain), null, "one axis alone does not get there");
+    assert.equal(page.solveRotaryAxes(new page.Vector3(1, 0, 0), { C: 0 }, chain), null, "one axis alone does not get there");
   },
 
   "an orientation is turned in the way that it is said": (page) => {
     const chain = new page.Chain(head());
     const about = turn(page, [0, 1, 0], 90);
-    assert.deepEqual(page.turnedOrientation({ tool_axis: [0, 0, 1] }, about, null).tool_axis, [1, 0, 0]);
-    const { rpy_deg } = page.turnedOrientation({ rpy_deg: [0, 0, 0] }, turn(page, [0, 0, 1], 30), null);
+    assert.deepEqual(page.rotateOrientation({ tool_axis: [0, 0, 1] }, about, null).tool_axis, [1, 0, 0]);
+    const { rpy_deg } = page.rotateOrientation({ rpy_deg: [0, 0, 0] }, turn(page, [0, 0, 1], 30), null);
     rpy_deg.forEach((value, i) => near(value, [30, 0, 0][i], 1e-6));
-    const { rotary_deg, tool_axis } = page.turnedOrientation({ rotary_deg: { C: 0, A: 50 } }, turn(page, [0, 0, 1], 20), chain);
+    const { rotary_deg, tool_axis } = page.rotateOrientation({ rotary_deg: { C: 0, A: 50 } }, turn(page, [0, 0, 1], 20), chain);
     assert.equal(tool_axis, undefined);
     near(rotary_deg.C, 20, 1e-5);
     near(rotary_deg.A, 50, 1e-5);
-    assert.equal(page.turnedOrientation({ rotary_deg: { C: 0, A: 50 } }, about, null), null, "no machine is known");
-    assert.equal(page.turnedOrientation({}, about, chain), null);
+    assert.equal(page.rotateOrientation({ rotary_deg: { C: 0, A: 50 } }, about, null), null, "no machine is known");
+    assert.equal(page.rotateOrientation({}, about, chain), null);
   },
 
   "grips are where they are seen": (page) => {
-    const stand = standOf(page);
-    const scale = page.scaleOf(stand);
-    const along = (i, px) => seen(stand, page.unitOf(i).multiplyScalar(px * scale));
-    for (const i of [0, 1, 2]) assert.deepEqual(page.gripAt(stand, ...along(i, 0.7 * page.ARROW_PX), true), { kind: "move", axis: i });
-    assert.deepEqual(page.gripAt(stand, ...along(0, 0), true), { kind: "plane", axis: 2 });
-    const ring = seen(stand, page.ringPoint(2, 0.8).multiplyScalar(page.RING_PX * scale));
-    assert.deepEqual(page.gripAt(stand, ...ring, true), { kind: "turn", axis: 2 });
-    assert.equal(page.gripAt(stand, ...ring, false), null);
-    assert.equal(page.gripAt(stand, 5, 5, true), null);
-    assert.equal(page.planeSeen(standOf(page, "front")), 1, "the level plane is seen from its edge");
+    const setStandardView = standOf(page);
+    const scale = page.handleScale(setStandardView);
+    const along = (i, px) => seen(setStandardView, page.unitVector(i).multiplyScalar(px * scale));
+    for (const i of [0, 1, 2]) assert.deepEqual(page.gripAt(setStandardView, ...along(i, 0.7 * page.ARROW_PX), true), { kind: "move", axis: i });
+    assert.deepEqual(page.gripAt(setStandardView, ...along(0, 0), true), { kind: "plane", axis: 2 });
+    const ring = seen(setStandardView, page.ringPoint(2, 0.8).multiplyScalar(page.RING_PX * scale));
+    assert.deepEqual(page.gripAt(setStandardView, ...ring, true), { kind: "turn", axis: 2 });
+    assert.equal(page.gripAt(setStandardView, ...ring, false), null);
+    assert.equal(page.gripAt(setStandardView, 5, 5, true), null);
+    assert.equal(page.mostVisiblePlane(standOf(page, "front")), 1, "the level plane is seen from its edge");
   },
 
   "a pull at an arrow or in a plane takes the point to the pointer": (page) => {
     for (const name of ["iso", "top"]) {
-      const stand = standOf(page, name);
-      const wanted = new page.Vector3(37, 0, 0);
-      const start = new page.Vector2(...seen(stand, new page.Vector3()));
-      const pull = new page.Pull(stand, { kind: "move", axis: 0 }, start);
-      assert.ok(pull.shift(...seen(stand, wanted)).distanceTo(wanted) < 1, "within a step");
+      const setStandardView = standOf(page, name);
+      const expectedValue = new page.Vector3(37, 0, 0);
+      const start = new page.Vector2(...seen(setStandardView, new page.Vector3()));
+      const pull = new page.HandleDrag(setStandardView, { kind: "move", axis: 0 }, start);
+      assert.ok(pull.shift(...seen(setStandardView, expectedValue)).distanceTo(expectedValue) < 1, "within a step");
       const inPlane = new page.Vector3(-20, 31, 0);
-      assert.ok(new page.Pull(stand, { kind: "plane", axis: 2 }, start).shift(...seen(stand, inPlane)).distanceTo(inPlane) < 1);
+      assert.ok(new page.HandleDrag(setStandardView, { kind: "plane", axis: 2 }, start).shift(...seen(setStandardView, inPlane)).distanceTo(inPlane) < 1);
     }
-    const stand = standOf(page, "top");
-    const down = new page.Pull(stand, { kind: "move", axis: 2 }, new page.Vector2(400, 300)).shift(500, 100);
+    const setStandardView = standOf(page, "top");
+    const down = new page.HandleDrag(setStandardView, { kind: "move", axis: 2 }, new page.Vector2(400, 300)).shift(500, 100);
     assert.deepEqual(down.toArray(), [0, 0, 0], "along the line of sight nothing can be said");
   },
 
   "a pull at a ring turns by the angle that it is pulled through": (page) => {
-    const stand = standOf(page);
-    const at = (angle) => seen(stand, page.ringPoint(2, angle).multiplyScalar(page.RING_PX * page.scaleOf(stand)));
-    const pull = new page.Pull(stand, { kind: "turn", axis: 2 }, new page.Vector2(...at(0.3)));
+    const setStandardView = standOf(page);
+    const at = (angle) => seen(setStandardView, page.ringPoint(2, angle).multiplyScalar(page.RING_PX * page.handleScale(setStandardView)));
+    const pull = new page.HandleDrag(setStandardView, { kind: "turn", axis: 2 }, new page.Vector2(...at(0.3)));
     const { x, y, z, w } = pull.turn(...at(0.3 + Math.PI / 6));
     near(2 * Math.atan2(z, w), Math.PI / 6, 1e-6);
     assert.deepEqual([x, y].map(Math.abs), [0, 0]);
     // From its edge it is pulled along itself: a quarter of its radius to the right on the screen.
     const front = standOf(page, "front");
-    const edge = new page.Pull(front, { kind: "turn", axis: 2 }, new page.Vector2(400, 300)).turn(400 + page.RING_PX / 4, 300);
+    const edge = new page.HandleDrag(front, { kind: "turn", axis: 2 }, new page.Vector2(400, 300)).turn(400 + page.RING_PX / 4, 300);
     near(Math.abs(2 * Math.atan2(edge.z, edge.w)), (Math.round((0.25 * 180) / Math.PI) * Math.PI) / 180, 1e-6);
   },
 
@@ -170,7 +170,7 @@ export default {
 
   "several points are chosen from the first one on": (page) => {
     const store = new page.Store(page.initialState());
-    const choice = new page.PointChoice(store);
+    const choice = new page.TargetSelection(store);
     assert.equal(choice.range, null);
     choice.choose({ path: 1, target: 4 });
     choice.choose({ path: 1, target: 2 }, true);
@@ -185,27 +185,27 @@ export default {
     assert.deepEqual(choice.range, { place: { path: 2, target: 0 }, count: 1 }, "of one path");
   },
 
-  "the tree has what is open, and opens what hides a point": ({ pathShown, rowsOf, reveal, TreeState }) => {
+  "the tree has what is open, and opens what hides a point": ({ toDisplayedPath, visibleRows, reveal, TreeState }) => {
     const point = '{"position_mm": [0, 0, 0]}';
     const many = Array.from({ length: 450 }, () => point).join();
     const text = `{"root": "a", "paths": [{"name": "b", "targets": [${many}]}, {"name": "a", "targets": [${point}, {"path": "b"}, {"path": "b", "repeats": 2}]}, {"name": "c", "targets": [${point}]}]}`;
-    const shown = pathShown("x.path.json", text);
+    const displayed = toDisplayedPath("x.path.json", text);
     const state = new TreeState();
-    const keys = () => [...rowsOf(shown, state)].map(({ key }) => key);
+    const keys = () => [...visibleRows(displayed, state)].map(({ key }) => key);
     assert.deepEqual(keys(), ["1", "2"]);
     state.set("1", true);
     assert.deepEqual(keys(), ["1", "1/0", "1/1", "1/2", "2"]);
-    reveal(shown, state, { path: 0, target: 3 });
+    reveal(displayed, state, { path: 0, target: 3 });
     assert.equal(keys().length, 5 + 200 + 1);
-    reveal(shown, state, { path: 0, target: 420 });
+    reveal(displayed, state, { path: 0, target: 420 });
     assert.deepEqual([keys().includes("1/1/420"), keys().includes("1/1/3"), keys().length], [true, false, 5 + 200 + 1]);
     state.widen("1/1", 249);
     assert.deepEqual([keys().includes("1/1/249"), keys().length], [true, 5 + 330 + 1]);
-    reveal(shown, state, { path: 2, target: 0 });
+    reveal(displayed, state, { path: 2, target: 0 });
     assert.equal(keys().at(-1), "2/0");
-    const circle = pathShown("y", '{"paths": [{"name": "a", "targets": [{"path": "a"}]}]}');
+    const circle = toDisplayedPath("y", '{"paths": [{"name": "a", "targets": [{"path": "a"}]}]}');
     state.set("0", true);
     state.set("0/0", true);
-    assert.deepEqual([...rowsOf(circle, state)].map(({ below, fault }) => [below, fault]), [[0, ""], [-1, "The path 'a' leads back to itself."]]);
+    assert.deepEqual([...visibleRows(circle, state)].map(({ below, fault }) => [below, fault]), [[0, ""], [-1, "The path 'a' leads back to itself."]]);
   },
 };

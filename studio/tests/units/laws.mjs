@@ -75,11 +75,11 @@ export default {
     assert.equal(lawSize(none, 0), 4);
   },
 
-  "the range of a law is what it comes to, and no more": ({ lawAt, newRange, widenByLaw }) => {
+  "the range of a law is what it comes to, and no more": ({ lawAt, newRange, extendByLaw }) => {
     // Up and down again within one part: the highest speed is in its middle.
     const hump = Float64Array.from(lawOf(1, [[2, 3, -3]]));
     const range = newRange();
-    widenByLaw(hump, 0, range);
+    extendByLaw(hump, 0, range);
     const all = inside(0, 2, 2001).map((t_s) => lawAt(hump, 0, t_s));
     near(range[0], Math.min(...all.map((state) => state.v)), 5e-3);
     near(range[1], 2.5, 1e-12);
@@ -151,14 +151,14 @@ export default {
     near(at(2).position[0], 5);
   },
 
-  "a joint that follows has a law of its own, and may go backwards": ({ jointsAt, breaksOf_s, isProportional }) => {
+  "a joint that follows has a law of its own, and may go backwards": ({ jointsAt, lawBreaks_s, isProportional }) => {
     const own = lawOf(0, [[2, 1, 0], [2, -1, 0]]);
     const values = Float64Array.from([0, 20, 9, 16, ...curve, 1, 1, -1, ...own]);
     const [records, part] = [{ values, joints: 2 }, { at: 0, flags: 1, duration_s: 4 }];
     const at = (t_s) => jointsAt(records, part, t_s);
     derive(at, [...inside(0, 1), ...inside(1.1, 1.9), ...inside(2.1, 2.9), ...inside(3, 4)]);
     near(at(2).position[1], 18);
-    assert.deepEqual(breaksOf_s(records, part).sort(), [1, 2, 3]);
+    assert.deepEqual(lawBreaks_s(records, part).sort(), [1, 2, 3]);
     assert.equal(isProportional(records, part), false);
   },
 

@@ -16,57 +16,57 @@ const PARTS = [1, 5, 9, 13].map((first) => lines(first, 4));
 
 const soon = () => new Promise((done) => setTimeout(done));
 
-function shown(page, run) {
+function displayed(page, run) {
   const store = new page.Store(page.initialState());
-  page.fetchShown(store);
+  page.loadVisiblePart(store);
   if (run.laws) run.laws.come = () => store.set("fetched", store.get("fetched") + 1);
   store.set("run", run);
   return store;
 }
 
 export default {
-  "a lean message says of each vertex its segment, its move, its process and its speed": ({ Stretch, kindCodeOf, limitCodeOf }) => {
+  "a lean message says of each vertex its segment, its move, its process and its speed": ({ RunSection, decodeKind, decodeLimit }) => {
     const moves = [move(3, 2, { kind: 2, limit: 5, processOn: true, length_mm: 20 }), move(4, 1, { kind: 0 }), move(9, 1, { length_mm: 0 })];
-    const stretch = new Stretch(100, leanMessage(moves, 100, 7), 0, undefined);
-    assert.deepEqual([stretch.count, stretch.start_s, stretch.end_s, stretch.whole], [3, 7, 11, null]);
-    assert.deepEqual([0, 1, 2].map((vertex) => stretch.segmentOf(vertex)), [100, 101, 102]);
-    const flags = stretch.flagsOf(0);
-    assert.deepEqual([kindCodeOf(flags), limitCodeOf(flags), flags & 4, kindCodeOf(stretch.flagsOf(1)), stretch.flagsOf(1) & 4], [2, 5, 4, 0, 0]);
-    assert.ok(Math.abs(stretch.speedOf_mm_s(0) / 10 - 1) < 0.05);
-    assert.equal(stretch.speedOf_mm_s(2), 0);
-    assert.deepEqual(stretch.tip_mm(10.5).map((value) => Math.round(10 * value) / 10), [102.5, 0, 0]);
+    const section = new RunSection(100, leanMessage(moves, 100, 7), 0, undefined);
+    assert.deepEqual([section.count, section.start_s, section.end_s, section.whole], [3, 7, 11, null]);
+    assert.deepEqual([0, 1, 2].map((vertex) => section.vertexSegment(vertex)), [100, 101, 102]);
+    const flags = section.vertexFlags(0);
+    assert.deepEqual([decodeKind(flags), decodeLimit(flags), flags & 4, decodeKind(section.vertexFlags(1)), section.vertexFlags(1) & 4], [2, 5, 4, 0, 0]);
+    assert.ok(Math.abs(section.vertexSpeed_mm_s(0) / 10 - 1) < 0.05);
+    assert.equal(section.vertexSpeed_mm_s(2), 0);
+    assert.deepEqual(section.tip_mm(10.5).map((value) => Math.round(10 * value) / 10), [102.5, 0, 0]);
   },
 
-  "lines of a lean stretch, and the other way round": ({ Stretch }) => {
+  "lines of a lean stretch, and the other way round": ({ RunSection }) => {
     const moves = [...lines(5, 3), move(20, 1), move(18, 1), move(16, 1), move(16, 1), move(16, 1), move(3, 1, { file: 1 })];
-    const stretch = new Stretch(0, leanMessage(moves), 0, undefined);
-    assert.deepEqual(moves.map((_, i) => stretch.lineOf(i)), moves.map(({ line, file = 0 }) => ({ file, line })));
-    assert.deepEqual([...stretch.segmentsOf({ file: 0, line: 6 })], [1]);
-    assert.deepEqual([...stretch.segmentsOf({ file: 0, line: 18 })], [4]);
-    assert.deepEqual([...stretch.segmentsOf({ file: 0, line: 19 })], []);
-    assert.deepEqual([...stretch.segmentsOf({ file: 1, line: 3 })], [8]);
-    assert.deepEqual([stretch.blockAbout(6), stretch.blockAbout(5), stretch.blockAbout(0)], [[5, 8], [5, 8], [0, 1]]);
+    const section = new RunSection(0, leanMessage(moves), 0, undefined);
+    assert.deepEqual(moves.map((_, i) => section.lineOf(i)), moves.map(({ line, file = 0 }) => ({ file, line })));
+    assert.deepEqual([...section.segmentsOf({ file: 0, line: 6 })], [1]);
+    assert.deepEqual([...section.segmentsOf({ file: 0, line: 18 })], [4]);
+    assert.deepEqual([...section.segmentsOf({ file: 0, line: 19 })], []);
+    assert.deepEqual([...section.segmentsOf({ file: 1, line: 3 })], [8]);
+    assert.deepEqual([section.blockAround(6), section.blockAround(5), section.blockAround(0)], [[5, 8], [5, 8], [0, 1]]);
   },
 
   "what is here for good comes first; behind it the segment under way is told by vertices": (page) => {
     const { segments } = longRunOf(page, PARTS).robots[0];
-    assert.deepEqual([segments.count, segments.isLong, segments.chunks.length, segments.stretches.length], [16, true, 1, 4]);
+    assert.deepEqual([segments.count, segments.isLong, segments.chunks.length, segments.sections.length], [16, true, 1, 4]);
     assert.deepEqual([0.5, 4, 4.5, 7.9, 15.5, 99].map((t_s) => segments.at(t_s)), [0, 4, 4, 7, 15, 15]);
     assert.deepEqual([segments.info(2).line, segments.info(5), segments.joints_at(5.5), segments.speed_at(5.5)], [3, null, null, null]);
-    assert.deepEqual([segments.lineOf(5).line, segments.start_s(5), segments.end_s_of(5), segments.end_s], [6, 5, 6, 16]);
+    assert.deepEqual([segments.lineOf(5).line, segments.start_s(5), segments.segmentEnd_s(5), segments.end_s], [6, 5, 6, 16]);
     assert.equal(longRunOf(page, PARTS).robots[0].axes_at(5.5), null);
     near(segments.tip_mm(5.5)[0], 5.5, 1e-6);
   },
 
   "a wait that is not here is no move, and no line that it may not be of": async (page) => {
-    const wait = (line, duration_s) => move(line, duration_s, { kind: 4, rests: true, to: [line, 0] });
+    const wait = (line, duration_s) => move(line, duration_s, { kind: 4, isStationary: true, to: [line, 0] });
     // From 4 s on: 1 s on line 5, 2 s of waiting on 6, 1 s on 7, then on 8 waiting and 1 s of moving, and waiting on 9 and 10.
     const parts = [lines(1, 4), [move(5, 1), wait(6, 2), move(7, 1), wait(8, 1), move(8, 1), wait(9, 1), wait(10, 1)], [move(11, 1), wait(12, 2)]];
     const run = longRunOf(page, parts);
     const { segments } = run.robots[0];
     const kind_at = (t_s) => {
-      const flags = segments.flags_at(t_s);
-      return flags === null ? null : page.kindCodeOf(flags);
+      const flags = segments.flagsAt(t_s);
+      return flags === null ? null : page.decodeKind(flags);
     };
     const line_at = (t_s) => run.placeOfMotion(0, t_s)?.line ?? null;
     const instants_s = [3.5, 4.5, 5.5, 6.9, 7.5, 8.5, 9.5, 10.5, 11.5, 12.5, 13.5, 14.5];
@@ -82,7 +82,7 @@ export default {
   "laws are fetched when an instant is shown, and are those of that instant": async (page) => {
     const asked = [];
     const run = longRunOf(page, PARTS, { fetched: (number) => asked.push(number) });
-    const store = shown(page, run);
+    const store = displayed(page, run);
     const [robot] = run.robots;
     store.set("time_s", 2);
     assert.deepEqual(asked, []);
@@ -112,21 +112,21 @@ export default {
     const parts = Array.from({ length: 6 }, (_, i) => lines(4 * i + 1, 4));
     const messages = new Map();
     let before;
-    const stretches = parts.map((moves, i) => (before = new page.Stretch(4 * i, leanMessage(moves, 4 * i, 4 * i), i, before)));
+    const sections = parts.map((moves, i) => (before = new page.RunSection(4 * i, leanMessage(moves, 4 * i, 4 * i), i, before)));
     const whole = longRunOf(page, parts, { whole: 6 });
     whole.robots[0].segments.chunks.forEach((chunk, i) => messages.set(i, chunk));
     const asked = [];
-    const laws = new page.Laws(async (number) => {
+    const laws = new page.ChunkCache(async (number) => {
       asked.push(number);
       const chunk = messages.get(number);
       return { is: "segments", header: { first: chunk.first }, columns: new Map(Object.entries(chunk)) };
     }, 3);
-    for (const i of [0, 1, 2]) assert.equal(await laws.need(stretches[i]), true);
-    assert.equal(laws.get(stretches[0]).first, 0);
-    await laws.need(stretches[3]);
-    assert.deepEqual([laws.count, laws.get(stretches[1])], [3, null]);
-    assert.deepEqual([0, 2, 3].map((i) => laws.get(stretches[i])?.first), [0, 8, 12]);
-    await Promise.all([laws.need(stretches[1]), laws.need(stretches[1])]);
+    for (const i of [0, 1, 2]) assert.equal(await laws.need(sections[i]), true);
+    assert.equal(laws.get(sections[0]).first, 0);
+    await laws.need(sections[3]);
+    assert.deepEqual([laws.count, laws.get(sections[1])], [3, null]);
+    assert.deepEqual([0, 2, 3].map((i) => laws.get(sections[i])?.first), [0, 8, 12]);
+    await Promise.all([laws.need(sections[1]), laws.need(sections[1])]);
     assert.deepEqual([asked, laws.count], [[0, 1, 2, 3, 1], 3]);
   },
 
@@ -142,9 +142,9 @@ export default {
     assert.deepEqual([said, run.robots[0].joints_at(9.5)], [["it has ended"], null]);
     assert.equal(await run.robots[0].segments.need(5), true, "the next one is asked for all the same");
     const other = longRunOf(page, PARTS.map((part) => part.slice(1)));
-    const stretch = new page.Stretch(3, leanMessage(lines(5, 4), 3, 4), 1, undefined);
+    const section = new page.RunSection(3, leanMessage(lines(5, 4), 3, 4), 1, undefined);
     other.laws.failed = (why) => said.push(why);
-    assert.equal(await other.laws.need(stretch), false);
+    assert.equal(await other.laws.need(section), false);
     assert.match(said[1], /of another run/);
   },
 
@@ -161,13 +161,13 @@ export default {
     assert.deepEqual([0.5, 3, 4.5, 5.9, 6.5, 20].map((t_s) => blocks.nearest(0, 2, t_s)), [0, 2, 4, 6, 6, 8]);
     assert.deepEqual(blocks.get(9), { file: 0, line: 7, first: 9, count: 3, start_s: 9, end_s: 12 });
     assert.equal(page.blockFacts(run.robots[0], 0, 2), null, "not all of the line is here");
-    assert.deepEqual([2, 77].map((line) => page.lacksFacts(run.robots[0], 0, line)), [true, false]);
+    assert.deepEqual([2, 77].map((line) => page.hasMissingFacts(run.robots[0], 0, line)), [true, false]);
     assert.equal(await segments.need(9), true);
     assert.equal(blocks.end_s(9), 12);
   },
 
   "steps go on from block to block behind the table, when they are here": async (page) => {
-    const store = shown(page, longRunOf(page, PARTS));
+    const store = displayed(page, longRunOf(page, PARTS));
     store.set("time_s", 3.5);
     const step = async (by) => {
       page.stepBlock(store, by);
@@ -179,7 +179,7 @@ export default {
     assert.deepEqual([await step(-1), await step(1), await step(1)], [11, 12, 13]);
     page.goToBlock(store, 9);
     assert.deepEqual(store.get("selection"), { file: "a.nc", line: 10, block: 9 });
-    assert.deepEqual([store.get("time_s"), page.lineAtWork(store).line], [9, 10]);
+    assert.deepEqual([store.get("time_s"), page.activeLine(store).line], [9, 10]);
   },
 
   "vertices of a long way know their segments, lines and colours": (page) => {
@@ -187,42 +187,42 @@ export default {
     const run = longRunOf(page, parts);
     const { segments } = run.robots[0];
     const data = new page.PathData(segments);
-    assert.deepEqual([data.count, data.segmentOf(9), data.isRapid(5), data.isRapid(9), data.at(8.5)], [12, 9, true, false, 8]);
-    assert.deepEqual(data.rangeOf(5, 7), [5, 7]);
+    assert.deepEqual([data.count, data.vertexSegment(9), data.isRapid(5), data.isRapid(9), data.at(8.5)], [12, 9, true, false, 8]);
+    assert.deepEqual(data.axisRange(5, 7), [5, 7]);
     assert.deepEqual([...data.vertices(3, 9)].map(({ from, to, vertex }) => [from, to, vertex]), [[3, 4, 3], [0, 4, 4], [0, 1, 8]]);
-    assert.deepEqual(page.keyOf("kind", [segments]).classes, ["rapid", "linear"]);
-    assert.ok(Math.abs(page.keyOf("speed", [segments]).scale.high / 50 - 1) < 0.05);
-    assert.deepEqual(["speed", "feed", "kind"].map((mode) => page.keyOf(mode, [segments]).isPartial), [false, true, false]);
-    const texels = page.colourTexels(data, page.keyOf("kind", [segments]), 0, 12);
+    assert.deepEqual(page.legendKey("kind", [segments]).classes, ["rapid", "linear"]);
+    assert.ok(Math.abs(page.legendKey("speed", [segments]).scale.high / 50 - 1) < 0.05);
+    assert.deepEqual(["speed", "feed", "kind"].map((mode) => page.legendKey(mode, [segments]).isPartial), [false, true, false]);
+    const texels = page.colourTexels(data, page.legendKey("kind", [segments]), 0, 12);
     assert.deepEqual([3, 4, 8].map((vertex) => texels[4 * vertex + 3]), [0, page.RAPID_MARK, 0]);
-    assert.deepEqual([...page.processOn_s(segments)], [4, 8]);
+    assert.deepEqual([...page.processEdges_s(segments)], [4, 8]);
     const state = { selection: { file: "a.nc", line: 10, block: -1 }, robot: 0 };
-    assert.deepEqual(page.chosenRanges(run, 0, data, state), [[9, 10]]);
+    assert.deepEqual(page.selectedRanges(run, 0, data, state), [[9, 10]]);
   },
 
   "a way that has grown is that of its end": (page) => {
     const run = longRunOf(page, PARTS.slice(0, 2));
     const { segments } = run.robots[0];
     const data = new page.PathData(segments);
-    run.take(leanMessage(PARTS[2], 8, 8));
+    run.addMessage(leanMessage(PARTS[2], 8, 8));
     assert.equal(data.count, 8);
     data.grow();
-    assert.deepEqual([data.count, data.bounds.max.x, data.segmentOf(11)], [12, 12, 11]);
+    assert.deepEqual([data.count, data.bounds.max.x, data.vertexSegment(11)], [12, 12, 11]);
   },
 
   "over much of a long run charts have mean speeds, over little what is exact": (page) => {
     const many = Array.from({ length: 40 }, (_, i) => lines(4 * i + 1, 4, { length_mm: i === 30 ? 40 : 10 }));
     const { segments } = longRunOf(page, many).robots[0];
-    assert.deepEqual([page.isTooMuch(segments, 0, 160), page.isTooMuch(segments, 20, 30)], [true, false]);
-    const { t_s, values } = page.overviewOf(segments, "path", 3, 0, 160, 80);
+    assert.deepEqual([page.needsOverview(segments, 0, 160), page.needsOverview(segments, 20, 30)], [true, false]);
+    const { t_s, values } = page.overviewCurves(segments, "path", 3, 0, 160, 80);
     assert.deepEqual([t_s.length, values[page.PATH.acceleration].every(Number.isNaN)], [160, true]);
     const speeds = values[page.PATH.speed];
     assert.ok(Math.abs(Math.max(...speeds) / 40 - 1) < 0.05 && Math.abs(Math.min(...speeds) / 10 - 1) < 0.05);
     assert.ok(Math.abs(t_s[speeds.indexOf(Math.max(...speeds))] - 121) < 2);
-    assert.deepEqual(page.overviewOf(segments, "position", 2, 0, 160, 80).t_s, []);
+    assert.deepEqual(page.overviewCurves(segments, "position", 2, 0, 160, 80).t_s, []);
   },
 
-  "of a way that lies in few pixels fewer pieces are drawn, of one beside the screen none": ({ stridesOf, rowLength }) => {
+  "of a way that lies in few pixels fewer pieces are drawn, of one beside the screen none": ({ rowStrides, rowLength }) => {
     const identity = { elements: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1] };
     /** Returns the lines of a zigzag in a square around the middle of the screen, which is 2 mm wide. */
     const zigzag = (count, half_mm, at = 0) => {
@@ -233,7 +233,7 @@ export default {
       }
       return rowLength(texels, 0, count);
     };
-    const strides = (...rows) => [...stridesOf(rows, identity, 1000, 1000)];
+    const strides = (...rows) => [...rowStrides(rows, identity, 1000, 1000)];
     const row = zigzag(1000, 0.5);
     assert.deepEqual([row.pieces, row.low.slice(0, 2), row.high.slice(0, 2)], [1000, [-0.5, -0.5], [0.5, 0.5]]);
     near(row.length_mm, 1000, 1);

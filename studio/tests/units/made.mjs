@@ -15,10 +15,10 @@ export const slope = (of, at, step = 1e-5) => (of(at + step) - of(at - step)) / 
 export function lawOf(speed, pieces) {
   let [s, v] = [0, speed];
   const numbers = pieces.flatMap(([t, a, jerk]) => {
-    const piece = [t, s, v, a, jerk];
+    const section = [t, s, v, a, jerk];
     s += t * (v + t * (a / 2 + (t * jerk) / 6));
     v += t * (a + (t * jerk) / 2);
-    return piece;
+    return section;
   });
   return [s, pieces.reduce((sum, [t]) => sum + t, 0), v, pieces.length, ...numbers];
 }
@@ -76,7 +76,7 @@ export function leanMessage(moves, first = 0, start_s = 0) {
     if (isFirst) lines[lines.length - 1] = line[i] - line[i - 1];
     else if (of !== file[i] || line[i] !== from + step * (i - row)) lines.push(i, file[i], line[i], 0);
   });
-  const drawn = moves.flatMap(({ rests }, i) => (rests ? [] : [i]));
+  const drawn = moves.flatMap(({ isStationary }, i) => (isStationary ? [] : [i]));
   const vertices = new Map([
     ["vertex_mm", Float32Array.from(drawn.flatMap((i) => [first + i + 1, 0, 0]))],
     ["vertex_s", Float32Array.from(drawn, (i) => starts_s[i] + durations_s[i] - starts_s[0])],
@@ -105,7 +105,7 @@ export function longRunOf({ Run }, parts, { whole = 1, files = ["a.nc", "b.nc"],
     fetched(number);
     return wholes[number];
   });
-  run.take({ is: "scene", header: { robot: 0, name: "one", scene: scene(), files }, columns: new Map() });
+  run.addMessage({ is: "scene", header: { robot: 0, name: "one", scene: scene(), files }, columns: new Map() });
   let [first, start_s] = [0, 0];
   parts.forEach((moves, i) => {
     const [all, lean] = [segmentsMessage(moves, first, start_s), leanMessage(moves, first, start_s)];
@@ -114,11 +114,11 @@ export function longRunOf({ Run }, parts, { whole = 1, files = ["a.nc", "b.nc"],
     all.columns.set("vertex_s", lean.columns.get("vertex_s").map((since_s) => at_s + since_s));
     all.columns.set("vertex_segment", lean.columns.get("vertex_segment").map((packed) => packed & 0xffff));
     wholes.push(all);
-    run.take(i < whole ? all : lean);
+    run.addMessage(i < whole ? all : lean);
     first += moves.length;
     start_s += moves.reduce((sum, { duration_s }) => sum + duration_s, 0);
   });
-  run.take({ is: "report", header: { report: { cycle_time_s: start_s, warnings: [] }, text: "" }, columns: new Map() });
+  run.addMessage({ is: "report", header: { report: { cycle_time_s: start_s, warnings: [] }, text: "" }, columns: new Map() });
   return run;
 }
 
@@ -160,9 +160,9 @@ export const scene = (more = {}) => ({
 export function runOf({ Run }, moves, { files = { "a.nc": "" }, report = {}, more = {} } = {}) {
   const run = new Run(new Map(Object.entries(files)));
   const header = { robot: 0, name: "one", scene: scene(more), files: Object.keys(files) };
-  run.take({ is: "scene", header, columns: new Map() });
-  run.take(segmentsMessage(moves));
+  run.addMessage({ is: "scene", header, columns: new Map() });
+  run.addMessage(segmentsMessage(moves));
   const cycle_time_s = moves.reduce((sum, { duration_s }) => sum + duration_s, 0);
-  run.take({ is: "report", header: { report: { cycle_time_s, warnings: [], ...report }, text: "" }, columns: new Map() });
+  run.addMessage({ is: "report", header: { report: { cycle_time_s, warnings: [], ...report }, text: "" }, columns: new Map() });
   return run;
 }

@@ -56,13 +56,13 @@ export default {
     assert.deepEqual([...columns.get("kind")], [7, 8, 9]);
   },
 
-  "frames are taken apart one by one": ({ framesOf, readMessage }) => {
-    const frames = [...framesOf(together(frame(), frame({ is: "done" })))];
+  "frames are taken apart one by one": ({ splitFrames, readMessage }) => {
+    const frames = [...splitFrames(together(frame(), frame({ is: "done" })))];
     assert.deepEqual(frames.map((bytes) => readMessage(bytes.slice()).is), ["segments", "done"]);
-    assert.deepEqual([...framesOf(new Uint8Array())], []);
+    assert.deepEqual([...splitFrames(new Uint8Array())], []);
   },
 
-  "broken frames are refused, and end": ({ framesOf, readMessage, BrokenMessage }) => {
+  "broken frames are refused, and end": ({ splitFrames, readMessage, InvalidMessage }) => {
     const whole = frame();
     const sized = (size) => {
       const bytes = whole.slice();
@@ -70,18 +70,18 @@ export default {
       return bytes;
     };
     for (const size of [0, 1, 7, whole.length + 8, 0xffffffff]) {
-      assert.throws(() => [...framesOf(sized(size))], BrokenMessage, String(size));
+      assert.throws(() => [...splitFrames(sized(size))], InvalidMessage, String(size));
     }
-    for (let end = 1; end < 8; ++end) assert.throws(() => [...framesOf(whole.slice(0, end))], BrokenMessage);
-    for (const end of [0, 7, 12, whole.length - 8]) assert.throws(() => readMessage(whole.slice(0, end)), BrokenMessage);
-    assert.throws(() => readMessage(frame({ is: "x", columns: [["a", "f16", 1]] })), BrokenMessage);
-    assert.throws(() => readMessage(frame({ is: "x", columns: [["a", "f64", 1e6]] })), BrokenMessage);
+    for (let end = 1; end < 8; ++end) assert.throws(() => [...splitFrames(whole.slice(0, end))], InvalidMessage);
+    for (const end of [0, 7, 12, whole.length - 8]) assert.throws(() => readMessage(whole.slice(0, end)), InvalidMessage);
+    assert.throws(() => readMessage(frame({ is: "x", columns: [["a", "f16", 1]] })), InvalidMessage);
+    assert.throws(() => readMessage(frame({ is: "x", columns: [["a", "f64", 1e6]] })), InvalidMessage);
   },
 
   "a question is answered by its last message": async ({ WorkerEngine }) => {
     const told = [];
-    const answer = await engineThatSays(WorkerEngine, frame({ is: "done" })).ask({}, new Map(), ({ is }) => told.push(is));
-    assert.deepEqual([answer.ok, told], [true, ["done"]]);
+    const response = await engineThatSays(WorkerEngine, frame({ is: "done" })).ask({}, new Map(), ({ is }) => told.push(is));
+    assert.deepEqual([response.ok, told], [true, ["done"]]);
     const failed = await engineThatSays(WorkerEngine, frame({ is: "failed", code: "c", message: "m" })).ask({}, new Map(), () => {});
     assert.deepEqual(failed, { ok: false, code: "c", message: "m" });
   },

@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { dirname, join, relative, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
-import { textsOfForms } from "../../texts_of_forms.mjs";
+import { formTexts } from "../../form_texts.mjs";
 
 const sources = fileURLToPath(new URL("../../src/", import.meta.url));
 const parts = ["bar", "code", "panels", "time", "view"];
@@ -66,7 +66,7 @@ function reached(first) {
 export default {
   "all parts are looked at": () => {
     for (const module of [...parts, ...shared]) assert.ok(files.some((file) => moduleOf(file) === module), module);
-    const [first] = importsOf("core/shown.ts");
+    const [first] = importsOf("core/display_state.ts");
     assert.equal(first, "run/report");
   },
 
@@ -79,9 +79,9 @@ export default {
   },
 
   "a page without forms says nothing that it does not have": () => {
-    const all = reached("look.ts").filter((file) => moduleOf(file) !== "texts");
+    const all = reached("viewer.ts").filter((file) => moduleOf(file) !== "texts");
     assert.ok(all.includes("view/view.ts") && !all.includes("panels/variants/index.ts"));
-    const said = new RegExp(`\\btexts\\.(${textsOfForms.join("|")})\\b`);
+    const said = new RegExp(`\\btexts\\.(${formTexts.join("|")})\\b`);
     assert.deepEqual(all.filter((file) => said.test(readFileSync(join(sources, file), "utf8"))), []);
   },
 

@@ -13,38 +13,38 @@ const place = (target, path = 0) => ({ path, target });
 const lineOf = (text, part) => text.split("\n").find((line) => line.includes(part));
 
 export default {
-  "machine points that data have are offered by their names, else by their numbers": ({ offeredPoints, meantPoint, identFrom }) => {
-    const [fixed, reference] = ["fixed", "reference"].map((kind) => offeredPoints(kind, known));
+  "machine points that data have are offered by their names, else by their numbers": ({ availablePoints, findPoint, parsePointId }) => {
+    const [fixed, reference] = ["fixed", "reference"].map((kind) => availablePoints(kind, known));
     assert.deepEqual(fixed.map(({ value }) => value), ["CLAMP1", 7]);
     assert.deepEqual(reference.map(({ value, isHome }) => [value, isHome]), [[1, true], [2, true], [3, true], [4, true], ["DOCK", false]]);
-    const meant = (kind, ident) => meantPoint(ident, kind === "fixed" ? fixed : reference, kind)?.value;
+    const meant = (kind, ident) => findPoint(ident, kind === "fixed" ? fixed : reference, kind)?.value;
     assert.deepEqual([meant("fixed", "clamp1"), meant("fixed", 1), meant("fixed", 7), meant("fixed", 2)], ["CLAMP1", "CLAMP1", 7, undefined]);
     assert.equal(meant("fixed", "7"), 7);
     // The numbers of homes are not those of section REFERENCE.
     assert.deepEqual([meant("reference", 2), meant("reference", "Dock"), meant("reference", "CLAMP1")], [2, "DOCK", undefined]);
-    assert.deepEqual([identFrom("7"), identFrom("CLAMP1"), identFrom("2nd"), identFrom("-1")], [7, "CLAMP1", "2nd", "-1"]);
+    assert.deepEqual([parsePointId("7"), parsePointId("CLAMP1"), parsePointId("2nd"), parsePointId("-1")], [7, "CLAMP1", "2nd", "-1"]);
   },
 
   "a machine point is one that there is, and becomes one of the other kind": (page) => {
-    const { firstMachinePoint, pointOfKind, noPoints, setTarget } = page;
+    const { firstMachinePoint, firstPointOfKind, noPoints, setTarget } = page;
     assert.deepEqual([firstMachinePoint(known), firstMachinePoint(noPoints)], [{ fixed: "CLAMP1" }, { reference: 1 }]);
-    const fixed = setTarget(job, place(0), pointOfKind("fixed", known));
+    const fixed = setTarget(job, place(0), firstPointOfKind("fixed", known));
     assert.equal(lineOf(fixed, "fixed"), '  {"fixed": "CLAMP1"},');
     const more = setTarget(setTarget(fixed, place(0), { actions: ["clamp"] }), place(0), { dwell_s: 2, name: "left" });
     assert.equal(lineOf(more, "fixed"), '  {"name": "left", "fixed": "CLAMP1", "dwell_s": 2, "actions": ["clamp"]},');
-    const back = setTarget(more, place(0), pointOfKind("reference", known));
+    const back = setTarget(more, place(0), firstPointOfKind("reference", known));
     assert.equal(lineOf(back, "reference"), '  {"name": "left", "reference": 1, "dwell_s": 2, "actions": ["clamp"]},');
     assert.ok(page.isPathFile(page.readPathFile(back)));
   },
 
-  "a path says its frame and its tool where files have them, and takes them away again": ({ setPath, faultOfSetUp }) => {
+  "a path says its frame and its tool where files have them, and takes them away again": ({ setPath, setupValuesError }) => {
     const framed = setPath(job, 0, { work_offset: "G55" });
     assert.equal(lineOf(framed, '"job"'), '{"name": "job", "work_offset": "G55", "targets": [');
     const all = setPath(setPath(setPath(framed, 0, { tool: 3 }), 0, { length_offset: 0 }), 0, { set_offset_mm: [1, 2, 3] });
     assert.equal(lineOf(all, '"job"'), '{"name": "job", "work_offset": "G55", "set_offset_mm": [1, 2, 3], "tool": 3, "length_offset": 0, "targets": [');
     assert.equal(setPath(all, 0, { work_offset: undefined, set_offset_mm: undefined, tool: undefined, length_offset: undefined }), job);
-    assert.equal(faultOfSetUp({ work_offset: "G55", set_offset_mm: undefined, tool: undefined }), null);
-    assert.match(faultOfSetUp({ work_offset: undefined, set_offset_mm: [1, 2, 3] }), /'set_offset_mm' goes with 'work_offset'/);
+    assert.equal(setupValuesError({ work_offset: "G55", set_offset_mm: undefined, tool: undefined }), null);
+    assert.match(setupValuesError({ work_offset: undefined, set_offset_mm: [1, 2, 3] }), /'set_offset_mm' goes with 'work_offset'/);
   },
 
   "the use of a sub-path says its frame behind how often it is used": ({ setTarget }) => {

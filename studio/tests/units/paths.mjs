@@ -32,8 +32,8 @@ function read({ readPathFile, isPathFile }, text) {
   assert.ok(isPathFile(file), file.text);
   return file;
 }
-const walkOf = (page, text) => page.walkPath(read(page, text));
-const faultsOf = (page, text) => walkOf(page, text).faults.map(({ text: sentence }) => sentence);
+const walkOf = (page, text) => page.traversePath(read(page, text));
+const responseDiagnostics = (page, text) => walkOf(page, text).faults.map(({ text: sentence }) => sentence);
 
 /** The lines in which texts differ. */
 function changedLines(before, after) {
@@ -77,7 +77,7 @@ export default {
       '\n{"reference": 1},\n{"motion": "rapid", "position_mm": [0, 0, 5]},\n{"fixed": "CLAMP1", "name": "left", "dwell_s": 1, "actions": ["clamp"]},' +
       '\n{"path": "q", "work_offset": "G56", "set_offset_mm": [4, 5, 6]}]},\n{"name": "q", "targets": [{"fixed": 2}, {"motion": "rapid", "position_mm": [1, 1, 1]}]}]}';
     const file = read(page, text);
-    const { motions, before, faults } = page.walkPath(file);
+    const { motions, before, faults } = page.traversePath(file);
     assert.deepEqual(faults, []);
     assert.deepEqual(motions.map(({ from_mm, to_mm }) => [from_mm, to_mm]), [[null, [0, 0, 5]], [null, [1, 1, 1]]]);
     assert.equal(before.get("0/1").atMachinePoint, true);
@@ -109,7 +109,7 @@ export default {
     const line = '{"position_mm": [0, 0, 0], "feed_mm_min": 1}';
     for (const targets of [`{"fixed": 1}, ${line}`, `{"path": "p2"}, ${line}`]) {
       const text = `{"paths": [{"name": "p", "targets": [${targets}]}, {"name": "p2", "targets": [{"reference": 2}]}]}`;
-      assert.deepEqual(faultsOf(page, text), [
+      assert.deepEqual(responseDiagnostics(page, text), [
         "The first motion behind a fixed or reference point must be a rapid: where that point is in the work nobody knows.",
       ]);
     }
@@ -191,7 +191,7 @@ export default {
   },
 
   "what is wrong between points is told with its place": (page) => {
-    const wrong = (...targets) => faultsOf(page, part(...targets));
+    const wrong = (...targets) => responseDiagnostics(page, part(...targets));
     assert.match(wrong(at(0, 0, ', "motion": "circular", "via_mm": [1, 1, 0]'))[0], /nothing says where it starts/);
     assert.match(wrong(at(0, 0), at(9, 0, ', "motion": "circular", "via_mm": [4, 0, 0]'))[0], /lies on the line/);
     assert.match(wrong(at(0, 0), at(0, 0, ', "motion": "circular", "via_mm": [4, 0, 0]'))[0], /must end elsewhere/);
@@ -200,8 +200,8 @@ export default {
     assert.match(wrong('{"path": "nowhere"}', at(0, 0))[0], /There is no path of the name 'nowhere'/);
     assert.match(wrong(at(0, 0), '{"path": "part"}')[0], /leads back to itself/);
     const chain = Array.from({ length: 11 }, (_, i) => `{"name": "p${i}", "targets": [${i < 10 ? `{"path": "p${i + 1}"}` : at(0, 0)}]}`);
-    assert.match(faultsOf(page, `{"paths": [${chain.join()}]}`)[0], /deeper than 8 levels/);
-    assert.match(faultsOf(page, `{"root": "x", "paths": [${chain[10]}, ${chain[10]}]}`).join(), /two paths of the name 'p10'.*no path of the name 'x'/);
+    assert.match(responseDiagnostics(page, `{"paths": [${chain.join()}]}`)[0], /deeper than 8 levels/);
+    assert.match(responseDiagnostics(page, `{"root": "x", "paths": [${chain[10]}, ${chain[10]}]}`).join(), /two paths of the name 'p10'.*no path of the name 'x'/);
   },
 
   "paths that are used very often are gone through once": (page) => {
@@ -215,15 +215,15 @@ export default {
     assert.ok(motions.length < 5000 && performance.now() - began < 2000, `${motions.length} motions`);
   },
 
-  "arcs go through their via points, round their centres, and rise": ({ arcTo, pointOfArc, sampleArc, directionOfArc }) => {
+  "arcs go through their via points, round their centres, and rise": ({ arcTo, arcPoint, sampleArc, arcDirection }) => {
     const via = arcTo([10, 0, 5], { position_mm: [-10, 0, 5], via_mm: [0, -10, 5] });
-    pointOfArc(via, 0.5).forEach((value, i) => near(value, [0, -10, 5][i]));
+    arcPoint(via, 0.5).forEach((value, i) => near(value, [0, -10, 5][i]));
     near(via.turn_rad, Math.PI);
-    directionOfArc(via, 0).forEach((value, i) => near(value, [0, -1, 0][i]));
+    arcDirection(via, 0).forEach((value, i) => near(value, [0, -1, 0][i]));
     const helix = arcTo([10, 0, 0], { position_mm: [10, 0, 6], center_mm: [0, 0, 0], turn_deg: 720 });
-    pointOfArc(helix, 0.25).forEach((value, i) => near(value, [-10, 0, 1.5][i]));
+    arcPoint(helix, 0.25).forEach((value, i) => near(value, [-10, 0, 1.5][i]));
     const clockwise = arcTo([10, 0, 0], { position_mm: [0, 10, 0], center_mm: [0, 0, 0], normal: [0, 0, -2], turn_deg: 270 });
-    pointOfArc(clockwise, 1 / 3).forEach((value, i) => near(value, [0, -10, 0][i]));
+    arcPoint(clockwise, 1 / 3).forEach((value, i) => near(value, [0, -10, 0][i]));
     const points = [[10, 0, 5], ...sampleArc(via, 0.01)];
     for (let i = 1; i < points.length; ++i) {
       const middle = points[i].map((value, k) => (value + points[i - 1][k]) / 2);
@@ -234,20 +234,20 @@ export default {
   "an arc is said by its centre and by its via point": (page) => {
     const text = part(at(10, 0), '{"motion": "circular", "position_mm": [-10, 0, 0], "via_mm": [0, 10, 0]}');
     const point = read(page, text).paths[0].targets[1];
-    const byCenter = page.arcSaidOtherwise(point, [10, 0, 0], "center");
+    const byCenter = page.convertArc(point, [10, 0, 0], "center");
     assert.deepEqual(byCenter, { via_mm: undefined, center_mm: [0, 0, 0], normal: [0, 0, 1], turn_deg: 180 });
     const changed = page.setTarget(text, place(1), byCenter);
-    assert.deepEqual(faultsOf(page, changed), []);
-    const back = page.arcSaidOtherwise(read(page, changed).paths[0].targets[1], [10, 0, 0], "via");
+    assert.deepEqual(responseDiagnostics(page, changed), []);
+    const back = page.convertArc(read(page, changed).paths[0].targets[1], [10, 0, 0], "via");
     assert.deepEqual(back.via_mm, [0, 10, 0]);
     const circle = { position_mm: [10, 0, 0], center_mm: [0, 0, 0], turn_deg: 360 };
-    assert.equal(page.arcSaidOtherwise(circle, [10, 0, 0], "via"), null, "a full circle has no via point");
+    assert.equal(page.convertArc(circle, [10, 0, 0], "via"), null, "a full circle has no via point");
   },
 
   "another motion brings what it needs, and takes along what it does not": (page) => {
     const toArc = page.motionChange({ position_mm: [10, 0, 0] }, "circular", [0, 0, 0], [0, 0, 1]);
     const text = page.setTarget(part(at(0, 0), at(10, 0)), place(1), toArc);
-    assert.deepEqual(faultsOf(page, text), []);
+    assert.deepEqual(responseDiagnostics(page, text), []);
     const back = page.motionChange(read(page, text).paths[0].targets[1], "rapid", [0, 0, 0], [0, 0, 1]);
     assert.match(page.setTarget(text, place(1), back), /\{"motion": "rapid", "position_mm": \[10, 0, 0\]\}/);
   },
@@ -260,7 +260,7 @@ export default {
       const moved = move(target, to);
       const { via_mm, center_mm } = read(page, moved).paths[0].targets[1];
       assert.deepEqual([via_mm, center_mm], [[5, 5, 0], undefined]);
-      assert.deepEqual(faultsOf(page, moved), []);
+      assert.deepEqual(responseDiagnostics(page, moved), []);
     }
     assert.deepEqual(read(page, move(1, [11, 0, 2.0000004])).paths[0].targets[1].position_mm, [11, 0, 2]);
     assert.deepEqual(changedLines(text, move(2, [20, 1, 0])).gone.length, 1);
@@ -284,25 +284,25 @@ export default {
     assert.deepEqual(targets[6].position_mm, [54, 44, 3]);
     assert.deepEqual([targets[6].actions, targets[6].dwell_s], [["waterjet_off"], 1]);
     assert.deepEqual(targets[7].position_mm, [54, 44, 25]);
-    assert.deepEqual(faultsOf(page, text), []);
+    assert.deepEqual(responseDiagnostics(page, text), []);
     const line = page.addLeads(cut, read(page, cut), walkOf(page, cut), place(0), 6, { ...choice, kind: "line", angle_deg: 90, side: "left", out: false });
     assert.deepEqual(read(page, line).paths[0].targets[2].position_mm, [0, 4, 3]);
     assert.equal(read(page, line).paths[0].targets.length, 7);
     assert.match(page.addLeads(cut, read(page, cut), walkOf(page, cut), place(0), 2, choice).fault, /no cut/);
   },
 
-  "the nearest of many pieces is found": ({ Pieces }) => {
+  "the nearest of many pieces is found": ({ LineSegmentTree }) => {
     let seed = 7;
     const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
     const ends = Float64Array.from({ length: 6 * 333 }, () => 100 * random());
-    const all = new Pieces(ends);
+    const all = new LineSegmentTree(ends);
     for (let n = 0; n < 200; ++n) {
       const at = [0, 1, 2].map(() => 140 * random() - 20);
       let least = Infinity;
-      for (let i = 0; i < 333; ++i) least = Math.min(least, new Pieces(ends.subarray(6 * i, 6 * i + 6)).distanceTo(...at));
+      for (let i = 0; i < 333; ++i) least = Math.min(least, new LineSegmentTree(ends.subarray(6 * i, 6 * i + 6)).distanceTo(...at));
       near(all.distanceTo(...at), least, 1e-12);
     }
-    assert.equal(new Pieces(new Float64Array(0)).distanceTo(0, 0, 0), Infinity);
+    assert.equal(new LineSegmentTree(new Float64Array(0)).distanceTo(0, 0, 0), Infinity);
   },
 
   "a round trip finds what a run leaves out, and where it goes elsewhere": (page) => {
@@ -316,12 +316,12 @@ export default {
       return page.roundTrip(walkOf(page, square), segments);
     };
     const way = [[-50, -50, 0], [0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0], [0, 0, 0]];
-    assert.deepEqual(ran(way), { wayOff_mm: 0, pathOff_mm: 0 });
-    assert.deepEqual(ran(way, 1), { wayOff_mm: 0, pathOff_mm: 0 }, "the way there is the machine's own, at feed, too");
-    assert.ok(ran(way.map(([x, y]) => [x + 300, y, 0])).wayOff_mm > 290, "a run elsewhere");
-    near(ran(way.slice(0, 4)).pathOff_mm, 10);
+    assert.deepEqual(ran(way), { runDeviation_mm: 0, pathDeviation_mm: 0 });
+    assert.deepEqual(ran(way, 1), { runDeviation_mm: 0, pathDeviation_mm: 0 }, "the way there is the machine's own, at feed, too");
+    assert.ok(ran(way.map(([x, y]) => [x + 300, y, 0])).runDeviation_mm > 290, "a run elsewhere");
+    near(ran(way.slice(0, 4)).pathDeviation_mm, 10);
     const bent = ran([...way.slice(0, 3), [15, 5, 0], ...way.slice(3)]);
-    near(bent.wayOff_mm, 5);
-    assert.ok(bent.pathOff_mm > 3);
+    near(bent.runDeviation_mm, 5);
+    assert.ok(bent.pathDeviation_mm > 3);
   },
 };

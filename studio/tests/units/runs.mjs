@@ -14,7 +14,7 @@ const move = (line, duration_s, more = {}) => ({ line, duration_s, ...more });
 const passes = [2, 1, 3].flatMap((duration_s, i) => [move(2, duration_s), move(2, 1), move(3, 1), move(i + 5, 1, { file: 1 })]);
 const looped = (page) => runOf(page, [...passes, move(9, 4)], { files: { "main.nc": "", "sub.nc": "" } });
 
-function shown(page, run) {
+function displayed(page, run) {
   const store = new page.Store(page.initialState());
   store.set("run", run);
   return store;
@@ -83,17 +83,17 @@ export default {
     const run = runOf(page, [move(2, 3), move(4, 1)], { files: { "main.nc": "" }, report: { events } });
     const lines = (t_s) => run.placesAt(0, t_s).map(({ line }) => line);
     assert.deepEqual([0, 1, 3, 3.0000000004, 3.1, 4, 4.1].map(lines), [[2], [2], [1], [1], [4], [4], []]);
-    const store = shown(page, run);
+    const store = displayed(page, run);
     store.set("time_s", 3);
-    assert.equal(page.lineAtWork(store).line, 1);
+    assert.equal(page.activeLine(store).line, 1);
     store.set("selection", { file: "main.nc", line: 4, block: -1 });
-    assert.equal(page.lineAtWork(store).line, 4, "what a person has chosen there");
+    assert.equal(page.activeLine(store).line, 4, "what a person has chosen there");
     store.set("robot", 5);
-    assert.equal(page.lineAtWork(store), null);
+    assert.equal(page.activeLine(store), null);
   },
 
   "going to a mark chooses the pass of its line": (page) => {
-    const store = shown(page, looped(page));
+    const store = displayed(page, looped(page));
     page.goTo(store, { file: "main.nc", line: 3 }, 7.5);
     assert.deepEqual(store.get("selection"), { file: "main.nc", line: 3, block: 4 });
     assert.equal(store.get("time_s"), 7.5);
@@ -104,7 +104,7 @@ export default {
   },
 
   "steps go from block to block, and back to a block's own start": (page) => {
-    const store = shown(page, looped(page));
+    const store = displayed(page, looped(page));
     const steps = (by, count) => Array.from({ length: count }, () => (page.stepBlock(store, by), store.get("time_s")));
     assert.deepEqual(steps(1, 11), [3, 4, 5, 7, 8, 9, 13, 14, 15, 19, 19]);
     store.set("time_s", 8.5);
@@ -113,7 +113,7 @@ export default {
 
   "steps to marks find the next on either side": (page) => {
     const marks = [1, 2, 2, 5].map((t_s) => ({ t_s, file: null, line: null }));
-    const store = shown(page, looped(page));
+    const store = displayed(page, looped(page));
     assert.deepEqual([0, 1, 2, 6].map((t_s) => page.firstAfter(marks, t_s)), [0, 1, 3, 4]);
     store.set("time_s", 2);
     assert.equal(page.stepMark(store, marks, 1).t_s, 5);
@@ -134,7 +134,7 @@ export default {
       violations: [{ ...place, t_s: 3, zone: "door", message: "too far" }, { ...place, t_s: 3.5, zone: null, message: "end" }],
       alarm: { ...place, code: "x", message: "stopped", axis: null },
     };
-    const marks = page.marksOf(runOf(page, [move(1, 0.5), move(2, 4)], { report }), 0);
+    const marks = page.runMarks(runOf(page, [move(1, 0.5), move(2, 4)], { report }), 0);
     assert.deepEqual(marks.map(({ kind }) => kind), ["near", "collision", "event", "zone", "violation", "alarm"]);
     assert.deepEqual(marks.map(({ t_s }) => t_s), [0.5, 1, 2, 3, 3.5, 4.5]);
   },
@@ -145,12 +145,12 @@ export default {
     assert.equal(runOf(page, [move(1, 1)], { report: { program: "a.nc" } }).reportOf(0).program, "a.nc");
   },
 
-  "the process is on where segments say so": ({ Segments, processOn_s, isOnWithin }) => {
+  "the process is on where segments say so": ({ Segments, processEdges_s, isProcessOnWithin }) => {
     const segments = new Segments(2, [0, 1]);
     segments.add(segmentsMessage([0, 1, 1, 0, 1].map((on) => move(1, 1, { processOn: on === 1 }))));
-    const edges_s = processOn_s(segments);
+    const edges_s = processEdges_s(segments);
     assert.deepEqual([...edges_s], [1, 3, 4, 5]);
-    const within = (from_s, to_s) => isOnWithin(edges_s, from_s, to_s);
+    const within = (from_s, to_s) => isProcessOnWithin(edges_s, from_s, to_s);
     assert.deepEqual([within(0, 0.9), within(0, 1.1), within(1.5, 1.6), within(3, 3.9), within(3.5, 9), within(5, 9)], [false, true, true, false, true, false]);
   },
 

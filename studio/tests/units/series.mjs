@@ -84,20 +84,20 @@ export default {
   "there are charts of forces and errors where the machine tells of them": (page) => {
     const run = runOf(page, [{ line: 1, duration_s: 4 }]);
     const [robot] = run.robots;
-    assert.ok(!page.chartsOf(robot).includes("effort"));
-    assert.deepEqual(page.tracesOf("effort", robot, choice), []);
-    run.take(instants([[0, 0, 0, 0]]));
-    const charts = page.chartsOf(robot);
+    assert.ok(!page.availableCharts(robot).includes("effort"));
+    assert.deepEqual(page.createTraces("effort", robot, choice), []);
+    run.addMessage(instants([[0, 0, 0, 0]]));
+    const charts = page.availableCharts(robot);
     assert.deepEqual(["effort", "power", "following", "contour"].map((id) => charts.includes(id)), [true, true, false, false]);
   },
 
   "forces and torques have scales of their own, and the motor's peak as limits": (page) => {
     const run = runOf(page, [{ line: 1, duration_s: 4 }], { more: { axes: axesOf([{ motor_peak: 200 }, {}]) } });
-    run.take(instants([[0, 0, 0, 0]]));
-    const traces = page.tracesOf("effort", run.robots[0], choice);
+    run.addMessage(instants([[0, 0, 0, 0]]));
+    const traces = page.createTraces("effort", run.robots[0], choice);
     assert.deepEqual(traces.map(({ unit, channel }) => [unit, channel]), [["N", 1], ["Nm", 2]]);
     assert.deepEqual(traces.map(({ limits }) => limits.map(({ value }) => value)), [[200, -200], []]);
-    const [share, torque] = page.tracesOf("effort", run.robots[0], { ...choice, percent: true });
+    const [share, torque] = page.createTraces("effort", run.robots[0], { ...choice, percent: true });
     assert.deepEqual([share.unit, share.factor, torque.unit], ["%", 0.5, "Nm"]);
   },
 
@@ -105,31 +105,31 @@ export default {
     const run = runOf(page, [{ line: 1, duration_s: 4 }], { more: { axes: axesOf([{ motor_peak: 200, motor_fades: true }, {}]) } });
     const faded = [...channels, { of: "motor_peak", axis: X }, { of: "share", axis: X }];
     const values = Float32Array.from([0, 50, 0, 100, 0.5]);
-    run.take(message("efforts", { channels: faded }, { t_s: Float64Array.of(0), values }));
-    const own = page.tracesOf("effort", run.robots[0], { ...choice, axes: new Set([X]) });
+    run.addMessage(message("efforts", { channels: faded }, { t_s: Float64Array.of(0), values }));
+    const own = page.createTraces("effort", run.robots[0], { ...choice, axes: new Set([X]) });
     assert.deepEqual(own.map(({ channel, factor, isLimit }) => [channel, factor, isLimit ?? false]), [[1, 1, false], [3, 1, true], [3, -1, true]]);
-    const [share] = page.tracesOf("effort", run.robots[0], { ...choice, percent: true });
+    const [share] = page.createTraces("effort", run.robots[0], { ...choice, percent: true });
     assert.deepEqual([share.channel, share.factor], [4, 100]);
   },
 
   "errors are in mm or inch, and degrees of rotary axes": (page) => {
     const run = runOf(page, [{ line: 1, duration_s: 4 }]);
     const errors = [{ of: "contour" }, { of: "error", axis: X }, { of: "error", axis: C }];
-    run.take(message("following", { channels: errors }, { t_s: Float64Array.of(0), values: new Float32Array(3) }));
+    run.addMessage(message("following", { channels: errors }, { t_s: Float64Array.of(0), values: new Float32Array(3) }));
     const inch = { ...choice, units: "inch" };
-    assert.deepEqual(page.tracesOf("following", run.robots[0], inch).map(({ unit }) => unit), ["in", "°"]);
-    near(page.tracesOf("following", run.robots[0], inch)[0].factor, 1 / 25.4);
+    assert.deepEqual(page.createTraces("following", run.robots[0], inch).map(({ unit }) => unit), ["in", "°"]);
+    near(page.createTraces("following", run.robots[0], inch)[0].factor, 1 / 25.4);
   },
 
   "moves that ask for more than a motor has are marks, the whole run is none": (page) => {
     const excess = (kind, t_s, line) => ({ kind, t_s, line, file: line && "a.nc", axis: "X", message: `${kind} of X` });
     const efforts = { excesses: [excess("peak", 1.5, 2), excess("continuous", 0, null)] };
-    const marks = page.marksOf(runOf(page, [{ line: 2, duration_s: 4 }], { report: { efforts } }), 0);
+    const marks = page.runMarks(runOf(page, [{ line: 2, duration_s: 4 }], { report: { efforts } }), 0);
     assert.deepEqual(marks.map(({ kind, t_s, line, text }) => [kind, t_s, line, text]), [["motor", 1.5, 2, "peak of X"]]);
   },
 
-  "figures have three digits, and energies their unit": ({ figureText, energyText }) => {
-    assert.deepEqual([0, 0.012345, 12.345, -812.4, 12345].map(figureText), ["0", "0.0123", "12.3", "-812", "12,345"]);
+  "figures have three digits, and energies their unit": ({ valueText, energyText }) => {
+    assert.deepEqual([0, 0.012345, 12.345, -812.4, 12345].map(valueText), ["0", "0.0123", "12.3", "-812", "12,345"]);
     assert.deepEqual([48.12, 1234].map(energyText), ["48.1 J", "1.23 kJ"]);
   },
 };

@@ -41,11 +41,11 @@ const engineAt = (page, address) => new page.RemoteEngine(new page.Server(addres
 const asked = async (request) => JSON.parse(Buffer.concat(await request.toArray()).toString());
 
 export default {
-  "frames come out whole and aligned however the bytes come": ({ FrameCutter, readMessage }) => {
+  "frames come out whole and aligned however the bytes come": ({ FrameSplitter, readMessage }) => {
     const all = Buffer.concat([numbers(), frame({ is: "told", text: "a" }), numbers(), done()]);
     for (const size of [1, 2, 3, 5, 7, 8, 13, 64, all.length]) {
       const found = [];
-      const cutter = new FrameCutter();
+      const cutter = new FrameSplitter();
       for (let at = 0; at < all.length; at += size) {
         cutter.push(all.subarray(at, at + size), (bytes) => {
           assert.equal(bytes.byteOffset % 8, 0);
@@ -57,16 +57,16 @@ export default {
     }
   },
 
-  "a frame of less than its head is refused": ({ FrameCutter, BrokenMessage }) => {
-    for (const size of [0, 7]) assert.throws(() => new FrameCutter().push(Uint8Array.of(size, 0, 0, 0), () => {}), BrokenMessage);
+  "a frame of less than its head is refused": ({ FrameSplitter, InvalidMessage }) => {
+    for (const size of [0, 7]) assert.throws(() => new FrameSplitter().push(Uint8Array.of(size, 0, 0, 0), () => {}), InvalidMessage);
   },
 
   "an answer is taken as it comes, and files go along": (page) =>
     withServer(
       async (request, response) => {
         assert.equal(request.url, "/token/ask");
-        const { request: question, files, binary } = await asked(request);
-        assert.deepEqual([question, files, binary], [{ do: "run" }, { "a.nc": "G0 \ufffd" }, { "m.stl": "AP8=" }]);
+        const { request: sendRequest, files, binary } = await asked(request);
+        assert.deepEqual([sendRequest, files, binary], [{ do: "run" }, { "a.nc": "G0 \ufffd" }, { "m.stl": "AP8=" }]);
         const bytes = numbers();
         response.write(bytes.subarray(0, 9));
         setTimeout(() => response.end(Buffer.concat([bytes.subarray(9), done()])), 5);
@@ -74,16 +74,16 @@ export default {
       async (address) => {
         const told = [];
         const files = new Map([["a.nc", "G0 \ud800"], ["m.stl", Uint8Array.of(0, 255)]]);
-        const answer = await engineAt(page, address).ask({ do: "run" }, files, ({ is }) => told.push(is));
-        assert.deepEqual([answer.ok, told], [true, ["segments", "done"]]);
+        const result = await engineAt(page, address).ask({ do: "run" }, files, ({ is }) => told.push(is));
+        assert.deepEqual([result.ok, told], [true, ["segments", "done"]]);
       },
     ),
 
   "answers that fail say why": async (page) => {
-    const fails = async (respond, wanted) => {
+    const fails = async (respond, expectedValue) => {
       const { ok, message } = await withServer(respond, (address) => engineAt(page, address).ask({}, new Map(), () => {}));
       assert.equal(ok, false);
-      assert.match(message, wanted);
+      assert.match(message, expectedValue);
     };
     await fails((_, response) => response.writeHead(403).end('{"error": "another page"}'), /^another page$/);
     await fails((_, response) => response.writeHead(500).end("oh"), /status 500/);
@@ -91,7 +91,7 @@ export default {
     await fails((_, response) => response.end(numbers().subarray(0, 20)), /ended too soon/);
     await fails((_, response) => response.end(Uint8Array.of(1, 0, 0, 0)), /1 bytes/);
     await fails((_, response) => response.end(frame({ is: "failed", message: "no such axis" })), /^no such axis$/);
-    await fails((_, response) => response.destroy(), /does not answer/);
+    await fails((_, response) => response.destroy(), /does not result/);
   },
 
   "questions wait for each other, and end together": (page) => {
@@ -100,13 +100,13 @@ export default {
       async (request, response) => {
         most = Math.max(most, ++open);
         response.on("close", () => --open);
-        const { request: question } = await asked(request);
-        if (question.do !== "endless") setTimeout(() => response.end(done()), 10);
+        const { request: sendRequest } = await asked(request);
+        if (sendRequest.do !== "endless") setTimeout(() => response.end(done()), 10);
         else response.write(numbers());
       },
       async (address) => {
         const engine = engineAt(page, address);
-        const ask = (what, take = () => {}) => engine.ask({ do: what }, new Map(), take);
+        const ask = (what, accept = () => {}) => engine.ask({ do: what }, new Map(), accept);
         const answers = await Promise.all([ask("a"), ask("b"), ask("c")]);
         assert.deepEqual([answers.map(({ ok }) => ok), most], [[true, true, true], 1]);
         const cancelled = ask("endless", () => engine.cancel());
@@ -125,9 +125,9 @@ export default {
     };
     return withServer(
       (request, response) => {
-        const answer = answers[request.url];
-        if (!answer) return response.writeHead(403).end();
-        return response.end(JSON.stringify(answer));
+        const result = answers[request.url];
+        if (!result) return response.writeHead(403).end();
+        return response.end(JSON.stringify(result));
       },
       async (address) => {
         const told = [];
@@ -156,7 +156,7 @@ export default {
     const documents = new Documents(new Map([["samples/a.nc", "G0"]]), true);
     documents.list("far.nc", 1e9);
     const drop = (name, bytes) => documents.put(name, documents.read(name, bytes));
-    documents.take("part.nc", bytesOf("G1\r\n"));
+    documents.accept("part.nc", bytesOf("G1\r\n"));
     drop("dropped.nc", bytesOf("G2"));
     assert.deepEqual([...documents.files().keys()], ["dropped.nc"]);
     documents.put("part.nc", "G1\n"); // as an editor has lines
@@ -171,14 +171,14 @@ export default {
     assert.equal(documents.files().has("part.nc"), true, "what is gone from the folder");
   },
 
-  "a run is another one by what it reads": ({ isOfRun, kindOfFile, emptySetup }) => {
+  "a run is another one by what it reads": ({ affectsRun, kindOfFile, emptySetup }) => {
     const setup = { ...emptySetup(), program: "a.nc", machine: "m.toml" };
     const ran = { robots: [{ files: ["a.nc", "sub.nc"] }], told: [{ file: "broken.nc" }] };
     const axis = "[[axis]]\n";
-    const of = (name, content = "G1", given = setup) => isOfRun(name, kindOfFile(name, content), given, ran);
+    const of = (name, content = "G1", given = setup) => affectsRun(name, kindOfFile(name, content), given, ran);
     assert.deepEqual(["a.nc", "sub.nc", "broken.nc", "other.nc"].map((name) => of(name)), [true, true, true, false]);
     assert.deepEqual([of("m.toml", axis), of("n.toml", axis), of("n.toml", axis, { ...setup, cell: "c.toml" })], [true, false, true]);
     assert.deepEqual([of("control.toml", "[controller]\n"), of("path.json", "{}"), of("body.stl", undefined)], [true, false, true]);
-    assert.equal(isOfRun("", "program", emptySetup(), null), false);
+    assert.equal(affectsRun("", "program", emptySetup(), null), false);
   },
 };

@@ -16,7 +16,7 @@ function made({ Session, Store, initialState, Documents, emptySetup, Runner }) {
   let tell = () => {};
   const engine = {
     available: true,
-    keeper: null,
+    runStorage: null,
     ask: ({ program }) =>
       new Promise((done) => {
         asked.push(program);
@@ -27,40 +27,40 @@ function made({ Session, Store, initialState, Documents, emptySetup, Runner }) {
   const store = new Store(initialState());
   const session = new Session(store, new Documents(new Map([["page.nc", ""]])), engine, engine);
   session.change({ ...emptySetup(), program: "page.nc" });
-  const answer = async (ok = true) => {
+  const response = async (ok = true) => {
     tell(ok ? { ok } : { ok, code: "program", message: "no" });
     await pause(0);
   };
-  const runner = new Runner(session, { take: () => {} }, () => {});
+  const runner = new Runner(session, { accept: () => {} }, () => {});
   const variant = (name) => ({ name, setup: { ...emptySetup(), program: name }, from: null });
-  return { session, store, asked, answer, runner, run: (...names) => runner.run(names.map(variant)) };
+  return { session, store, asked, response, runner, run: (...names) => runner.run(names.map(variant)) };
 }
 
 export default {
   "a run of the page that variants end is made behind the last of them, once": async (page) => {
-    const { session, store, asked, answer, run } = made(page);
+    const { session, store, asked, response, run } = made(page);
     void session.run();
     const all = run("one.nc", "two.nc");
     assert.equal(store.get("running"), null);
-    await answer();
-    await answer();
+    await response();
+    await response();
     await all;
     assert.deepEqual(asked, ["page.nc", "one.nc", "two.nc"]);
     await pause(SOON_MS);
     assert.deepEqual(asked.slice(3), ["page.nc"]);
-    await answer();
+    await response();
     assert.equal(store.get("running"), null);
     await pause(SOON_MS);
     assert.equal(asked.length, 4);
   },
 
   "so is one that was due, where a variant fails": async (page) => {
-    const { session, asked, answer, run } = made(page);
+    const { session, asked, response, run } = made(page);
     session.runSoon();
     const all = run("one.nc");
     await pause(SOON_MS);
     assert.deepEqual(asked, ["one.nc"]);
-    await answer(false);
+    await response(false);
     await all;
     await pause(SOON_MS);
     assert.deepEqual(asked, ["one.nc", "page.nc"]);
@@ -85,15 +85,15 @@ export default {
   },
 
   "where none was due, or one has been made meanwhile, none follows": async (page) => {
-    const { session, asked, answer, run } = made(page);
+    const { session, asked, response, run } = made(page);
     const alone = run("one.nc");
-    await answer();
+    await response();
     await alone;
     session.runSoon();
     const ended = run("two.nc");
     void session.run();
     await ended;
-    await answer();
+    await response();
     await pause(SOON_MS);
     assert.deepEqual(asked, ["one.nc", "two.nc", "page.nc"]);
   },

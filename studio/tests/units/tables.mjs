@@ -25,8 +25,8 @@ const program = (page) => runOf(page, moves, { files: { "a.nc": source } });
 function found(page, words) {
   const run = program(page);
   const [robot] = run.robots;
-  const table = page.blockTableOf(robot);
-  const passes = page.filterOf(words, run, robot, table);
+  const table = page.cachedBlockTable(robot);
+  const passes = page.createFilter(words, run, robot, table);
   return Array.from({ length: table.count }, (_, block) => block).filter(passes);
 }
 
@@ -45,16 +45,16 @@ const matched = ({ SourceLines, matchLines }, before, after) => {
 export default {
   "the table has each block once, by its longest piece": (page) => {
     const [robot] = program(page).robots;
-    const table = page.blockTableOf(robot);
+    const table = page.cachedBlockTable(robot);
     assert.deepEqual([...table.line], [1, 3, 4, 7, 8]);
     assert.deepEqual([...table.duration_s], [1, 7, 1, 3, 3]);
     assert.deepEqual([...table.length_mm], [1, 2, 0, 1, 1]);
     assert.equal(table.total_s, 15);
     assert.equal(table.feed_per_min[1], 900);
-    assert.deepEqual(page.limitOfBlock(table, 1, ["X", "C"]), { kind: "acceleration", letter: "X" });
-    assert.deepEqual(page.limitOfBlock(table, 2, ["X", "C"]), { kind: "dwell", letter: "" });
+    assert.deepEqual(page.blockLimit(table, 1, ["X", "C"]), { kind: "acceleration", letter: "X" });
+    assert.deepEqual(page.blockLimit(table, 2, ["X", "C"]), { kind: "dwell", letter: "" });
     near(table.meanSpeed_mm_s(1), 2 / 7);
-    assert.equal(page.blockTableOf(robot), table, "made once");
+    assert.equal(page.cachedBlockTable(robot), table, "made once");
   },
 
   "the greatest come first, of equals the earlier": ({ greatest }) => {
@@ -132,7 +132,7 @@ export default {
   "comments that stand alone name the operations behind them": (page) => {
     const run = program(page);
     const [robot] = run.robots;
-    const operations = page.timeByOperation(run, robot, page.blockTableOf(robot), "unnamed");
+    const operations = page.timeByOperation(run, robot, page.cachedBlockTable(robot), "unnamed");
     assert.deepEqual(operations, [
       { name: "unnamed", time_s: 1, first: 0 },
       { name: "ROUGHING", time_s: 8, first: 1 },

@@ -7,13 +7,13 @@ export const modules = ["core/units", "core/names", "core/kinds", "core/colours"
 const mark = { t_s: 1, file: "a.nc", line: 14, kind: "event", text: "jet_on", detail: "", pair: null, clearance_mm: 0 };
 
 export default {
-  "lengths have the digits that a control shows": ({ lengthText, lengthNumber, lengthShort, mmOf, length }) => {
+  "lengths have the digits that a control shows": ({ lengthText, lengthNumber, lengthShort, toMm, length }) => {
     assert.equal(lengthText(12.34, "mm"), "12.340 mm");
     assert.equal(lengthText(25.4, "inch"), "1.0000 in");
     assert.equal(lengthNumber(-0.5, "mm"), "-0.500");
     assert.equal(lengthShort(1234.5, "mm"), "1,235 mm");
     assert.equal(lengthShort(12.345, "inch"), "0.486 in");
-    assert.equal(mmOf(length(7, "inch"), "inch"), 7);
+    assert.equal(toMm(length(7, "inch"), "inch"), 7);
   },
 
   "axes turn in degrees whatever the unit": ({ axisText }) => {
@@ -131,6 +131,6 @@ export default {
     window.show(10);
     assert.ok(window.start_s <= 10 && window.end_s >= 10 && Math.abs(window.span_s - 10) < 1e-9);
     window.zoom(10, 1e9);
-    assert.equal(window.isWhole, true);
+    assert.equal(window.isCompleteRun, true);
   },
 };

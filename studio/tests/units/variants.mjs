@@ -31,7 +31,7 @@ export default {
     assert.deepEqual(plain(found.rows(10)), [["both", 3, 2, 1, 3], ["both", 2, 3, 1, 0.5]]);
     assert.deepEqual(found.totals_s, [10, 11.5]);
     near(found.total_s, 1.5);
-    near(found.inBlocks_s, 1.5);
+    near(found.blockDifference_s, 1.5);
     assert.equal(found.rows(10).rows[0].passes, 3);
   },
 
@@ -46,17 +46,17 @@ export default {
   "each block of either run is in exactly one pair": (page) => {
     const one = looped(page, [[1, 1], [2, 1]]);
     const other = looped(page, [[1, 2], [3, 3], [4, 5]]);
-    const { ofA, ofB } = page.matchBlocks(side(one), side(other));
-    ofA.forEach((b, a) => b >= 0 && assert.equal(ofB[b], a));
-    assert.equal(ofA.filter((b) => b >= 0).length, ofB.filter((a) => a >= 0).length);
-    assert.equal(ofA.length, 5);
-    assert.deepEqual([...ofB], [0, 1, 2, 3, -1, -1, 4]);
+    const { blocksOfA, blocksOfB } = page.matchBlocks(side(one), side(other));
+    blocksOfA.forEach((b, a) => b >= 0 && assert.equal(blocksOfB[b], a));
+    assert.equal(blocksOfA.filter((b) => b >= 0).length, blocksOfB.filter((a) => a >= 0).length);
+    assert.equal(blocksOfA.length, 5);
+    assert.deepEqual([...blocksOfB], [0, 1, 2, 3, -1, -1, 4]);
   },
 
   "a pass that one run alone has is its own, and counts whole": (page) => {
     const found = between(page, looped(page, [[1, 1]]), looped(page, [[1, 1], [2, 3]]));
     assert.deepEqual(plain(found.rows(10)), [["onlyB", 3, 2, 0, 3], ["onlyB", 2, 2, 0, 2]]);
-    near(found.inBlocks_s, 5);
+    near(found.blockDifference_s, 5);
     const back = between(page, looped(page, [[1, 1], [2, 3]]), looped(page, [[1, 1]]));
     assert.deepEqual(plain(back.rows(10)), [["onlyA", 3, 2, 3, 0], ["onlyA", 2, 2, 2, 0]]);
   },
@@ -75,7 +75,7 @@ export default {
     const one = made(page, [move(2, 1)]);
     const other = made(page, [move(2, 2)], { "b.nc": "" });
     other.sources.clear();
-    assert.deepEqual(between(page, one, other).matching.unread, [{ a: "a.nc", b: "b.nc" }]);
+    assert.deepEqual(between(page, one, other).matching.unloadedTexts, [{ a: "a.nc", b: "b.nc" }]);
     assert.deepEqual(plain(between(page, one, other).rows(9)), [["both", 2, 1, 1, 2]]);
   },
 
@@ -86,13 +86,13 @@ export default {
     assert.deepEqual(found.starts_s, [3, 7]);
     assert.deepEqual(found.totals_s, [7, 8.5]);
     assert.deepEqual(plain(found.rows(10)), [["both", 3, 2, 1, 3], ["both", 2, 3, 1, 0.5]]);
-    near(found.inBlocks_s, found.total_s);
-    assert.equal(found.isReached, true);
+    near(found.blockDifference_s, found.total_s);
+    assert.equal(found.reachesStart, true);
   },
 
   "a block that a run never comes to is told, and nothing is compared": (page) => {
     const found = between(page, looped(page, [[1, 1], [1, 1]]), looped(page, [[1, 1]]), { file: "a.nc", line: 3, pass: 2 });
-    assert.deepEqual([found.isReached, found.begins[1]], [false, -1]);
+    assert.deepEqual([found.reachesStart, found.begins[1]], [false, -1]);
     assert.equal(found.rows(10).count, 0);
     assert.equal(page.blockOf(looped(page, [[1, 1]]).robots[0], { file: "a.nc", line: 4, pass: 1 }), -1);
   },
@@ -121,8 +121,8 @@ export default {
     const times = (all) => made(page, all.map((duration_s, i) => move(i + 2, duration_s)));
     const found = between(page, times([9, 1, 5, 4]), times([1, 8, 2, 4]));
     near(found.total_s, -4);
-    assert.deepEqual(found.foremost(5).map(({ line }) => line), [2, 4]);
-    assert.deepEqual(between(page, times([1, 8]), times([9, 1])).foremost(1).map(({ line }) => line), [2]);
+    assert.deepEqual(found.largestDifferences(5).map(({ line }) => line), [2, 4]);
+    assert.deepEqual(between(page, times([1, 8]), times([9, 1])).largestDifferences(1).map(({ line }) => line), [2]);
   },
 
   "time between blocks is in the whole and in none of the blocks": (page) => {
@@ -130,11 +130,11 @@ export default {
     const other = runOf(page, [move(2, 1), move(3, 1)], { files: { "a.nc": source }, report: { ...finished, cycle_time_s: 5 } });
     const found = between(page, one, other);
     near(found.total_s, 3);
-    near(found.inBlocks_s, 0);
+    near(found.blockDifference_s, 0);
   },
 
   "a run is whole where it came to its end": (page) => {
-    const of = (report) => page.isWhole(runOf(page, [move(2, 1)], { report }));
+    const of = (report) => page.isCompleteRun(runOf(page, [move(2, 1)], { report }));
     assert.deepEqual(["completed", "violations", "alarm", "stopped"].map((status) => of({ status })), [true, true, false, false]);
   },
 
@@ -169,27 +169,27 @@ export default {
     const origins = new Map();
     const results = new page.Results({ origin: (run) => origins.get(run), changedSince: (run) => page.changedSince(run, origins.get(run), documents) }, 5);
     const ofFeed = (feed_override_percent) => ({ ...page.emptySetup(), program: "a.nc", feed_override_percent });
-    const take = (percent, run) => {
-      origins.set(run, page.originOf(ofFeed(percent), documents));
-      results.take(run);
+    const accept = (percent, run) => {
+      origins.set(run, page.createSnapshot(ofFeed(percent), documents));
+      results.accept(run);
       return run;
     };
     const is = (...percents) => percents.map((percent) => results.standing(ofFeed(percent)).is);
     const two = () => made(page, [move(2, 1), move(3, 1)]);
-    const first = take(100, two());
+    const first = accept(100, two());
     const stopped = runOf(page, [move(2, 1)], { report: { status: "alarm" } });
-    take(50, stopped);
+    accept(50, stopped);
     assert.deepEqual(is(100, 50, 20), ["done", "stopped", "none"]);
     assert.equal(results.standing(ofFeed(100)).run, first);
     const failed = made(page, [move(2, 1)]);
-    failed.failure = { code: "program", message: "no" };
-    take(20, failed);
+    failed.error = { code: "program", message: "no" };
+    accept(20, failed);
     assert.deepEqual(results.standing(ofFeed(20)), { is: "failed", run: failed, why: "no" });
-    take(10, two());
+    accept(10, two());
     assert.deepEqual(is(100, 50, 20, 10), ["dropped", "stopped", "failed", "done"]);
-    take(100, two());
+    accept(100, two());
     assert.deepEqual(is(100, 50, 20, 10), ["done", "dropped", "failed", "done"]);
-    take(70, Object.defineProperty(two(), "isLong", { value: true }));
+    accept(70, Object.defineProperty(two(), "isLong", { value: true }));
     assert.deepEqual(is(100, 70), ["done", "dropped"], "a run that is too long for the page");
     documents.put("a.nc", "G1 X9\n");
     assert.deepEqual(results.standing(ofFeed(100)).files, ["a.nc"]);
@@ -201,7 +201,7 @@ export default {
     documents.put("a.nc", source);
     documents.put("other.nc", "G1");
     const setup = { ...page.emptySetup(), program: "a.nc", machine: "m.toml" };
-    const origin = page.originOf(setup, documents);
+    const origin = page.createSnapshot(setup, documents);
     const run = made(page, [move(2, 1)]);
     const changed = () => page.changedSince(run, origin, documents);
     assert.deepEqual(changed(), []);
@@ -219,17 +219,17 @@ export default {
   "what the engine reads from the folder is another file by its version, whenever its text comes": (page) => {
     const documents = new page.Documents(new Map());
     const bytesOf = (text) => new TextEncoder().encode(text);
-    documents.take("a.nc", bytesOf(source));
+    documents.accept("a.nc", bytesOf(source));
     const versions = (entries) => new Map(Object.entries({ "a.nc": "a1", "m.toml": "m1", "tool.toml": "t1", "large.nc": "l1", ...entries }));
     const setup = { ...page.emptySetup(), program: "a.nc", machine: "m.toml" };
-    const origin = page.originOf(setup, documents, versions());
+    const origin = page.createSnapshot(setup, documents, versions());
     const run = made(page, [move(2, 1)], { "a.nc": source, "large.nc": "" });
     const changed = (entries) => page.changedSince(run, origin, documents, versions(entries));
     assert.deepEqual(changed(), []);
     assert.deepEqual(changed({ "large.nc": "l2" }), ["large.nc"], "of which the page never has a text");
     assert.deepEqual(changed({ "new.toml": "n1" }), ["new.toml"]);
-    documents.take("tool.toml", bytesOf("a = 1\n"));
-    documents.take("m.toml", bytesOf("[[axis]]\n"));
+    documents.accept("tool.toml", bytesOf("a = 1\n"));
+    documents.accept("m.toml", bytesOf("[[axis]]\n"));
     assert.deepEqual(changed(), [], "for the first time");
     assert.deepEqual(changed({ "tool.toml": "t2" }), ["tool.toml"]);
     documents.put("tool.toml", "a = 2\n");
@@ -238,7 +238,7 @@ export default {
     assert.deepEqual(changed(), []);
     // The texts show if a document that the page has had has changed.
     assert.deepEqual(changed({ "a.nc": "a2" }), []);
-    documents.take("a.nc", bytesOf("G1 X9\n"));
+    documents.accept("a.nc", bytesOf("G1 X9\n"));
     assert.deepEqual(changed({ "a.nc": "a2" }), ["a.nc"]);
   },
 };

@@ -44,7 +44,7 @@ std::string directed(char letter, const std::string& direction) {
 
 std::vector<std::string> sentences(const machine::Machine& machine) {
     std::vector<std::string> list;
-    for (const AxisMotion& motion : axis_motions(machine)) list.push_back(to_sentence(motion));
+    for (const AxisMotion& motion : axis_motions(machine)) list.push_back(to_message(motion));
     return list;
 }
 
@@ -76,18 +76,20 @@ TEST(AxisMotion, DirectionsAreThoseOfTheTip) {
         const rrs::CartPos before = kinematics->forward(home);
         const std::vector<AxisMotion> motions = axis_motions(machine);
         for (std::size_t i = 0; i < motions.size(); ++i) {
-            if (motions[i].turns) continue;
+            if (motions[i].is_rotary) continue;
             rrs::JointPos moved = home;
             moved[static_cast<Eigen::Index>(i)] += 1;
-            const Eigen::Vector3d way = kinematics->forward(moved).translation() - before.translation();
-            EXPECT_NEAR((way - motions[i].direction).norm(), 0, 1e-9) << name << ' ' << motions[i].letter;
+            const Eigen::Vector3d displacement =
+                kinematics->forward(moved).translation() - before.translation();
+            EXPECT_NEAR((displacement - motions[i].direction).norm(), 0, 1e-9)
+                << name << ' ' << motions[i].letter;
         }
     }
 }
 
 TEST(AxisMotion, AMachineWithXAndYExchangedIsNotClean) {
     const machine::Machine machine = read(directed('Y', "x") + directed('X', "y") + directed('Z', "z"));
-    const MachineCheck check = check_machine(machine, cell::cell_of_machine(machine).value());
+    const MachineCheck check = check_machine(machine, cell::make_machine_cell(machine).value());
     EXPECT_FALSE(check.is_clean());
     const std::string text = to_text(check);
     EXPECT_THAT(text,

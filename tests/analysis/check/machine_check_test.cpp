@@ -19,7 +19,7 @@ machine::Machine sample(const std::string& name) {
 }
 
 MachineCheck check_of(const machine::Machine& machine) {
-    return check_machine(machine, cell::cell_of_machine(machine).value());
+    return check_machine(machine, cell::make_machine_cell(machine).value());
 }
 
 /// Returns the router with a ball at its TCP and a post next to its box, at a distance.
@@ -38,33 +38,34 @@ MachineCheck post_check(double distance_mm) {
 
 TEST(JointBoxSearch, ProvesWhatIsJustFreeAndFindsWhatJustTouches) {
     const MachineCheck free = post_check(0.5);
-    ASSERT_EQ(free.meetings.size(), 1U);
-    EXPECT_EQ(free.meetings[0].verdict, Verdict::free);
-    EXPECT_GE(free.meetings[0].nearest_mm, 0.5 - 1e-6);
+    ASSERT_EQ(free.pair_findings.size(), 1U);
+    EXPECT_EQ(free.pair_findings[0].verdict, Verdict::free);
+    EXPECT_GE(free.pair_findings[0].nearest_mm, 0.5 - 1e-6);
     EXPECT_TRUE(free.is_clean());
     const MachineCheck touching = post_check(-0.01);
-    EXPECT_EQ(touching.meetings[0].verdict, Verdict::contact);
+    EXPECT_EQ(touching.pair_findings[0].verdict, Verdict::contact);
     EXPECT_FALSE(touching.is_clean());
 }
 
 // If a contact is reported, the bodies do touch, according to the monitor of runs.
 TEST(JointBoxSearch, ContactsOfTheArmAreContacts) {
     const machine::Machine machine = sample("arm6.toml");
-    const cell::Cell cell = cell::cell_of_machine(machine).value();
+    const cell::Cell cell = cell::make_machine_cell(machine).value();
     const auto kinematics = machine::make_kinematics(machine);
     const MachineCheck check = check_machine(machine, cell);
     EXPECT_GT(check.count(Verdict::contact), 0U);
     EXPECT_GT(check.count(Verdict::free), 0U);
-    for (const cell::MeetingPair& pair : cell::meeting_pairs(cell, *kinematics)) {
-        for (const cell::MeetingFinding& meeting : check.meetings) {
-            if (meeting.items.first != pair.items.first || meeting.items.second != pair.items.second)
+    for (const cell::CandidatePair& pair : cell::candidate_pairs(cell, *kinematics)) {
+        for (const cell::PairFinding& pair_finding : check.pair_findings) {
+            if (pair_finding.items.first != pair.items.first ||
+                pair_finding.items.second != pair.items.second)
                 continue;
-            const auto links = cell::link_frames(*kinematics, meeting.joints);
-            const double upper_mm = pair.bodies.nearness_at(links, 1e4).upper_mm;
-            if (meeting.verdict == Verdict::contact) {
-                EXPECT_LE(upper_mm, cell::kContact_mm);
+            const auto links = cell::link_frames(*kinematics, pair_finding.joints);
+            const double upper_mm = pair.bodies.distance_at(links, 1e4).upper_mm;
+            if (pair_finding.verdict == Verdict::contact) {
+                EXPECT_LE(upper_mm, cell::kContactTolerance_mm);
             } else {
-                EXPECT_NEAR(upper_mm, meeting.nearest_mm, 1e-3);
+                EXPECT_NEAR(upper_mm, pair_finding.nearest_mm, 1e-3);
             }
         }
     }
@@ -73,17 +74,17 @@ TEST(JointBoxSearch, ContactsOfTheArmAreContacts) {
 // No random configuration contradicts what is proven.
 TEST(JointBoxSearch, WhatIsFreeIsFreeInRandomStances) {
     const machine::Machine machine = sample("mill-table-table.toml");
-    const cell::Cell cell = cell::cell_of_machine(machine).value();
+    const cell::Cell cell = cell::make_machine_cell(machine).value();
     const auto kinematics = machine::make_kinematics(machine);
     const MachineCheck check = check_machine(machine, cell);
-    const auto pairs = cell::meeting_pairs(cell, *kinematics);
-    ASSERT_EQ(pairs.size(), check.meetings.size());
+    const auto pairs = cell::candidate_pairs(cell, *kinematics);
+    ASSERT_EQ(pairs.size(), check.pair_findings.size());
     EXPECT_EQ(check.count(Verdict::undecided), 0U);
     for (int number = 5001; number <= 8000; ++number) {
         const auto links = cell::link_frames(*kinematics, check.box.at(machine::halton_point(number, 5)));
         for (std::size_t i = 0; i < pairs.size(); ++i) {
-            if (check.meetings[i].verdict != Verdict::free) continue;
-            EXPECT_GT(pairs[i].bodies.nearness_at(links, 1).upper_mm, cell::kContact_mm);
+            if (check.pair_findings[i].verdict != Verdict::free) continue;
+            EXPECT_GT(pairs[i].bodies.distance_at(links, 1).upper_mm, cell::kContactTolerance_mm);
         }
     }
 }
@@ -94,7 +95,7 @@ TEST(MachineCheck, InversesOfTheSamplesClose) {
         const machine::Machine machine = sample(name);
         const InverseCheck inverse = check_inverse(machine, machine::joint_box(machine));
         EXPECT_GT(inverse.poses, 0) << name;
-        EXPECT_TRUE(inverse.closes()) << name << ": " << inverse.sentence;
+        EXPECT_TRUE(inverse.is_consistent()) << name << ": " << inverse.message;
     }
     const machine::Machine none = sample("unlimited.toml");
     EXPECT_EQ(check_inverse(none, machine::joint_box(none)).poses, 0);
@@ -111,7 +112,7 @@ TEST(MachineCheck, FindsTheSingularRangesOfAnArm) {
     EXPECT_GT(check.ranges[0].high, straight);
     EXPECT_EQ(check.ranges[1].joint, 4);
     EXPECT_NEAR(check.ranges[1].low + check.ranges[1].high, 0, 0.01);
-    EXPECT_EQ(check.ranges[1].lined_up, (std::vector<int>{3, 5}));
+    EXPECT_EQ(check.ranges[1].aligned_joints, (std::vector<int>{3, 5}));
 }
 
 TEST(MachineCheck, TellsItAsTextAndAsJson) {

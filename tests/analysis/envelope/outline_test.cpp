@@ -33,27 +33,27 @@ TEST(Outline, TwoJointsReachAnAnnulus) {
 
 // From -60 to 60 degrees each: the sector of the stretched arm, less what the elbow cannot come to.
 TEST(Outline, HoldsAllTipsWithinLimits) {
-    const TipChain arm = planar_arm(-kPi / 3, kPi / 3);
+    const TcpChain arm = planar_arm(-kPi / 3, kPi / 3);
     const auto outlines = pair_outlines(arm, rrs::JointPos::Zero(2));
     ASSERT_EQ(outlines[0].curves.size(), 1U);
     const std::vector<Vector3d>& border = outlines[0].curves[0].points_mm;
     std::mt19937 random(3);
     for (int i = 0; i < 200; ++i) {
-        const Vector3d tip = random_tip(arm, random);
+        const Vector3d tcp = random_tip(arm, random);
         double turned = 0;
-        double least = 1e9;
+        double min = 1e9;
         for (std::size_t k = 0; k < border.size(); ++k) {
-            const Vector3d a = border[k] - tip;
-            const Vector3d b = border[(k + 1) % border.size()] - tip;
+            const Vector3d a = border[k] - tcp;
+            const Vector3d b = border[(k + 1) % border.size()] - tcp;
             turned += std::atan2(a.cross(b).y(), a.dot(b));
-            least = std::min(least, a.norm());
+            min = std::min(min, a.norm());
         }
-        EXPECT_TRUE(std::abs(turned) > kPi || least < outlines[0].error_mm + 5);
+        EXPECT_TRUE(std::abs(turned) > kPi || min < outlines[0].error_mm + 5);
     }
 }
 
 TEST(Outline, OfSlidesIsAParallelogram) {
-    const TipChain chain{{slide(0, Vector3d::UnitX(), 0, 30), slide(1, Vector3d::UnitY(), -10, 10)},
+    const TcpChain chain{{slide(0, Vector3d::UnitX(), 0, 30), slide(1, Vector3d::UnitY(), -10, 10)},
                          {0, 0, 7}};
     const auto outlines = pair_outlines(chain, rrs::JointPos::Zero(2));
     ASSERT_EQ(outlines.size(), 1U);
@@ -67,7 +67,7 @@ TEST(Outline, OfACurvedSurfaceAreTheWaysAtItsEnds) {
     ASSERT_EQ(all.size(), 3U);
     EXPECT_FALSE(all[0].flat);
     EXPECT_TRUE(all[0].curves.empty());  // both turn all round: a torus
-    TipChain part = elbow_arm();
+    TcpChain part = elbow_arm();
     part.joints[0].high = 0;
     EXPECT_EQ(pair_outlines(part, rrs::JointPos::Zero(3))[0].curves.size(), 2U);
 }

@@ -37,17 +37,17 @@ bool is_inside(const Surface& surface, const Vector3d& point) {
 }
 
 double distance_of_corners(const Surface& surface, const Vector3d& point) {
-    double least = 1e9;
-    for (const Vector3d& corner : surface.points_mm) least = std::min(least, (corner - point).norm());
-    return least;
+    double min = 1e9;
+    for (const Vector3d& corner : surface.points_mm) min = std::min(min, (corner - point).norm());
+    return min;
 }
 
-void expect_tips_within(const TipChain& chain, const Volume& volume) {
+void expect_tips_within(const TcpChain& chain, const Volume& volume) {
     std::mt19937 random(5);
     for (int i = 0; i < 100; ++i) {
-        const Vector3d tip = random_tip(chain, random);
-        EXPECT_TRUE(is_inside(volume.surface, tip) ||
-                    distance_of_corners(volume.surface, tip) <= volume.error_mm + volume.step_mm);
+        const Vector3d tcp = random_tip(chain, random);
+        EXPECT_TRUE(is_inside(volume.surface, tcp) ||
+                    distance_of_corners(volume.surface, tcp) <= volume.error_mm + volume.step_mm);
     }
 }
 
@@ -65,7 +65,7 @@ TEST(Volume, ThreeSlidesHaveTheirExactBox) {
 
 TEST(Volume, ObliqueAndDoubledSlidesAreExactToo) {
     const Vector3d oblique = Vector3d(1, 1, 0).normalized();
-    const TipChain chain{{slide(0, Vector3d::UnitZ(), -10, 20), slide(1, oblique, 0, 100),
+    const TcpChain chain{{slide(0, Vector3d::UnitZ(), -10, 20), slide(1, oblique, 0, 100),
                           slide(2, Vector3d::UnitX(), 0, 50), slide(3, -Vector3d::UnitZ(), -30, 40)},
                          Vector3d::Zero()};
     const Volume volume = reached_volume(chain);
@@ -74,7 +74,7 @@ TEST(Volume, ObliqueAndDoubledSlidesAreExactToo) {
 }
 
 TEST(Volume, AnElbowArmReachesAShell) {
-    const TipChain arm = elbow_arm();
+    const TcpChain arm = elbow_arm();
     const Volume volume = reached_volume(arm, 40);
     expect_closed(volume.surface);
     for (const Vector3d& corner : volume.surface.points_mm) {
@@ -88,13 +88,13 @@ TEST(Volume, AnElbowArmReachesAShell) {
 }
 
 TEST(Volume, ASlideTurnedAboutItsSideIsAPieceOfARing) {
-    const TipChain chain{{turn(0, Vector3d::Zero(), Vector3d::UnitZ(), 0, kPi / 2),
+    const TcpChain chain{{turn(0, Vector3d::Zero(), Vector3d::UnitZ(), 0, kPi / 2),
                           slide(1, Vector3d::UnitZ(), 0, 100), slide(2, Vector3d::UnitX(), 0, 100)},
                          {200, 0, 0}};
     const Volume volume = reached_volume(chain, 40);
     expect_closed(volume.surface);
-    const double piece = kPi / 4 * (300.0 * 300 - 200.0 * 200) * 100;
-    EXPECT_NEAR(volume_mm3(volume.surface), piece, 0.05 * piece);
+    const double part = kPi / 4 * (300.0 * 300 - 200.0 * 200) * 100;
+    EXPECT_NEAR(volume_mm3(volume.surface), part, 0.05 * part);
     expect_tips_within(chain, volume);
 }
 

@@ -118,11 +118,11 @@ assert(rrs.SetNextTarget(before) == 0, select(2, rrs.GetMessage()))
 joints = select(2, rrs.GetInverseKinematics(before))
 assert(math.abs(joints[1] - (900 - d[1] - 100)) < 1e-6, "from the other base")
 )");
-    const json alone = run({part}, 0);
-    EXPECT_EQ(alone["status"], "completed");
-    EXPECT_TRUE(alone["collisions"].empty());
+    const json standalone = run({part}, 0);
+    EXPECT_EQ(standalone["status"], "completed");
+    EXPECT_TRUE(standalone["collisions"].empty());
     const json in_cell = run({part, "--cell", write("empty.toml", "[cell]\nname = \"c\"\n")}, 0);
-    EXPECT_EQ(in_cell["bounds"], alone["bounds"]);
+    EXPECT_EQ(in_cell["bounds"], standalone["bounds"]);
 }
 
 TEST_F(MachineFrames, AreNotForTheNamesOfCells) {
@@ -131,7 +131,7 @@ TEST_F(MachineFrames, AreNotForTheNamesOfCells) {
             write("named.toml", fmt::format("[cell]\nname = \"c\"\n[[frame]]\nname = \"{}\"\n", name));
         const Ended e = gsim_run({script("G1{x=1}"), "--machine", machine_, "--cell", cell});
         EXPECT_EQ(e.status, 2);
-        EXPECT_TRUE(holds(e.err, fmt::format("the name '{}' is taken: by the machine, or above", name)))
+        EXPECT_TRUE(contains(e.err, fmt::format("the name '{}' is taken: by the machine, or above", name)))
             << e.err;
     }
 }
@@ -140,7 +140,7 @@ TEST_F(MachineFrames, OfAModuleAreTheModules) {
     const std::string body = "move_base(120, 0, 0) G1{x=200}";
     EXPECT_NEAR(contact_s(body, {"--rcs", tests::build_path("lib/test_modules/has_base.so")}),
                 (294.5 - 120) / 100, 0.01);
-    const std::string refused = script(R"(
+    const std::string rejected = script(R"(
 local pose = {{1, 0, 0, 120}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}
 for _, name in ipairs{"base", "tool"} do
   assert(rrs.status_name(rrs.ModifyCellFrame(name, pose)) == "RRS_SERVICE_NOT_SUPPORTED", name)
@@ -149,7 +149,7 @@ end
 G1{x=200}
 )");
     const json report =
-        run({refused, "--machine", machine_, "--cell", cell_, "--rcs", tests::default_module_path()}, 0);
+        run({rejected, "--machine", machine_, "--cell", cell_, "--rcs", tests::default_module_path()}, 0);
     EXPECT_TRUE(report["collisions"].empty());
 }
 

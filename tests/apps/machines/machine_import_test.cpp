@@ -68,7 +68,7 @@ TEST_F(MachineImport, ImportWritesAMachineFileThatRunsAsTheIniDoes) {
     EXPECT_EQ(e.status, 0) << e.err;
     EXPECT_EQ(e.err, "gantry.ini: note: not taken over: [HAL] HALFILE\n");
     EXPECT_TRUE(
-        holds(read("gantry.toml"), "# Made from gantry.ini.\n#\n# Not taken over:\n#   [HAL] HALFILE\n"));
+        contains(read("gantry.toml"), "# Made from gantry.ini.\n#\n# Not taken over:\n#   [HAL] HALFILE\n"));
     write("part.ngc", "G21 T1 M6\nG43 H1\nG1 X10 Y5 Z0 F3000\nG28\nM2\n");
     json direct = report({"--machine", "gantry.ini", "part.ngc"});
     json imported = report({"--machine", "gantry.toml", "--machine-data", "gantry.txt", "part.ngc"});
@@ -113,7 +113,7 @@ TEST_F(MachineImport, FaultsAreSentences) {
     write("arm.ini", "[KINS]\nKINEMATICS = genserkins\n[TRAJ]\nCOORDINATES = XYZ\n");
     const Ended e = gsim_run({"--machine", "arm.ini", write("part.nc", "G0 X1\n")});
     EXPECT_EQ(e.status, 2);
-    EXPECT_TRUE(holds(e.err, "arm.ini:2: the kinematics 'genserkins' cannot be imported")) << e.err;
+    EXPECT_TRUE(contains(e.err, "arm.ini:2: the kinematics 'genserkins' cannot be imported")) << e.err;
     EXPECT_EQ(gsim_data({"list"}).err, "gsim-data: FILE is required: the machine data (NCFILE)\n");
 }
 

@@ -31,7 +31,7 @@ class MachinePoints : public Apps {
         EXPECT_EQ(ended.status, 0) << ended.err;
         return ended.out;
     }
-    std::string refused(std::vector<std::string> options, int status = 1) const {
+    std::string rejected(std::vector<std::string> options, int status = 1) const {
         const Ended ended = path2gcode(options);
         EXPECT_EQ(ended.status, status) << ended.out;
         EXPECT_EQ(ended.out, "");
@@ -40,9 +40,9 @@ class MachinePoints : public Apps {
     /// Returns the kind of each move and the axis positions at its end.
     std::vector<std::pair<std::string, json>> driven(const std::string& program, const std::string& dialect,
                                                      std::vector<std::string> options) const {
-        const std::string reads_as = dialect == "fanuc" ? "ab9" : dialect == "grbl" ? "rs274ngc" : dialect;
+        const std::string run_dialect = dialect == "fanuc" ? "ab9" : dialect == "grbl" ? "rs274ngc" : dialect;
         options.insert(options.end(),
-                       {write("x.nc", program), "--dialect", reads_as, "--quiet", "--moves", "m.jsonl"});
+                       {write("x.nc", program), "--dialect", run_dialect, "--quiet", "--moves", "m.jsonl"});
         const Ended ran = gsim_run(options);
         EXPECT_EQ(ran.status, 0) << ran.err << program;
         std::vector<std::pair<std::string, json>> moves;
@@ -76,13 +76,13 @@ TEST_F(MachinePoints, EachPostLeadsThereAndBack) {
         options.insert(options.begin(), {"p.path.json", "--work-offset", "G54"});
         const std::string program = written(dialect, options);
         const auto moves = driven(program, dialect, machine);
-        const std::vector<std::pair<std::string, json>> wanted = {
+        const std::vector<std::pair<std::string, json>> expected_value = {
             {"rapid", at(30, 35, -30)}, {"linear", at(30, 55, -35)}, {"rapid", at(30, 55, 0)},
             {"rapid", at(100, 50, 0)},  {"rapid", at(100, 50, -30)}, {"dwell", at(100, 50, -30)},
             {"rapid", at(100, 50, 0)},  {"rapid", at(30, 35, -30)},  {"linear", at(30, 55, -35)},
             {"rapid", at(30, 55, 0)},   {"rapid", at(200, 60, 0)},
         };
-        EXPECT_EQ(moves, wanted) << program;
+        EXPECT_EQ(moves, expected_value) << program;
     }
 }
 
@@ -100,7 +100,7 @@ TEST_F(MachinePoints, ReferencePointsByTheWordsOfEachControl) {
           {"rs274ngc", "G91 G28 Z0\nG91 G28 X0 Y0\nG90\nG53 G00 Z0\nX10 Y20 Z-30\n"},
           {"grbl", "G53 G00 Z0\nG91 G30 X0 Y0\nG91 G30 Z0\nG90\nM0\nG53 G00 Z0\nX10 Y20 Z-30\n"}}) {
         const std::string program = written(dialect, options);
-        EXPECT_TRUE(holds(program, words)) << program;
+        EXPECT_TRUE(contains(program, words)) << program;
         const auto moves = driven(program, dialect, machine);
         const auto second = std::find_if(moves.begin(), moves.end(),
                                          [](const auto& move) { return move.second == at(110, 120, -20); });
@@ -177,7 +177,7 @@ TEST_F(MachinePoints, WhatNobodyKnowsOrHasAWordForIsRefused) {
     const std::string data = write("d.txt", kRouterData);
     const auto of_router = [&](std::vector<std::string> options) {
         options.insert(options.end(), {"p.path.json", "--machine", kRouter});
-        return refused(options);
+        return rejected(options);
     };
     path(std::string(kStart) + R"({"fixed": "CLAMP7"})");
     EXPECT_EQ(of_router({"--machine-data", data}),
@@ -187,7 +187,7 @@ TEST_F(MachinePoints, WhatNobodyKnowsOrHasAWordForIsRefused) {
         of_router({}),
         "p.path.json:1:88: error: nothing says where the fixed point 'CLAMP7' lies; name the machine data by "
         "--machine-data\n");
-    EXPECT_TRUE(holds(refused({"p.path.json", "--machine-data", "none.txt"}, 2), "none.txt"));
+    EXPECT_TRUE(contains(rejected({"p.path.json", "--machine-data", "none.txt"}, 2), "none.txt"));
 
     path(std::string(kStart) + R"({"reference": 3})");
     for (const std::string dialect : {"grbl", "rs274ngc"}) {
@@ -198,16 +198,16 @@ TEST_F(MachinePoints, WhatNobodyKnowsOrHasAWordForIsRefused) {
     std::ifstream file(tests::source_path("samples/posts/fanuc.toml"));
     const std::string post{std::istreambuf_iterator<char>(file), {}};
     write("mine.toml", std::regex_replace(post, std::regex("\\[reference_points\\]\ngo.*\nend.*\n"), ""));
-    EXPECT_TRUE(holds(of_router({"--dialect", "mine.toml"}),
-                      "the post 'fanuc' has no words for reference points ([reference_points] go)"));
+    EXPECT_TRUE(contains(of_router({"--dialect", "mine.toml"}),
+                         "the post 'fanuc' has no words for reference points ([reference_points] go)"));
     write("mine.toml", std::regex_replace(post, std::regex("\nmachine = \"G53\"\n"), "\n"));
     path(std::string(kStart) + R"({"fixed": 7})");
     EXPECT_TRUE(
-        holds(of_router({"--dialect", "mine.toml", "--machine-data", data}),
-              "the post 'fanuc' has no word for machine coordinates ([offsets] machine), by which the "
-              "machine would go to the fixed point 7"));
+        contains(of_router({"--dialect", "mine.toml", "--machine-data", data}),
+                 "the post 'fanuc' has no word for machine coordinates ([offsets] machine), by which the "
+                 "machine would go to the fixed point 7"));
     write("e.txt", "NCFILE\nFIXED\n7 700 0 0\nENDFILE\n");
-    EXPECT_TRUE(holds(of_router({"--machine-data", "e.txt"}), "out of reach: X 700 is outside 0 to 600"));
+    EXPECT_TRUE(contains(of_router({"--machine-data", "e.txt"}), "out of reach: X 700 is outside 0 to 600"));
 }
 
 // Those of the machine data are named, as fixed points are; numbers are the controller's own.
@@ -223,7 +223,7 @@ TEST_F(MachinePoints, ReferencePointsOfTheMachineDataByTheirNames) {
             << program;
     }
     path(std::string(kStart) + R"({"reference": "PIER"})");
-    EXPECT_EQ(refused({"p.path.json", "--machine", kRouter, "--machine-data", data}),
+    EXPECT_EQ(rejected({"p.path.json", "--machine", kRouter, "--machine-data", data}),
               "p.path.json:1:88: error: the reference point 'PIER' is not among those of d.txt; there are 2 "
               "(Dock), 3\n");
 }
@@ -237,7 +237,7 @@ TEST_F(MachinePoints, AReferencePointThatNobodyKnowsIsNoted) {
         ended.err,
         "note: neither the machine file nor machine data say where the reference points 4 lie; Z goes there "
         "first, as if that led up\n");
-    EXPECT_TRUE(holds(read("o.nc"), "G91 G30 P4 Z0.\nN50 G91 G30 P4 X0. Y0.\nN60 G90\n")) << read("o.nc");
+    EXPECT_TRUE(contains(read("o.nc"), "G91 G30 P4 Z0.\nN50 G91 G30 P4 X0. Y0.\nN60 G90\n")) << read("o.nc");
 }
 
 TEST_F(MachinePoints, TheJetIsOffOnTheWayAndTheToolSaidAgainBehindATurn) {
@@ -246,21 +246,23 @@ TEST_F(MachinePoints, TheJetIsOffOnTheWayAndTheToolSaidAgainBehindATurn) {
     const std::string start = R"({"motion": "rapid", "position_mm": [10, 20, 30], "tool_axis": [0, 0, 1],
         "feed_mm_min": 100, "actions": ["waterjet_on"]},)";
     path(start + R"({"fixed": 1})");
-    EXPECT_TRUE(holds(refused({"p.path.json", "--machine-data", data}),
-                      "the jet may be on where the machine goes to the fixed point 1; turn it off before"));
+    EXPECT_TRUE(
+        contains(rejected({"p.path.json", "--machine-data", data}),
+                 "the jet may be on where the machine goes to the fixed point 1; turn it off before"));
     const std::string off = R"({"position_mm": [10, 30, 30], "actions": ["waterjet_off"]},)";
     path(start + off + R"({"fixed": 3}, {"motion": "rapid", "position_mm": [10, 20, 30]})");
-    EXPECT_TRUE(holds(refused({"p.path.json", "--machine-data", data}),
-                      "the point needs an orientation: the fixed or reference point before it has turned the "
-                      "rotary axes"));
+    EXPECT_TRUE(
+        contains(rejected({"p.path.json", "--machine-data", data}),
+                 "the point needs an orientation: the fixed or reference point before it has turned the "
+                 "rotary axes"));
     path(R"({"fixed": 2})");
     EXPECT_TRUE(
-        holds(refused({"p.path.json", "--machine-data", data}),
-              "the fixed point 2 says of some rotary axes where they stand there, and nothing before it "
-              "does of the others"));
+        contains(rejected({"p.path.json", "--machine-data", data}),
+                 "the fixed point 2 says of some rotary axes where they stand there, and nothing before it "
+                 "does of the others"));
     path(start + off + R"({"fixed": 1}, {"position_mm": [10, 20, 30]})");
-    EXPECT_TRUE(holds(refused({"p.path.json", "--machine-data", data}),
-                      "the first motion behind a fixed or reference point must be a rapid"));
+    EXPECT_TRUE(contains(rejected({"p.path.json", "--machine-data", data}),
+                         "the first motion behind a fixed or reference point must be a rapid"));
 }
 
 // A path may begin while the axes' orientation is not known yet; it is known from its first point on.
@@ -288,17 +290,18 @@ TEST_F(MachinePoints, ScriptsBuildThem) {
         return text.substr(text.find('\n'));
     };
     EXPECT_EQ(body("s.path.lua"), body("p.path.json"));
-    const auto fault = [&](const std::string& point) {
+    const auto error = [&](const std::string& point) {
         write("s.path.lua", "return path{name = 's', point" + point + "}\n");
-        return refused({"s.path.lua", "--machine", kRouter, "--machine-data", "d.txt"});
+        return rejected({"s.path.lua", "--machine", kRouter, "--machine-data", "d.txt"});
     };
     EXPECT_TRUE(
-        holds(fault("{fixed = 'PARK', motion = 'rapid'}"),
-              "a target with the key 'fixed' is a point of the machine, which it goes to by a rapid; it "
-              "cannot have 'motion'"));
-    EXPECT_TRUE(holds(fault("{reference = 5}"), "'reference' must be a whole number from 1 to 4; it is 5"));
-    EXPECT_TRUE(holds(fault("{fixed = {}}"), "'fixed' must be a name or a number"));
-    EXPECT_TRUE(holds(fault("{fixed = '2nd'}"), "'fixed' takes the number of a fixed point, or its name"));
+        contains(error("{fixed = 'PARK', motion = 'rapid'}"),
+                 "a target with the key 'fixed' is a point of the machine, which it goes to by a rapid; it "
+                 "cannot have 'motion'"));
+    EXPECT_TRUE(
+        contains(error("{reference = 5}"), "'reference' must be a whole number from 1 to 4; it is 5"));
+    EXPECT_TRUE(contains(error("{fixed = {}}"), "'fixed' must be a name or a number"));
+    EXPECT_TRUE(contains(error("{fixed = '2nd'}"), "'fixed' takes the number of a fixed point, or its name"));
 }
 
 }  // namespace

@@ -65,18 +65,21 @@ class WorkFrames : public Apps {
 // The same path is shifted by the offset, whatever has set it.
 TEST_F(WorkFrames, APathLiesWhereItsFrameDoes) {
     for (const std::string dialect : {"ab9", "fanuc", "rs274ngc", "grbl"}) {
-        const std::string reads_as = dialect == "fanuc" ? "ab9" : dialect == "grbl" ? "rs274ngc" : dialect;
-        const json plain = driven(written(dialect, {part()}), reads_as);
+        const std::string run_dialect = dialect == "fanuc" ? "ab9" : dialect == "grbl" ? "rs274ngc" : dialect;
+        const json plain = driven(written(dialect, {part()}), run_dialect);
         ASSERT_GE(plain.size(), 5U) << dialect;
-        const json wanted = shifted(plain, 100, 50, 0);
+        const json expected_value = shifted(plain, 100, 50, 0);
         const std::string by_data = written(dialect, {part(), "--work-offset", "G55"});
-        EXPECT_EQ(driven(by_data, reads_as, {"--machine-data", data("54 1 2 3\n55 100 50 0")}), wanted)
+        EXPECT_EQ(driven(by_data, run_dialect, {"--machine-data", data("54 1 2 3\n55 100 50 0")}),
+                  expected_value)
             << by_data;
         const std::string set =
             written(dialect, {part(), "--work-offset", "G55", "--set-offset", "100", "50", "0"});
-        EXPECT_EQ(driven(set, reads_as, {"--machine-data", data("54 1 2 3\n55 7 7 7")}), wanted) << set;
+        EXPECT_EQ(driven(set, run_dialect, {"--machine-data", data("54 1 2 3\n55 7 7 7")}), expected_value)
+            << set;
         const std::string first = written(dialect, {part(), "--set-offset", "100", "50", "0", "--inch"});
-        EXPECT_EQ(driven(first, reads_as, {"--machine-data", data("54 9 9 9")}).size(), wanted.size())
+        EXPECT_EQ(driven(first, run_dialect, {"--machine-data", data("54 9 9 9")}).size(),
+                  expected_value.size())
             << first;
     }
 }
@@ -96,9 +99,10 @@ TEST_F(WorkFrames, EachControlSaysItInItsWords) {
               "N00060 X60.000\nN00065 G17 G03 Y60.000 I0.000 J20.000\nN00070 G00 Z-10.000\nN00075 G49\n"
               "N00080 G54\nN00085 G92.1\nN00090 M02\n%\n");
     EXPECT_TRUE(
-        holds(written("fanuc", options),
-              "N30 G10 L2 P2 X100. Y50. Z0.\nN40 G53 G00 Z0.\nN50 T3\nN60 M06\nN70 G43 H3\nN80 G55\n"));
-    EXPECT_TRUE(holds(written("rs274ngc", {part(), "--tool", "3", "--retract", "-5"}), "G53 G00 Z-5\nT3\n"));
+        contains(written("fanuc", options),
+                 "N30 G10 L2 P2 X100. Y50. Z0.\nN40 G53 G00 Z0.\nN50 T3\nN60 M06\nN70 G43 H3\nN80 G55\n"));
+    EXPECT_TRUE(
+        contains(written("rs274ngc", {part(), "--tool", "3", "--retract", "-5"}), "G53 G00 Z-5\nT3\n"));
 }
 
 // A tool that is longer by 4 mm keeps its TCP on the path: Z is 4 mm higher, except on the move up.
@@ -138,8 +142,8 @@ TEST_F(WorkFrames, ARecordedRunKeepsFrameAndTool) {
         const json moves = driven(first, dialect, options);
         const std::string second = written(dialect, {"again.path.json"});
         for (const std::string word : {"T3\n", dialect == "ab9" ? "M06\n" : "M6\n", "G55\n"})
-            EXPECT_TRUE(holds(second, word)) << word << second;
-        EXPECT_TRUE(holds(second, dialect == "ab9" ? "Y60.000 I0.000 J20.000" : "Y60 I0 J20")) << second;
+            EXPECT_TRUE(contains(second, word)) << word << second;
+        EXPECT_TRUE(contains(second, dialect == "ab9" ? "Y60.000 I0.000 J20.000" : "Y60 I0 J20")) << second;
         EXPECT_EQ(driven(second, dialect, options), moves) << second;
         const std::string third = written(dialect, {"again.path.json"});
         EXPECT_EQ(third.substr(third.find("T3")), second.substr(second.find("T3")));
@@ -160,41 +164,43 @@ TEST_F(WorkFrames, ARecordingSaysWhatItHasInItsNumbers) {
         const std::string moved = "the program has moved the work offset G";
         const std::string length = "offsets of tools (G43) are in its positions";
         const std::string none = notes({"--work-offset", "G55", "--tool", "3"}, "3 0 6");
-        EXPECT_FALSE(holds(none, moved) || holds(none, length)) << none;
-        EXPECT_TRUE(holds(notes({"--work-offset", "G55", "--tool", "3"}, "3 4 6"), length));
+        EXPECT_FALSE(contains(none, moved) || contains(none, length)) << none;
+        EXPECT_TRUE(contains(notes({"--work-offset", "G55", "--tool", "3"}, "3 4 6"), length));
         EXPECT_TRUE(
-            holds(notes({"--work-offset", "G55", "--set-offset", "90", "50", "0"}, ""), moved + "55"));
-        EXPECT_TRUE(holds(notes({"--set-offset", "90", "50", "0"}, ""), moved + "54")) << "in force already";
+            contains(notes({"--work-offset", "G55", "--set-offset", "90", "50", "0"}, ""), moved + "55"));
+        EXPECT_TRUE(contains(notes({"--set-offset", "90", "50", "0"}, ""), moved + "54"))
+            << "in force already";
     }
 }
 
 TEST_F(WorkFrames, WhatCannotBeIsRefusedWithWhatThereIs) {
-    const auto refused = [this](std::vector<std::string> options, int status = 1) {
+    const auto rejected = [this](std::vector<std::string> options, int status = 1) {
         options.insert(options.begin(), part());
         const Ended ended = path2gcode(options);
         EXPECT_EQ(ended.status, status);
         EXPECT_EQ(ended.out, "");
         return ended.err;
     };
-    EXPECT_EQ(refused({"--dialect", "grbl", "--work-offset", "G59.1"}),
+    EXPECT_EQ(rejected({"--dialect", "grbl", "--work-offset", "G59.1"}),
               "error: the post 'grbl' has no work offset G59.1; it has G54, G55, G56, G57, G58, G59\n");
-    EXPECT_EQ(refused({"--dialect", "grbl", "--tool", "3"}),
+    EXPECT_EQ(rejected({"--dialect", "grbl", "--tool", "3"}),
               "error: the post 'grbl' has no words for 'tool_change T3', 'tool_length H3'; with --go-on they "
               "become comments\n");
-    EXPECT_TRUE(holds(refused({"--tool", "3.5"}, 2), "--tool takes a whole number"));
-    EXPECT_EQ(refused({"--tool", "3", "--retract", "9"}),
+    EXPECT_TRUE(contains(rejected({"--tool", "3.5"}, 2), "--tool takes a whole number"));
+    EXPECT_EQ(rejected({"--tool", "3", "--retract", "9"}),
               "error: --retract: out of reach: Z 9 is outside -120 to 0\n");
     EXPECT_EQ(
-        refused({"--work-offset", "G55", "--offsets", "none"}),
+        rejected({"--work-offset", "G55", "--offsets", "none"}),
         "error: --offsets says how to write what a run has recorded; this path names its own work offsets\n");
-    EXPECT_TRUE(holds(refused({"--tool", "3", "--dialect", "rs274ngc", "--offsets", "G53"}),
-                      "--offsets G53 is for paths without tools of their own"));
+    EXPECT_TRUE(contains(rejected({"--tool", "3", "--dialect", "rs274ngc", "--offsets", "G53"}),
+                         "--offsets G53 is for paths without tools of their own"));
     const Ended other =
         path2gcode({write("own.path.json", R"({"paths": [{"name": "part", "work_offset": "G54", "targets": [
             {"motion": "rapid", "position_mm": [10, 20, -10]}]}]})"),
                     "--work-offset", "G55", "--set-offset", "5", "6", "0"});
     EXPECT_EQ(other.err, "error: the path names G54 itself, and is not put where G55 is to be set\n");
-    EXPECT_TRUE(holds(refused({"--set-offset", "595", "0", "0"}), "out of reach: X 605 is outside 0 to 600"));
+    EXPECT_TRUE(
+        contains(rejected({"--set-offset", "595", "0", "0"}), "out of reach: X 605 is outside 0 to 600"));
     driven(written("ab9", {part()}), "ab9", {"--record", "r.path.json"});
     EXPECT_EQ(
         path2gcode({"r.path.json", "--work-offset", "G55"}).err,

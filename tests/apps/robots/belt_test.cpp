@@ -37,15 +37,15 @@ struct Stroke {
 constexpr std::array<Stroke, 4> kStrokes{
     {{35, 20, 20, 80, 20}, {36, 80, 20, 80, 40}, {37, 80, 40, 20, 40}, {38, 20, 40, 20, 20}}};
 
-double rest_to_rest_s(double way_mm, double speed_mm_s) {
-    return way_mm / speed_mm_s + speed_mm_s / kAcceleration_mm_s2;
+double rest_to_rest_s(double distance_mm, double speed_mm_s) {
+    return distance_mm / speed_mm_s + speed_mm_s / kAcceleration_mm_s2;
 }
 
 // Returns the distance of a motion from standstill to standstill after a time.
-double way_after(double t_s, double way_mm, double speed_mm_s) {
-    const double whole_s = rest_to_rest_s(way_mm, speed_mm_s);
+double way_after(double t_s, double distance_mm, double speed_mm_s) {
+    const double total_s = rest_to_rest_s(distance_mm, speed_mm_s);
     const double ramp_s = speed_mm_s / kAcceleration_mm_s2;
-    if (t_s > whole_s / 2) return way_mm - way_after(whole_s - t_s, way_mm, speed_mm_s);
+    if (t_s > total_s / 2) return distance_mm - way_after(total_s - t_s, distance_mm, speed_mm_s);
     if (t_s < ramp_s) return kAcceleration_mm_s2 * t_s * t_s / 2;
     return speed_mm_s * (t_s - ramp_s / 2);
 }
@@ -116,7 +116,7 @@ TEST_F(Belt, TheToolIsWhereItShouldBeOnTheBlankAtEachInstant) {
     std::string row;
     std::getline(rows, row);
     ASSERT_EQ(row, "t_s,line,x_mm,y_mm,z_mm,speed_mm_s");
-    int looked_at = 0;
+    int checked_bodies = 0;
     while (std::getline(rows, row)) {
         double t_s = 0, line = 0, x_mm = 0, y_mm = 0;
         char comma = 0;
@@ -128,18 +128,18 @@ TEST_F(Belt, TheToolIsWhereItShouldBeOnTheBlankAtEachInstant) {
                 const Stroke& stroke = kStrokes[i];
                 const double share =
                     way_after(t_s - times[i], stroke.length_mm(), kFeed_mm_s) / stroke.length_mm();
-                const double gone_mm = kBelt_mm_s * t_s - run.laid_mm()[blank];
-                EXPECT_NEAR(kBase_mm + x_mm - kCorner_mm - gone_mm,
+                const double travelled_mm = kBelt_mm_s * t_s - run.laid_mm()[blank];
+                EXPECT_NEAR(kBase_mm + x_mm - kCorner_mm - travelled_mm,
                             stroke.from_x_mm + share * (stroke.to_x_mm - stroke.from_x_mm), 1e-3)
                     << t_s;
                 EXPECT_NEAR(y_mm - kCorner_mm, stroke.from_y_mm + share * (stroke.to_y_mm - stroke.from_y_mm),
                             1e-3)
                     << t_s;
-                ++looked_at;
+                ++checked_bodies;
             }
         }
     }
-    EXPECT_GT(looked_at, 3 * 2.4 / 0.01 - 20);
+    EXPECT_GT(checked_bodies, 3 * 2.4 / 0.01 - 20);
 }
 
 }  // namespace

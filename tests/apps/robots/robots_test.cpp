@@ -48,7 +48,7 @@ TEST_F(Robots, TheSampleGivesTheSameReportEachTime) {
     EXPECT_EQ(report["robots"][1]["name"], "right");
     EXPECT_GT(report["robots"][1]["idle_s"], 10);
     EXPECT_EQ(report["processes"].size(), 4U);
-    EXPECT_TRUE(holds(run_sample({}).out, "--- robot right"));
+    EXPECT_TRUE(contains(run_sample({}).out, "--- robot right"));
 }
 
 TEST_F(Robots, EachIsRecordedInAPathOfItsOwn) {
@@ -61,11 +61,11 @@ TEST_F(Robots, EachIsRecordedInAPathOfItsOwn) {
     for (const auto& [robot, position] : {std::pair("left", "[10,0,0]"), {"right", "[0,20,0]"}}) {
         const json path = text::try_parse_json<json>(read(fmt::format("p.{}.json", robot).c_str()));
         ASSERT_FALSE(path.is_discarded()) << robot;
-        EXPECT_TRUE(holds(path.dump(), position)) << path.dump(2);
+        EXPECT_TRUE(contains(path.dump(), position)) << path.dump(2);
     }
     const Ended sample = run_sample({"--quiet", "--record", "s.json"});
     EXPECT_EQ(sample.status, 1) << "as of one robot";
-    EXPECT_TRUE(holds(sample.err, "no path is recorded: the program tracks a conveyor")) << sample.err;
+    EXPECT_TRUE(contains(sample.err, "no path is recorded: the program tracks a conveyor")) << sample.err;
 }
 
 TEST_F(Robots, EachHasItsOwnWordsAndClock) {
@@ -154,9 +154,9 @@ TEST_F(Robots, AnAlarmOfOneEndsTheRun) {
     EXPECT_EQ(report["status"], "alarm");
     EXPECT_EQ(report["alarm"]["line"], 2);
     EXPECT_TRUE(report["robots"][1]["alarm"].is_null());
-    EXPECT_TRUE(holds(run("robot 'lefd'\n")["alarm"]["message"], "did you mean 'left'?"));
-    EXPECT_TRUE(holds(run("robot('left').run 'none.nc'\n")["alarm"]["message"], "no file 'none.nc'"));
-    EXPECT_TRUE(holds(
+    EXPECT_TRUE(contains(run("robot 'lefd'\n")["alarm"]["message"], "did you mean 'left'?"));
+    EXPECT_TRUE(contains(run("robot('left').run 'none.nc'\n")["alarm"]["message"], "no file 'none.nc'"));
+    EXPECT_TRUE(contains(
         run("process('l', function() track 'belt' conveyor('belt').speed(3) end)\n")["alarm"]["message"],
         "cannot change"));
 }
@@ -164,7 +164,7 @@ TEST_F(Robots, AnAlarmOfOneEndsTheRun) {
 TEST_F(Robots, WhatDoesNotGoTogetherIsSaid) {
     const Ended e = run_sample({"--machine", "x.toml"});
     EXPECT_EQ(e.status, 2);
-    EXPECT_TRUE(holds(e.err, "--machine does not go with --robots")) << e.err;
+    EXPECT_TRUE(contains(e.err, "--machine does not go with --robots")) << e.err;
     write("bad.toml", "[[robot]]\nnam = 'x'\n");
     EXPECT_EQ(gsim_run({"--robots", "bad.toml", write("a.lua", "G0{x=1}")}).status, 2);
 }

@@ -111,12 +111,13 @@ TEST_F(SharedZones, ADeadLockIsNamed) {
               "the zone 'table', which 'r' has");
     const json by_signal =
         share("enter_zone 'fixture'\nwait_until 'done'\n", "wait(1)\nenter_zone 'fixture'\n", 1);
-    EXPECT_TRUE(holds(by_signal["alarm"]["message"],
-                      "dead-lock, nothing can go on: 'l' (zones.lua:3) waits for 'done'"))
+    EXPECT_TRUE(contains(by_signal["alarm"]["message"],
+                         "dead-lock, nothing can go on: 'l' (zones.lua:3) waits for 'done'"))
         << by_signal["alarm"];
-    EXPECT_TRUE(holds(share("enter_zone 'fixtur'\n", "", 1)["alarm"]["message"], "did you mean 'fixture'?"));
     EXPECT_TRUE(
-        holds(share("leave_zone 'table'\n", "", 1)["alarm"]["message"], "does not have the zone 'table'"));
+        contains(share("enter_zone 'fixtur'\n", "", 1)["alarm"]["message"], "did you mean 'fixture'?"));
+    EXPECT_TRUE(
+        contains(share("leave_zone 'table'\n", "", 1)["alarm"]["message"], "does not have the zone 'table'"));
 }
 
 // A device that runs endlessly does not hide the dead-lock; without one, no process can continue.

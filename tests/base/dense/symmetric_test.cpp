@@ -34,7 +34,7 @@ TEST(Symmetric, SolvesAndInverts) {
     // The inverse of the second difference: min(i, k) (size + 1 - max(i, k)) / (size + 1).
     const Eigen::Index size = 6;
     const Eigen::MatrixXd matrix = second_difference(size);
-    const Eigen::MatrixXd inverse = inverse_of_positive(matrix);
+    const Eigen::MatrixXd inverse = positive_definite_inverse(matrix);
     for (Eigen::Index i = 1; i <= size; ++i) {
         for (Eigen::Index k = 1; k <= size; ++k) {
             const auto less = static_cast<double>(std::min(i, k)), more = static_cast<double>(std::max(i, k));
@@ -42,7 +42,7 @@ TEST(Symmetric, SolvesAndInverts) {
         }
     }
     const Eigen::MatrixXd right = Eigen::MatrixXd::Random(size, 2);
-    EXPECT_TRUE((matrix * solve_positive(matrix, right)).isApprox(right, 1e-12));
+    EXPECT_TRUE((matrix * solve_positive_definite(matrix, right)).isApprox(right, 1e-12));
 }
 
 TEST(Symmetric, EigenvaluesOfEitherSign) {
@@ -59,11 +59,11 @@ TEST(Symmetric, OfNothingButZeros) {
 
 TEST(Symmetric, IsPositiveDefiniteUpToItsLeastEigenvalue) {
     for (const Eigen::Index size : {1, 2, 5, 30}) {
-        const double least = eigenvalue_of_difference(1, size);
+        const double min = eigenvalue_of_difference(1, size);
         Eigen::MatrixXd matrix = second_difference(size);
-        matrix.diagonal().array() -= least * (1 - 1e-9);
+        matrix.diagonal().array() -= min * (1 - 1e-9);
         EXPECT_TRUE(is_positive_definite(matrix)) << size;
-        matrix.diagonal().array() -= least * 2e-9;
+        matrix.diagonal().array() -= min * 2e-9;
         EXPECT_FALSE(is_positive_definite(matrix)) << size;
     }
 }
@@ -71,7 +71,7 @@ TEST(Symmetric, IsPositiveDefiniteUpToItsLeastEigenvalue) {
 TEST(Symmetric, CholeskyReadsTheLowerTriangleAlone) {
     Eigen::MatrixXd lower = second_difference(4);
     lower.triangularView<Eigen::StrictlyUpper>().setConstant(1e9);
-    EXPECT_TRUE(inverse_of_positive(lower).isApprox(inverse_of_positive(second_difference(4))));
+    EXPECT_TRUE(positive_definite_inverse(lower).isApprox(positive_definite_inverse(second_difference(4))));
     EXPECT_TRUE(is_positive_definite(lower));
 }
 

@@ -66,7 +66,7 @@ class Confinement : public testing::Test {
     }
 
     fs::path folder_;
-    Allowed allowed_;
+    SandboxPolicy allowed_;
 };
 
 #define GSIM_SKIP_WITHOUT_CONFINEMENT \

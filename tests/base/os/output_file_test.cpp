@@ -77,7 +77,7 @@ TEST_F(OutputFileTest, ErrorsNameTheFile) {
 }
 
 TEST_F(OutputFileTest, WhatIsToStayStays) {
-    auto file = OutputFile::open(folder / "a", Existing::keep);
+    auto file = OutputFile::open(folder / "a", ExistingFilePolicy::keep);
     ASSERT_TRUE(file) << file.error();
     file->write("new");
     write(folder / "a", "somebody else's");
@@ -85,14 +85,14 @@ TEST_F(OutputFileTest, WhatIsToStayStays) {
     ASSERT_FALSE(committed);
     EXPECT_EQ(committed.error(), "cannot write '" + (folder / "a").string() + "': File exists");
     EXPECT_EQ(content(folder / "a"), "somebody else's");
-    EXPECT_TRUE(OutputFile::open(folder / "b", Existing::keep)->commit());
+    EXPECT_TRUE(OutputFile::open(folder / "b", ExistingFilePolicy::keep)->commit());
     EXPECT_TRUE(fs::exists(folder / "b"));
 }
 
 TEST_F(OutputFileTest, IsBroughtToTheDiskWhereAsked) {
-    EXPECT_TRUE(write_file(folder / "a", "new", Reach::disk));
+    EXPECT_TRUE(write_file(folder / "a", "new", Durability::disk));
     EXPECT_EQ(content(folder / "a"), "new");
-    EXPECT_TRUE(write_file("/dev/null", "new", Reach::disk));
+    EXPECT_TRUE(write_file("/dev/null", "new", Durability::disk));
 }
 
 // The buffer of the stream is empty again when commit() checks it.

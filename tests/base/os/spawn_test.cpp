@@ -15,8 +15,8 @@ namespace gsim::os {
 namespace {
 
 /// Returns the output of a program that is started.
-std::string said_by(const std::vector<std::string>& command, ProcessGroup group = ProcessGroup::ours) {
-    const FileHandle output = file_in_memory("output");
+std::string said_by(const std::vector<std::string>& command, ProcessGroup group = ProcessGroup::inherited) {
+    const FileHandle output = open_memory_file("output");
     SpawnActions actions;
     actions.redirect(::fileno(output.get()), STDOUT_FILENO);
     const auto child = spawn(command, actions, group);
@@ -49,10 +49,10 @@ constexpr unsigned long long bit(int signal) {
 class SpawnTest : public testing::Test {
   protected:
     void SetUp() override {
-        sigset_t held;
-        sigemptyset(&held);
-        for (const int each : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&held, each);
-        ::pthread_sigmask(SIG_BLOCK, &held, &before_);
+        sigset_t blocked_signals;
+        sigemptyset(&blocked_signals);
+        for (const int each : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&blocked_signals, each);
+        ::pthread_sigmask(SIG_BLOCK, &blocked_signals, &before_);
         std::signal(SIGPIPE, SIG_IGN);
         std::signal(SIGHUP, SIG_IGN);
     }
@@ -82,8 +82,8 @@ TEST_F(SpawnTest, ItsGroupIsOursUnlessItShallHaveItsOwn) {
         said >> child >> its_group;
         return std::pair(child, its_group);
     };
-    EXPECT_EQ(numbers(ProcessGroup::ours).second, ::getpgrp());
-    const auto [child, its_group] = numbers(ProcessGroup::own);
+    EXPECT_EQ(numbers(ProcessGroup::inherited).second, ::getpgrp());
+    const auto [child, its_group] = numbers(ProcessGroup::separate);
     EXPECT_EQ(its_group, child);
 }
 

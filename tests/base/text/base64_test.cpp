@@ -8,10 +8,10 @@
 namespace gsim::text {
 namespace {
 
-std::string encoded(const std::vector<std::string>& pieces) {
+std::string encoded(const std::vector<std::string>& chunks) {
     Base64 base64;
     std::string text;
-    for (const std::string& piece : pieces) base64.add(piece, text);
+    for (const std::string& chunk : chunks) base64.add(chunk, text);
     base64.end(text);
     return text;
 }
@@ -29,12 +29,12 @@ TEST(Base64, HasTheVectorsOfTheStandard) {  // RFC 4648, section 10
 
 TEST(Base64, IsTheSameHoweverItsBytesAreCut) {
     const std::string bytes = "a program is looked at in pieces";
-    const std::string whole = encoded({bytes});
+    const std::string full = encoded({bytes});
     for (std::size_t first = 0; first <= bytes.size(); ++first) {
         for (std::size_t second = first; second <= bytes.size(); ++second) {
             EXPECT_EQ(
                 encoded({bytes.substr(0, first), bytes.substr(first, second - first), bytes.substr(second)}),
-                whole);
+                full);
         }
     }
 }

@@ -24,13 +24,13 @@ TEST(Diagnostic, AsText) {
 
 TEST(Diagnostic, OfASentenceWithItsPlace) {
     const Diagnostic full =
-        diagnostic_of(DiagnosticKind::input_file, "a b.toml:12:7: warning: 'x' is no key");
+        to_diagnostic(DiagnosticKind::input_file, "a b.toml:12:7: warning: 'x' is no key");
     EXPECT_EQ(full.file, "a b.toml");
     EXPECT_EQ(full.line, 12U);
     EXPECT_EQ(full.column, 7U);
     EXPECT_EQ(full.severity, Severity::warning);
     EXPECT_EQ(full.text, "'x' is no key");
-    const Diagnostic line = diagnostic_of(DiagnosticKind::input_file, "C:/x: y.nc:3: wrong: 5");
+    const Diagnostic line = to_diagnostic(DiagnosticKind::input_file, "C:/x: y.nc:3: wrong: 5");
     EXPECT_EQ(line.file, "C:/x: y.nc") << "a name may hold a colon and a blank";
     EXPECT_EQ(line.line, 3U);
     EXPECT_EQ(line.column, 0U);
@@ -38,21 +38,21 @@ TEST(Diagnostic, OfASentenceWithItsPlace) {
 }
 
 TEST(Diagnostic, OfASentenceWithoutAPlace) {
-    for (const char* sentence : {"no such file", "x.toml: No such file or directory", ":3: odd",
-                                 "at 12:30: late", "a:99999999999: too large"}) {
-        const Diagnostic diagnostic = diagnostic_of(DiagnosticKind::file, sentence);
-        if (std::string_view(sentence).starts_with("at")) {
+    for (const char* message : {"no such file", "x.toml: No such file or directory", ":3: odd",
+                                "at 12:30: late", "a:99999999999: too large"}) {
+        const Diagnostic diagnostic = to_diagnostic(DiagnosticKind::file, message);
+        if (std::string_view(message).starts_with("at")) {
             EXPECT_EQ(diagnostic.line, 30U) << "told apart by nothing";
             continue;
         }
-        EXPECT_EQ(diagnostic.file, "") << sentence;
-        EXPECT_EQ(diagnostic.text, sentence);
+        EXPECT_EQ(diagnostic.file, "") << message;
+        EXPECT_EQ(diagnostic.text, message);
     }
 }
 
 TEST(Diagnostic, OfAFileThatCannotBeRead) {
     const Diagnostic diagnostic =
-        diagnostic_of(DiagnosticKind::input_file, "cannot read 'a b.svg': No such file");
+        to_diagnostic(DiagnosticKind::input_file, "cannot read 'a b.svg': No such file");
     EXPECT_EQ(diagnostic.file, "a b.svg");
     EXPECT_EQ(diagnostic.line, 0U);
     EXPECT_EQ(diagnostic.text, "cannot read 'a b.svg': No such file");
@@ -64,7 +64,7 @@ TEST(DiagnosticKind, EachHasACodeOfItsOwnInTheOrderOfTheEnumeration) {
     for (const DiagnosticKindEntry& entry : diagnostic_kinds()) {
         EXPECT_EQ(static_cast<std::size_t>(entry.kind), index++) << entry.code;
         EXPECT_TRUE(codes.insert(entry.code).second) << entry.code;
-        EXPECT_EQ(code_of(entry.kind), entry.code);
+        EXPECT_EQ(diagnostic_code(entry.kind), entry.code);
         EXPECT_EQ(diagnostic_kind(entry.code), entry.kind);
         EXPECT_EQ(entry.code.find_first_not_of("abcdefghijklmnopqrstuvwxyz-"), std::string_view::npos);
     }

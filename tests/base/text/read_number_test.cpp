@@ -98,14 +98,14 @@ TEST(ReadNumber, IsTheNearestDoubleOfRandomDigits) {
 }
 
 TEST(NumberOf, TakesAWholeTextWithASign) {
-    EXPECT_EQ(number_of("+1.5"), 1.5);
-    EXPECT_EQ(number_of("-1.5e3"), -1500);
-    EXPECT_EQ(number_of(".5"), 0.5);
+    EXPECT_EQ(parse_number("+1.5"), 1.5);
+    EXPECT_EQ(parse_number("-1.5e3"), -1500);
+    EXPECT_EQ(parse_number(".5"), 0.5);
 }
 
 TEST(NumberOf, IsFiniteAndAllOfTheText) {
     for (const char* text : {"", "+", "-", "+-1", "1 ", " 1", "1.5mm", "1e400", "inf", "nan", "0x10"})
-        EXPECT_EQ(number_of(text), std::nullopt) << text;
+        EXPECT_EQ(parse_number(text), std::nullopt) << text;
 }
 
 }  // namespace

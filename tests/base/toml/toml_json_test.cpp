@@ -26,33 +26,33 @@ TEST(TomlJson, AValueIsWrittenOnOneLine) {
     const auto written = [](const char* value, TomlNumbers numbers) {
         return toml_value(text::parse_json<ordered_json>(value), numbers);
     };
-    EXPECT_EQ(written(R"({"z": 1, "a b": ["x\"\n", true, {}]})", TomlNumbers::as_they_are),
+    EXPECT_EQ(written(R"({"z": 1, "a b": ["x\"\n", true, {}]})", TomlNumbers::as_given),
               R"({ z = 1, "a b" = ["x\"\u000A", true, {}] })");
-    EXPECT_EQ(written("[1, 2, 2.5]", TomlNumbers::as_they_are), "[1.0, 2.0, 2.5]");
+    EXPECT_EQ(written("[1, 2, 2.5]", TomlNumbers::as_given), "[1.0, 2.0, 2.5]");
     EXPECT_EQ(written("[1, [2]]", TomlNumbers::floats), "[1.0, [2.0]]");
-    EXPECT_EQ(written("18446744073709551615", TomlNumbers::as_they_are), "1.8446744073709552e+19");
+    EXPECT_EQ(written("18446744073709551615", TomlNumbers::as_given), "1.8446744073709552e+19");
     EXPECT_EQ(written("[]", TomlNumbers::floats), "[]");
 }
 
 TEST(TomlJson, WhatIsNoValueOfTomlIsSaid) {
-    const auto fault = [](const ordered_json& value) { return find_value_fault(value).value_or(""); };
-    EXPECT_EQ(fault({1, {{"a", "b"}}}), "");
-    EXPECT_EQ(fault({{"a", {1, nullptr}}}), "null is no value of TOML; a key is taken away by removing it");
-    EXPECT_EQ(fault("\xff"), "a text is no UTF-8");
-    EXPECT_EQ(fault({{"\xff", 1}}), "a key is no UTF-8");
-    EXPECT_EQ(fault(std::numeric_limits<double>::infinity()), "a number is not finite");
+    const auto error = [](const ordered_json& value) { return find_value_error(value).value_or(""); };
+    EXPECT_EQ(error({1, {{"a", "b"}}}), "");
+    EXPECT_EQ(error({{"a", {1, nullptr}}}), "null is no value of TOML; a key is taken away by removing it");
+    EXPECT_EQ(error("\xff"), "a text is no UTF-8");
+    EXPECT_EQ(error({{"\xff", 1}}), "a key is no UTF-8");
+    EXPECT_EQ(error(std::numeric_limits<double>::infinity()), "a number is not finite");
     ordered_json deep = 1;
     for (int i = 0; i < 33; ++i) deep = ordered_json::array({deep});
-    EXPECT_EQ(fault(deep), "lists and objects are nested deeper than 32");
+    EXPECT_EQ(error(deep), "lists and objects are nested deeper than 32");
 }
 
 TEST(TomlJson, APlainValueIsToldByItsSpelling) {
-    for (const char* whole : {"1", "+12", "-1_000", "0x1e", "0b1", "0o7"})
-        EXPECT_EQ(spelling_of(whole), TomlSpelling::whole) << whole;
-    for (const char* with_point : {"1.0", "-1e3", "6E2", "inf", "-nan"})
-        EXPECT_EQ(spelling_of(with_point), TomlSpelling::with_point) << with_point;
+    for (const char* integer_spelling : {"1", "+12", "-1_000", "0x1e", "0b1", "0o7"})
+        EXPECT_EQ(number_format(integer_spelling), TomlNumberFormat::integer_spelling) << integer_spelling;
+    for (const char* decimal : {"1.0", "-1e3", "6E2", "inf", "-nan"})
+        EXPECT_EQ(number_format(decimal), TomlNumberFormat::decimal) << decimal;
     for (const char* other : {"\"1\"", "'1.5'", "true", "1979-05-27", "07:32:00.5", "1979-05-27 07:32:00"})
-        EXPECT_EQ(spelling_of(other), TomlSpelling::other) << other;
+        EXPECT_EQ(number_format(other), TomlNumberFormat::other) << other;
 }
 
 }  // namespace

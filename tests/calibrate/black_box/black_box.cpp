@@ -38,8 +38,8 @@ tl::expected<Usable, std::string> usable_runs(const BlackBox& box, const machine
     std::vector<RecordedRun> runs;
     for (const accuracy::Recording& recording : box.recordings)
         runs.push_back({recording.program.string(), recording.cycle_time_s});
-    const Reading reading{box.recordings.front().dialect, data};
-    auto predictor = Predictor::of(runs, reading, machine);
+    const ReadingOptions reading_options{box.recordings.front().dialect, data};
+    auto predictor = Predictor::of(runs, reading_options, machine);
     if (!predictor) return tl::unexpected(predictor.error());
     const auto times = predictor->times_s(machine);
     std::vector<std::size_t> places;
@@ -55,9 +55,9 @@ tl::expected<Usable, std::string> usable_runs(const BlackBox& box, const machine
     return Usable{std::move(good), predictor->part(places)};
 }
 
-tl::expected<void, std::string> foretell(const Usable& usable, std::span<const std::size_t> places,
-                                         const machine::Machine& machine, BoxOutcome& outcome) {
-    const auto runs = runs_at(usable.runs, places);
+tl::expected<void, std::string> predict(const Usable& usable, std::span<const std::size_t> places,
+                                        const machine::Machine& machine, BoxOutcome& outcome) {
+    const auto runs = select_runs(usable.runs, places);
     const auto times = usable.predictor.part(places).times_s(machine);
     for (std::size_t i = 0; i < runs.size(); ++i) {
         if (!times[i]) return tl::unexpected(fmt::format("{}: {}", runs[i].program, times[i].error()));
@@ -98,7 +98,7 @@ std::vector<BlackBox> black_boxes(const std::vector<accuracy::Recording>& record
 }
 
 machine::Machine without_inside(machine::Machine machine) {
-    constexpr double kNone = std::numeric_limits<double>::infinity();
+    constexpr double kUnlimited = std::numeric_limits<double>::infinity();
     rrs::ControllerRules generic;
     // These are known from its manual: whether it has arcs and boring cycles, and how it drills.
     generic.arc_resolution_mm = machine.controller.arc_resolution_mm;
@@ -108,12 +108,12 @@ machine::Machine without_inside(machine::Machine machine) {
     generic.peck_dwell_s = machine.controller.peck_dwell_s;
     machine.controller = generic;
     machine.times = {};
-    machine.path.max_acceleration_mm_s2 = kNone;
-    machine.path.max_jerk_mm_s3 = kNone;
+    machine.path.max_acceleration_mm_s2 = kUnlimited;
+    machine.path.max_jerk_mm_s3 = kUnlimited;
     for (machine::Axis& axis : machine.axes) {
         axis.max_acceleration = axis.kind == machine::AxisKind::rotary ? kGuess_deg_s2 : kGuess_mm_s2;
         axis.max_deceleration.reset();
-        axis.max_jerk = axis.max_speed_step = kNone;
+        axis.max_jerk = axis.max_speed_step = kUnlimited;
     }
     return machine;
 }
@@ -131,26 +131,27 @@ std::vector<Candidate> candidates_for(const std::string& box, const machine::Mac
 tl::expected<BoxOutcome, std::string> try_box(const BlackBox& box, const machine::Machine& machine,
                                               std::size_t fitted, std::size_t most_moves, std::uint32_t seed,
                                               const std::string& data,
-                                              const std::function<void(const std::string&)>& told) {
+                                              const std::function<void(const std::string&)>& on_progress) {
     BoxOutcome outcome;
     const auto usable = usable_runs(box, machine, data, outcome.left_out);
     if (!usable) return tl::unexpected(usable.error());
     if (usable->runs.size() < fitted + kLeastForetold)
         return tl::unexpected(fmt::format("{} runs are too few", usable->runs.size()));
     auto order = shuffled(usable->runs.size(), seed);
-    std::stable_partition(order.begin(), order.end(),
-                          [&](std::size_t place) { return usable->predictor.moves_of(place) <= most_moves; });
+    std::stable_partition(order.begin(), order.end(), [&](std::size_t place) {
+        return usable->predictor.request_count(place) <= most_moves;
+    });
     const std::span<const std::size_t> known = std::span(order).first(fitted);
-    const auto runs = runs_at(usable->runs, known);
+    const auto runs = select_runs(usable->runs, known);
     const Predictor predictor = usable->predictor.part(known);
-    auto choice = choose_model(candidates_for(box.name, machine), runs, predictor, kParts, told);
+    auto choice = select_model(candidates_for(box.name, machine), runs, predictor, kParts, on_progress);
     if (!choice) return tl::unexpected(choice.error());
     outcome.choice = *std::move(choice);
     const Candidate& best = outcome.choice.candidate;
-    const auto fit = fit_times(best.machine, runs, predictor, {.open = best.open, .other_starts = true});
+    const auto fit = fit_times(best.machine, runs, predictor, {.open = best.open, .multi_start = true});
     if (!fit) return tl::unexpected(fit.error());
     outcome.parameters = fit->parameters;
-    if (const auto done = foretell(*usable, std::span(order).subspan(fitted), fit->machine, outcome); !done)
+    if (const auto done = predict(*usable, std::span(order).subspan(fitted), fit->machine, outcome); !done)
         return tl::unexpected(done.error());
     return outcome;
 }

@@ -8,7 +8,7 @@
 
 #include <tl/expected.hpp>
 
-#include "calibrate/times/choice.h"
+#include "calibrate/times/model_selection.h"
 #include "machine/model/machine.h"
 #include "tests/accuracy/recording.h"
 
@@ -41,7 +41,7 @@ struct Foretold {
 };
 
 struct BoxOutcome {
-    Choice choice;
+    ModelSelection choice;
     std::vector<FittedParameter> parameters;
     std::vector<Foretold> foretold;
     std::vector<std::string> left_out;  ///< Programs that the generic controller does not complete, and why.
@@ -56,6 +56,6 @@ struct BoxOutcome {
 tl::expected<BoxOutcome, std::string> try_box(const BlackBox& box, const machine::Machine& machine,
                                               std::size_t fitted, std::size_t most_moves, std::uint32_t seed,
                                               const std::string& data,
-                                              const std::function<void(const std::string&)>& told);
+                                              const std::function<void(const std::string&)>& on_progress);
 
 }  // namespace gsim::calibrate

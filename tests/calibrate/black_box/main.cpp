@@ -27,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kGood = 0;
-constexpr int kOff = 1;
+constexpr int kExitFailed = 1;
 constexpr int kUsage = 2;
 constexpr int kSkipped = 77;
 constexpr double kMost_percent = 3;  // of a run, as Realistic Robot Simulation I requires
@@ -41,7 +41,7 @@ struct Arguments {
     std::uint64_t most_moves = 700;
     std::uint64_t seed = 1;
     std::uint64_t worst = 3;
-    bool tell = false;
+    bool print_progress = false;
 };
 
 void add_options(apps::CommandLine& line, Arguments& arguments) {
@@ -51,16 +51,16 @@ void add_options(apps::CommandLine& line, Arguments& arguments) {
              "GSIM_REFERENCE");
     line.add("--machines", &arguments.machines,
              "folder of machine files CONTROLLER-MACHINE.toml; the first one that has a file counts")
-        .must_be_given();
-    line.add("--only", &arguments.only, "machines whose names begin so").called("NAME");
-    line.add("--fit", &arguments.fitted, "runs that a model is fitted to").within(6, 1000).shows_default();
+        .make_required();
+    line.add("--only", &arguments.only, "machines whose names begin so").with_value_name("NAME");
+    line.add("--fit", &arguments.fitted, "runs that a model is fitted to").within(6, 1000).show_default();
     line.add("--most-moves", &arguments.most_moves,
              "moves of a run that it is fitted to at most; longer ones are foretold")
         .within(1, 1'000'000)
-        .shows_default();
-    line.add("--seed", &arguments.seed, "chooses them").within(0, 1'000'000).shows_default();
-    line.add("--worst", &arguments.worst, "how many of the worst runs are named").shows_default();
-    line.add("--tell", &arguments.tell, "tell what is tried");
+        .show_default();
+    line.add("--seed", &arguments.seed, "chooses them").within(0, 1'000'000).show_default();
+    line.add("--worst", &arguments.worst, "how many of the worst runs are named").show_default();
+    line.add("--tell", &arguments.print_progress, "tell what is tried");
 }
 
 /// Tools 1 to 9, without lengths.
@@ -75,9 +75,9 @@ void print_outcome(const BlackBox& box, BoxOutcome outcome, const Arguments& arg
                box.name, outcome.choice.candidate.name, outcome.foretold.size(), outcome.mean_percent(),
                outcome.largest_percent(), outcome.within(kMost_percent), kMost_percent);
     for (const FittedParameter& parameter : outcome.parameters) {
-        fmt::print(
-            "    {} = {:.6g}{}\n", machine::name_of(parameter.figure), parameter.value,
-            parameter.identified ? fmt::format(", to {:.2g} %", 100 * parameter.spread) : ", not told");
+        fmt::print("    {} = {:.6g}{}\n", machine::parameter_name(parameter.parameter_id), parameter.value,
+                   parameter.identified ? fmt::format(", to {:.2g} %", 100 * parameter.standard_deviation)
+                                        : ", not told");
     }
     std::sort(outcome.foretold.begin(), outcome.foretold.end(), [](const Foretold& a, const Foretold& b) {
         return std::abs(a.error_percent()) > std::abs(b.error_percent());
@@ -87,7 +87,7 @@ void print_outcome(const BlackBox& box, BoxOutcome outcome, const Arguments& arg
         fmt::print("    {}: {:.3f} s for {:.3f} s, {:+.2f} %\n", fs::path(run.run.program).stem().string(),
                    run.time_s, run.run.time_s, run.error_percent());
     }
-    for (const std::string& why : outcome.left_out) fmt::print("    left out: {}\n", why);
+    for (const std::string& reason : outcome.left_out) fmt::print("    left out: {}\n", reason);
     std::fflush(stdout);
 }
 
@@ -136,8 +136,8 @@ int run(const Arguments& arguments) {
     for (const accuracy::Controller& controller : accuracy::kControllers)
         add_boxes(controller, arguments, boxes);
     Sums sums;
-    const auto tell = [&](const std::string& words) {
-        if (arguments.tell) fmt::print(stderr, "  {}\n", words);
+    const auto print_progress = [&](const std::string& words) {
+        if (arguments.print_progress) fmt::print(stderr, "  {}\n", words);
     };
     for (const BlackBox& box : boxes) {
         if (box.name.rfind(arguments.only, 0) != 0) continue;
@@ -145,7 +145,7 @@ int run(const Arguments& arguments) {
             machine::load_machine(accuracy::machine_file_in(arguments.machines, box.name + ".toml"));
         if (!machine) throw std::runtime_error(machine.error());
         auto outcome = try_box(box, without_inside(*machine), arguments.fitted, arguments.most_moves,
-                               static_cast<std::uint32_t>(arguments.seed), data, tell);
+                               static_cast<std::uint32_t>(arguments.seed), data, print_progress);
         if (!outcome) {
             fmt::print("{}: {}\n", box.name, outcome.error());
             continue;
@@ -157,7 +157,7 @@ int run(const Arguments& arguments) {
                sums.good, kMost_percent, kMean_percent);
     fmt::print("{} runs foretold, {} within {} %, {:.2f} % off in the mean\n", sums.runs, sums.within,
                kMost_percent, sums.percent / std::max(1.0, static_cast<double>(sums.runs)));
-    return sums.good == sums.boxes ? kGood : kOff;
+    return sums.good == sums.boxes ? kGood : kExitFailed;
 }
 
 }  // namespace

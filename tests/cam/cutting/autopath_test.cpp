@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "cam/cutting/lead.h"
-#include "geometry/planar/meet.h"
+#include "geometry/planar/intersection.h"
 #include "geometry/planar/nesting.h"
 #include "tests/cam/cutting/cut_path.h"
 #include "tests/geometry/planar/shapes.h"
@@ -38,9 +38,9 @@ TEST(Autopath, ACircleIsCutWithItsLeads) {
     constexpr double kPi = std::numbers::pi;
     EXPECT_NEAR(result.summary.cut_mm, 2 * kPi * 10.4 + 2 * kPi, 1e-6);
     EXPECT_NEAR(result.summary.cut_s, result.summary.cut_mm / 300 * 60, 1e-6);
-    const std::vector<JetWay> ways = jet_ways(result.program);
+    const std::vector<JetPath> ways = jet_ways(result.program);
     ASSERT_EQ(ways.size(), 1U);
-    EXPECT_NEAR(length_mm(ways[0].way), result.summary.cut_mm, 1e-6);
+    EXPECT_NEAR(length_mm(ways[0].jet_path), result.summary.cut_mm, 1e-6);
     EXPECT_GT(distance(ways[0].pierce, {50, 50}), 10.4);
 }
 
@@ -58,8 +58,8 @@ TEST(Autopath, TheJetSparesAllParts) {
         const auto result = autopath(drawing_of(contours), rules(), {});
         if (!result) continue;  // a random hole came too near to another one
         EXPECT_FALSE(path::validate(result->program));
-        for (const JetWay& way : jet_ways(result->program)) {
-            for (const Point& point : geometry::flattened(way.way, 0.01)) {
+        for (const JetPath& path : jet_ways(result->program)) {
+            for (const Point& point : geometry::flattened(path.jet_path, 0.01)) {
                 for (const Contour& contour : contours) {
                     for (std::size_t e = 0; e < contour.edges(); ++e) {
                         ASSERT_GE(distance_mm(contour.edge(e), point), 0.4 - 0.001);
@@ -83,7 +83,7 @@ TEST(Autopath, LeadsKeepAwayFromEachOther) {
         std::rotate(part.vertices.begin(), part.vertices.begin() + (i % 2 == 0 ? 1 : 3), part.vertices.end());
         contours.push_back(part);
     }
-    const auto layout = lay_out(drawing_of(contours), {0.8, 0.02});
+    const auto layout = make_layout(drawing_of(contours), {0.8, 0.02});
     ASSERT_TRUE(layout);
     const std::vector<Cut> cuts = add_leads(*layout, 0.8, 2.4);
     std::vector<geometry::Edge> leads;
@@ -93,7 +93,7 @@ TEST(Autopath, LeadsKeepAwayFromEachOther) {
             EXPECT_NEAR(radius_mm(lead), 2.4, 1e-9) << "there is room for whole ones";
             for (const geometry::Edge& other : leads) {
                 const bool own = distance(other.end, lead.start) < 1e-9;
-                EXPECT_TRUE(own || geometry::meets(lead, other).count == 0);
+                EXPECT_TRUE(own || geometry::intersections(lead, other).count == 0);
                 for (const double share : {0.0, 0.3, 0.6, 1.0}) {
                     EXPECT_TRUE(own || distance_mm(other, point_at(lead, share)) > 0.7);
                 }
@@ -106,9 +106,9 @@ TEST(Autopath, LeadsKeepAwayFromEachOther) {
 TEST(Autopath, HolesComeBeforeTheirPart) {
     const Autopath result = path_of({geometry::rectangle({0, 0}, {100, 50}), geometry::circle({20, 25}, 8),
                                      geometry::circle({80, 25}, 8)});
-    const std::vector<JetWay> ways = jet_ways(result.program);
+    const std::vector<JetPath> ways = jet_ways(result.program);
     ASSERT_EQ(ways.size(), 3U);
-    EXPECT_GT(length_mm(ways[2].way), 300);
+    EXPECT_GT(length_mm(ways[2].jet_path), 300);
 }
 
 TEST(Autopath, ABevelLeansOverTheWaste) {
@@ -124,8 +124,8 @@ TEST(Autopath, ABevelLeansOverTheWaste) {
         EXPECT_NEAR(axis[2], std::cos(std::numbers::pi / 6), 1e-9);
         EXPECT_NEAR(std::hypot(axis[0], axis[1]), 0.5, 1e-9);
         // Beyond the upper edge of the rectangle the waste is above. The TCP is 3 mm over the material.
-        const double way = 30 + 0.4 / std::cos(std::numbers::pi / 6) + 3 * std::tan(std::numbers::pi / 6);
-        if (std::abs(point.position_mm[1] - way) < 1e-6 && std::abs(axis[0]) < 1e-6) highest = axis[1];
+        const double length = 30 + 0.4 / std::cos(std::numbers::pi / 6) + 3 * std::tan(std::numbers::pi / 6);
+        if (std::abs(point.position_mm[1] - length) < 1e-6 && std::abs(axis[0]) < 1e-6) highest = axis[1];
     }
     EXPECT_NEAR(highest, 0.5, 1e-9);
 }
@@ -136,8 +136,8 @@ Point cut_at(const path::Point& point, double depth_mm) {
     const double down = (point.position_mm[2] + depth_mm) / axis[2];
     const Point middle{point.position_mm[0] - down * axis[0], point.position_mm[1] - down * axis[1]};
     const Point to_waste = geometry::unit({axis[0], axis[1]});
-    const double lean_rad = std::atan2(std::hypot(axis[0], axis[1]), axis[2]);
-    return middle - 0.4 / std::cos(lean_rad) * to_waste;
+    const double tilt_rad = std::atan2(std::hypot(axis[0], axis[1]), axis[2]);
+    return middle - 0.4 / std::cos(tilt_rad) * to_waste;
 }
 
 // A box has a bevel of its own on each side, and a conical hole.
@@ -149,22 +149,22 @@ TEST(Autopath, EdgesHaveBevelsOfTheirOwn) {
     for (std::size_t i = 0; i < 4; ++i) {
         Contour side;
         append_edge(side, rectangle.edge(i), static_cast<std::uint32_t>(i));
-        drawing.pieces.push_back(side);
+        drawing.drawn_contours.push_back(side);
         drawing.entities.push_back({"side", std::to_string(i), 0, bevels[i]});
     }
-    drawing.pieces.push_back(geometry::circle({30, 20}, 8));
-    for (geometry::Vertex& vertex : drawing.pieces.back().vertices) vertex.source = 4;
+    drawing.drawn_contours.push_back(geometry::circle({30, 20}, 8));
+    for (geometry::Vertex& vertex : drawing.drawn_contours.back().vertices) vertex.source = 4;
     drawing.entities.push_back({"hole", "", 0, 25});
-    const auto made = autopath(drawing, rules(), {});
-    ASSERT_TRUE(made) << made.error();
-    EXPECT_FALSE(path::validate(made->program));
+    const auto autopath_result = autopath(drawing, rules(), {});
+    ASSERT_TRUE(autopath_result) << autopath_result.error();
+    EXPECT_FALSE(path::validate(autopath_result->program));
     const double round = 8 + kDepth * std::tan(25 * std::numbers::pi / 180);
     const auto at = [&](std::size_t side) {
         return kDepth * std::tan(bevels[side] * std::numbers::pi / 180);
     };
     std::size_t straight = 0;
     std::size_t curved = 0;
-    for (const path::Path& path : made->program.paths) {
+    for (const path::Path& path : autopath_result->program.paths) {
         for (const path::Target& target : path.targets) {
             const auto* point = std::get_if<path::Point>(&target);
             if (point == nullptr || !point->orientation || !point->feed_mm_min) continue;
@@ -200,11 +200,11 @@ TEST(Autopath, ATipOverTheMiddleOfAHoleTurnsTheTool) {
 }
 
 TEST(Autopath, LiesWhereTheWorkDoesWithTheToolUpright) {
-    const Autopath here = path_of({geometry::rectangle({0, 0}, {40, 30})}, {});
+    const Autopath current = path_of({geometry::rectangle({0, 0}, {40, 30})}, {});
     AutopathOptions options;
     options.program.origin_mm = {100, 200, 50};
     const Autopath there = path_of({geometry::rectangle({0, 0}, {40, 30})}, options);
-    const auto& targets = here.program.paths[1].targets;
+    const auto& targets = current.program.paths[1].targets;
     ASSERT_EQ(there.program.paths[1].targets.size(), targets.size());
     for (std::size_t i = 0; i < targets.size(); ++i) {
         const auto& from = std::get<path::Point>(targets[i]).position_mm;

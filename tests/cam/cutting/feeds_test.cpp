@@ -21,7 +21,7 @@ CutRules rules() {
 TEST(Feeds, CornersAreSlowerForTheirZone) {
     double slow_mm = 0;
     double sum_mm = 0;
-    const std::vector<FedEdge> edges = with_feeds(geometry::rectangle({0, 0}, {30, 20}), rules());
+    const std::vector<FeedSegment> edges = assign_feeds(geometry::rectangle({0, 0}, {30, 20}), rules());
     for (std::size_t i = 0; i < edges.size(); ++i) {
         sum_mm += length_mm(edges[i].edge);
         if (edges[i].feed_mm_min == 200) slow_mm += length_mm(edges[i].edge);
@@ -32,27 +32,27 @@ TEST(Feeds, CornersAreSlowerForTheirZone) {
 }
 
 TEST(Feeds, EdgesShorterThanTheirZonesAreSlowAllOver) {
-    for (const FedEdge& edge : with_feeds(geometry::rectangle({0, 0}, {3, 1}), rules()))
+    for (const FeedSegment& edge : assign_feeds(geometry::rectangle({0, 0}, {3, 1}), rules()))
         EXPECT_EQ(edge.feed_mm_min, 200);
 }
 
 TEST(Feeds, SmallArcsAreSlowerAndSmoothOnesHaveNoCorners) {
-    const auto small = with_feeds(geometry::circle({}, 3), rules());
+    const auto small = assign_feeds(geometry::circle({}, 3), rules());
     ASSERT_EQ(small.size(), 2U);
     EXPECT_NEAR(small[0].feed_mm_min, 300, 1e-9);
-    EXPECT_NEAR(with_feeds(geometry::circle({}, 30), rules())[0].feed_mm_min, 600, 1e-9);
+    EXPECT_NEAR(assign_feeds(geometry::circle({}, 30), rules())[0].feed_mm_min, 600, 1e-9);
 }
 
 TEST(Feeds, PartsAddUpForRandomShapes) {
     std::mt19937 random(5);
     for (int i = 0; i < 50; ++i) {
         const geometry::Contour contour = geometry::star(random, 20, 3, 20, 0.5);
-        geometry::Contour again;
-        for (const FedEdge& edge : with_feeds(contour, rules())) append_edge(again, edge.edge, 0);
-        EXPECT_NEAR(length_mm(again), length_mm(contour), 1e-6);
-        again.vertices.pop_back();
-        again.closed = true;
-        EXPECT_NEAR(area_mm2(again), area_mm2(contour), 1e-6);
+        geometry::Contour relist;
+        for (const FeedSegment& edge : assign_feeds(contour, rules())) append_edge(relist, edge.edge, 0);
+        EXPECT_NEAR(length_mm(relist), length_mm(contour), 1e-6);
+        relist.vertices.pop_back();
+        relist.closed = true;
+        EXPECT_NEAR(area_mm2(relist), area_mm2(contour), 1e-6);
     }
 }
 

@@ -14,17 +14,17 @@ using geometry::Contour;
 using testing::AllOf;
 using testing::HasSubstr;
 
-std::string fault_of(const std::vector<Contour>& contours, double kerf_mm = 1) {
-    const auto layout = lay_out(drawing_of(contours), {kerf_mm, 0.02});
+std::string error_message(const std::vector<Contour>& contours, double kerf_mm = 1) {
+    const auto layout = make_layout(drawing_of(contours), {kerf_mm, 0.02});
     EXPECT_FALSE(layout);
     return layout ? "" : layout.error();
 }
 
 TEST(Layout, PartsGrowAndHolesShrink) {
     const auto layout =
-        lay_out(drawing_of({geometry::circle({0, 0}, 10), geometry::rectangle({-30, -20}, {30, 20}),
-                            geometry::circle({0, 0}, 4)}),
-                {0.8, 0.02});
+        make_layout(drawing_of({geometry::circle({0, 0}, 10), geometry::rectangle({-30, -20}, {30, 20}),
+                                geometry::circle({0, 0}, 4)}),
+                    {0.8, 0.02});
     ASSERT_TRUE(layout) << layout.error();
     ASSERT_EQ(layout->loops.size(), 3U);
     constexpr double kPi = std::numbers::pi;
@@ -37,19 +37,19 @@ TEST(Layout, PartsGrowAndHolesShrink) {
 TEST(Layout, MessagesNameEntityAndPlace) {
     Contour open = geometry::rectangle({0, 0}, {10, 10});
     open.closed = false;
-    EXPECT_THAT(fault_of({open}),
+    EXPECT_THAT(error_message({open}),
                 AllOf(HasSubstr("piece 0 at line 1"), HasSubstr("(0, 10)"), HasSubstr("10 mm apart")));
-    EXPECT_THAT(fault_of({geometry::polygon({{0, 0}, {10, 10}, {10, 0}, {0, 10}})}),
+    EXPECT_THAT(error_message({geometry::polygon({{0, 0}, {10, 10}, {10, 0}, {0, 10}})}),
                 HasSubstr("meet at (5, 5)"));
-    EXPECT_THAT(fault_of({geometry::circle({}, 5), geometry::circle({8, 0}, 5)}),
+    EXPECT_THAT(error_message({geometry::circle({}, 5), geometry::circle({8, 0}, 5)}),
                 AllOf(HasSubstr("piece 0 at line 1 and piece 1 at line 2"), HasSubstr("meet at (4, ")));
-    EXPECT_THAT(fault_of({geometry::circle({}, 5), geometry::circle({}, 5)}), HasSubstr("meet at"));
-    EXPECT_THAT(fault_of({geometry::circle({}, 20), geometry::circle({}, 0.4)}),
+    EXPECT_THAT(error_message({geometry::circle({}, 5), geometry::circle({}, 5)}), HasSubstr("meet at"));
+    EXPECT_THAT(error_message({geometry::circle({}, 20), geometry::circle({}, 0.4)}),
                 HasSubstr("narrower than the kerf"));
-    EXPECT_THAT(fault_of({geometry::circle({}, 5), geometry::circle({10.5, 0}, 5)}),
+    EXPECT_THAT(error_message({geometry::circle({}, 5), geometry::circle({10.5, 0}, 5)}),
                 HasSubstr("nearer to each other than the kerf"));
-    EXPECT_THAT(fault_of({geometry::polygon({{0, 0}, {5, 5}})}), HasSubstr("encloses nothing"));
-    EXPECT_THAT(fault_of({}), HasSubstr("no contour"));
+    EXPECT_THAT(error_message({geometry::polygon({{0, 0}, {5, 5}})}), HasSubstr("encloses nothing"));
+    EXPECT_THAT(error_message({}), HasSubstr("no contour"));
 }
 
 TEST(Layout, AHoleWithANarrowNeckIsCutInTwoLoopsAndThatIsSaid) {
@@ -65,7 +65,7 @@ TEST(Layout, AHoleWithANarrowNeckIsCutInTwoLoopsAndThatIsSaid) {
                                             {10, 5.4},
                                             {10, 10},
                                             {0, 10}});
-    const auto layout = lay_out(drawing_of({geometry::rectangle({-10, -10}, {40, 20}), neck}), {1, 0.02});
+    const auto layout = make_layout(drawing_of({geometry::rectangle({-10, -10}, {40, 20}), neck}), {1, 0.02});
     ASSERT_TRUE(layout) << layout.error();
     EXPECT_EQ(layout->loops.size(), 3U);
     ASSERT_EQ(layout->notes.size(), 1U);

@@ -13,11 +13,11 @@ namespace {
 using geometry::Point;
 
 std::vector<Stop> random_stops(std::mt19937& random, std::size_t count, double apart) {
-    std::uniform_real_distribution<double> place(0, 100);
+    std::uniform_real_distribution<double> position(0, 100);
     std::uniform_real_distribution<double> shift(-apart, apart);
     std::vector<Stop> stops;
     for (std::size_t i = 0; i < count; ++i) {
-        const Point entry{place(random), place(random)};
+        const Point entry{position(random), position(random)};
         stops.push_back({entry, entry + Point{shift(random), shift(random)}});
     }
     return stops;
@@ -36,7 +36,7 @@ double shortest(const std::vector<Stop>& stops, Point start, std::optional<Point
 TEST(Tour, OfFewStopsItIsNearlyTheShortest) {
     std::mt19937 random(41);
     double sum = 0;
-    double least = 0;
+    double min = 0;
     for (int i = 0; i < 40; ++i) {
         const std::vector<Stop> stops = random_stops(random, 1 + random() % 7, 10);
         const std::optional<Point> end = i % 2 == 0 ? std::optional<Point>(Point{50, 0}) : std::nullopt;
@@ -45,9 +45,9 @@ TEST(Tour, OfFewStopsItIsNearlyTheShortest) {
         const double best = shortest(stops, {0, 0}, end);
         EXPECT_LE(found, 1.3 * best);
         sum += found;
-        least += best;
+        min += best;
     }
-    EXPECT_LE(sum, 1.03 * least);
+    EXPECT_LE(sum, 1.03 * min);
 }
 
 TEST(Tour, VisitsEachStopOnce) {

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/cam/drawing/drawn.h"
+#include "tests/cam/drawing/drawing_support.h"
 
 namespace gsim::drawing::dxf_reader_test {
 
@@ -119,7 +119,7 @@ TEST(Dxf, ASplineThroughItsFitPoints) {
         points.resize(count);
         const Drawing ring = dxf_drawing(fitted("11", points));
         EXPECT_THAT(areas_of(ring), ElementsAre(DoubleNear(400 * kPi, 0.6)));
-        for (const geometry::Vertex& vertex : ring.pieces[0].vertices) {
+        for (const geometry::Vertex& vertex : ring.drawn_contours[0].vertices) {
             EXPECT_NEAR(distance(vertex.position, {50, 50}), 20, 0.02);
         }
     }
@@ -127,11 +127,11 @@ TEST(Dxf, ASplineThroughItsFitPoints) {
     points.resize(7);
     const std::string ends = groups({{12, "0"}, {22, "7"}, {13, "0"}, {23, "-0.1"}});
     const Drawing half = dxf_drawing(fitted("8", points, ends));
-    for (const geometry::Vertex& vertex : half.pieces.at(0).vertices) {
+    for (const geometry::Vertex& vertex : half.drawn_contours.at(0).vertices) {
         EXPECT_NEAR(distance(vertex.position, {50, 50}), 20, 0.02);
     }
     const Drawing straight = dxf_drawing(fitted("8", {{0, 0}, {0, 0}, {10, 0}, {25, 0}}));
-    for (const geometry::Vertex& vertex : straight.pieces.at(0).vertices) {
+    for (const geometry::Vertex& vertex : straight.drawn_contours.at(0).vertices) {
         EXPECT_NEAR(vertex.position.y, 0, 1e-9);
         EXPECT_NEAR(vertex.bulge, 0, 1e-9);
     }
@@ -167,7 +167,8 @@ TEST(Dxf, BlocksAreScaledTurnedAndRepeated) {
     ASSERT_EQ(areas.size(), 6U);
     for (const double area : areas) EXPECT_NEAR(area, kPi * 4, 0.1);
     geometry::Box box;
-    for (const geometry::Contour& piece : drawing.pieces) box.add(box_of(piece));
+    for (const geometry::Contour& drawn_contour : drawing.drawn_contours)
+        box.add(bounding_box(drawn_contour));
     // The last centre: (100, 60) in the turned frame of the array.
     const double half_width = std::hypot(4 * std::cos(kPi / 6), 1 * std::sin(kPi / 6));
     EXPECT_NEAR(box.high.x, 100 + 100 * std::cos(kPi / 6) + half_width, 0.01);
@@ -186,16 +187,16 @@ TEST(Dxf, UnitsLayersAndMirroredPlanes) {
                                                          {70, "1"},
                                                          {62, "3"},
                                                          {0, "ENDTAB"}}));
-    const std::string hidden = groups({{0, "CIRCLE"}, {8, "off"}, {10, "0"}, {20, "0"}, {40, "1"}}) +
-                               groups({{0, "CIRCLE"}, {8, "frozen"}, {10, "0"}, {20, "0"}, {40, "1"}});
+    const std::string ground_truth = groups({{0, "CIRCLE"}, {8, "off"}, {10, "0"}, {20, "0"}, {40, "1"}}) +
+                                     groups({{0, "CIRCLE"}, {8, "frozen"}, {10, "0"}, {20, "0"}, {40, "1"}});
     const std::string mirrored =
         groups({{0, "CIRCLE"}, {8, "cut"}, {10, "2"}, {20, "0"}, {40, "1"}, {230, "-1"}});
-    const Drawing drawing = dxf_drawing(dxf_of(hidden + mirrored, header + tables));
+    const Drawing drawing = dxf_drawing(dxf_of(ground_truth + mirrored, header + tables));
     EXPECT_THAT(areas_of(drawing), ElementsAre(DoubleNear(kPi * 25.4 * 25.4, 1e-6)));
-    EXPECT_NEAR(box_of(drawing.pieces[0]).low.x, -3 * 25.4, 1e-9);
+    EXPECT_NEAR(bounding_box(drawing.drawn_contours[0]).low.x, -3 * 25.4, 1e-9);
     ReadOptions options;
     options.layers = {"other"};
-    EXPECT_TRUE(dxf_drawing(dxf_of(mirrored), options).pieces.empty());
+    EXPECT_TRUE(dxf_drawing(dxf_of(mirrored), options).drawn_contours.empty());
 }
 
 TEST(Dxf, WhatIsLeftOutIsSaid) {
@@ -205,21 +206,21 @@ TEST(Dxf, WhatIsLeftOutIsSaid) {
 }
 
 TEST(Dxf, MessagesNameEntityAndPlace) {
-    const auto fault = [](Groups list) { return dxf_fault(dxf_of(groups(list))); };
-    EXPECT_THAT(fault({{0, "LINE"}, {5, "2F"}, {10, "3"}, {20, "4"}, {11, "3"}, {21, "4"}}),
+    const auto error = [](Groups list) { return dxf_fault(dxf_of(groups(list))); };
+    EXPECT_THAT(error({{0, "LINE"}, {5, "2F"}, {10, "3"}, {20, "4"}, {11, "3"}, {21, "4"}}),
                 testing::AllOf(HasSubstr("line 6"), HasSubstr("LINE 2F at (3, 4) has no length")));
-    EXPECT_THAT(fault({{0, "CIRCLE"}, {10, "0"}, {20, "nan"}, {40, "1"}}), HasSubstr("line 10: 'nan'"));
-    EXPECT_THAT(fault({{0, "CIRCLE"}, {10, "0"}, {20, "1e300"}, {40, "1"}}),
+    EXPECT_THAT(error({{0, "CIRCLE"}, {10, "0"}, {20, "nan"}, {40, "1"}}), HasSubstr("line 10: 'nan'"));
+    EXPECT_THAT(error({{0, "CIRCLE"}, {10, "0"}, {20, "1e300"}, {40, "1"}}),
                 HasSubstr("CIRCLE has the point"));
-    EXPECT_THAT(fault({{0, "CIRCLE"}, {10, "0"}, {20, "0"}, {40, "-1"}}), HasSubstr("radius -1"));
-    EXPECT_THAT(fault({{0, "CIRCLE"}, {10, "0"}, {40, "1"}}), HasSubstr("no value of group code 20"));
-    EXPECT_THAT(fault({{0, "INSERT"}, {2, "gone"}, {10, "0"}, {20, "0"}}), HasSubstr("'gone'"));
-    EXPECT_THAT(fault({{0, "LWPOLYLINE"}, {90, "3"}, {10, "0"}, {20, "0"}, {10, "1"}, {20, "0"}}),
+    EXPECT_THAT(error({{0, "CIRCLE"}, {10, "0"}, {20, "0"}, {40, "-1"}}), HasSubstr("radius -1"));
+    EXPECT_THAT(error({{0, "CIRCLE"}, {10, "0"}, {40, "1"}}), HasSubstr("no value of group code 20"));
+    EXPECT_THAT(error({{0, "INSERT"}, {2, "gone"}, {10, "0"}, {20, "0"}}), HasSubstr("'gone'"));
+    EXPECT_THAT(error({{0, "LWPOLYLINE"}, {90, "3"}, {10, "0"}, {20, "0"}, {10, "1"}, {20, "0"}}),
                 HasSubstr("says that it has 3 corners, but has 2"));
-    EXPECT_THAT(fault({{0, "SPLINE"}, {71, "3"}, {10, "0"}, {20, "0"}}), HasSubstr("control points"));
-    EXPECT_THAT(fault({{0, "LINE"}, {10, "0"}, {20, "0"}, {30, "0"}, {11, "3"}, {21, "4"}, {31, "5"}}),
+    EXPECT_THAT(error({{0, "SPLINE"}, {71, "3"}, {10, "0"}, {20, "0"}}), HasSubstr("control points"));
+    EXPECT_THAT(error({{0, "LINE"}, {10, "0"}, {20, "0"}, {30, "0"}, {11, "3"}, {21, "4"}, {31, "5"}}),
                 HasSubstr("rises by 5"));
-    EXPECT_THAT(fault({{0, "CIRCLE"}, {10, "0"}, {20, "0"}, {40, "1"}, {210, "1"}, {230, "0"}}),
+    EXPECT_THAT(error({{0, "CIRCLE"}, {10, "0"}, {20, "0"}, {40, "1"}, {210, "1"}, {230, "0"}}),
                 HasSubstr("flat"));
 }
 

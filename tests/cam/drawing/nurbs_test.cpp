@@ -16,7 +16,7 @@ TEST(Nurbs, ABezierIsItsPolynomial) {
     for (double t = 0; t <= 1; t += 0.125) {
         const double s = 1 - t;
         const Point expected = s * s * s * a + 3 * s * s * t * b + 3 * s * t * t * c + t * t * t * d;
-        EXPECT_NEAR(distance(point_of(curve, 3, t).position, expected), 0, 1e-12);
+        EXPECT_NEAR(distance(curve_point(curve, 3, t).position, expected), 0, 1e-12);
     }
 }
 
@@ -33,15 +33,15 @@ TEST(Nurbs, TheDirectionIsThatOfTheCurve) {
             curve.weights.push_back(value(random));
         }
         for (std::size_t i = 0; i < 8 + degree + 1; ++i) curve.knots.push_back(knot += value(random));
-        ASSERT_FALSE(fault_of(curve));
+        ASSERT_FALSE(curve_error(curve));
         for (std::size_t span = degree; span < 8; ++span) {
             const double middle = (curve.knots[span] + curve.knots[span + 1]) / 2;
-            const Point step =
-                point_of(curve, span, middle + 1e-6).position - point_of(curve, span, middle - 1e-6).position;
-            EXPECT_NEAR(distance(unit(step), unit(point_of(curve, span, middle).direction)), 0, 1e-6);
-            const Point end = point_of(curve, span, curve.knots[span + 1]).position;
+            const Point step = curve_point(curve, span, middle + 1e-6).position -
+                               curve_point(curve, span, middle - 1e-6).position;
+            EXPECT_NEAR(distance(unit(step), unit(curve_point(curve, span, middle).direction)), 0, 1e-6);
+            const Point end = curve_point(curve, span, curve.knots[span + 1]).position;
             if (span + 1 < 8) {
-                EXPECT_NEAR(distance(end, point_of(curve, span + 1, curve.knots[span + 1]).position), 0,
+                EXPECT_NEAR(distance(end, curve_point(curve, span + 1, curve.knots[span + 1]).position), 0,
                             1e-12);
             }
         }

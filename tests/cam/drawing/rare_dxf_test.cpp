@@ -9,7 +9,7 @@
 
 #include "cam/drawing/dxf_reader.h"
 #include "cam/drawing/nurbs.h"
-#include "tests/cam/drawing/drawn.h"
+#include "tests/cam/drawing/drawing_support.h"
 
 namespace gsim::drawing::rare_dxf_test {
 
@@ -38,8 +38,8 @@ TEST(RareDxf, UnitsAreTheirLengths) {
                                    {10, 914.4},
                                    {14, 100}}) {
         const Drawing drawing = dxf_drawing(with_unit(code));
-        ASSERT_EQ(drawing.pieces.size(), 1U) << code;
-        EXPECT_NEAR(box_of(drawing.pieces[0]).high.x, mm, 1e-9) << code;
+        ASSERT_EQ(drawing.drawn_contours.size(), 1U) << code;
+        EXPECT_NEAR(bounding_box(drawing.drawn_contours[0]).high.x, mm, 1e-9) << code;
     }
     EXPECT_THAT(dxf_fault(with_unit(20)), HasSubstr("the unit $INSUNITS 20 is none that parts are drawn in"));
 }
@@ -80,11 +80,11 @@ Nurbs parabola() {
 std::string fault_with(const std::function<void(Nurbs&)>& spoil) {
     Nurbs curve = parabola();
     spoil(curve);
-    return fault_of(curve).value_or("");
+    return curve_error(curve).value_or("");
 }
 
 TEST(RareDxf, CurvesThatAreNoneSayWhy) {
-    EXPECT_EQ(fault_of(parabola()), std::nullopt);
+    EXPECT_EQ(curve_error(parabola()), std::nullopt);
     EXPECT_THAT(fault_with([](Nurbs& curve) { curve.degree = 0; }), HasSubstr("has degree 0; 1 to "));
     EXPECT_EQ(fault_with([](Nurbs& curve) { curve.points.pop_back(); }),
               "has 2 control points; degree 2 needs 3 at least");

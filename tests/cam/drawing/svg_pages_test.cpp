@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "cam/drawing/svg_reader.h"
-#include "tests/cam/drawing/drawn.h"
+#include "tests/cam/drawing/drawing_support.h"
 
 namespace gsim::drawing::svg_pages_test {
 
@@ -24,7 +24,7 @@ std::vector<double> areas_in(const std::string& content) {
     return areas_of(svg_drawing(svg_of(content)));
 }
 
-std::string fault(const std::string& content) {
+std::string error(const std::string& content) {
     return svg_fault(svg_of(content));
 }
 
@@ -48,8 +48,8 @@ TEST(SvgPages, AnInnerPageIsScaledAndInTheMiddle) {
     const Drawing drawing =
         svg_drawing(svg_of("<svg x='10' y='10' width='20' height='40' viewBox='5 5 10 10'><circle cx='10' "
                            "cy='10' r='5'/></svg>"));
-    ASSERT_EQ(drawing.pieces.size(), 1U);
-    const geometry::Box box = box_of(drawing.pieces[0]);
+    ASSERT_EQ(drawing.drawn_contours.size(), 1U);
+    const geometry::Box box = bounding_box(drawing.drawn_contours[0]);
     EXPECT_NEAR(box.low.x, 10, 1e-6);
     EXPECT_NEAR(box.high.x, 30, 1e-6);
     EXPECT_NEAR(box.low.y, 50 - 40, 1e-6) << "20 high, in the middle of 40 from 10 on";
@@ -67,18 +67,18 @@ TEST(SvgPages, APageOfOneSideKeepsItsShape) {
 }
 
 TEST(SvgPages, WhatIsWrongWithAPageNamesItsLine) {
-    EXPECT_THAT(fault("<svg viewBox='0 0 10'/>"),
+    EXPECT_THAT(error("<svg viewBox='0 0 10'/>"),
                 HasSubstr("line 2: svg has viewBox=\"0 0 10\"; it takes four"));
-    EXPECT_THAT(fault("<svg viewBox='0 0 10 0'/>"), HasSubstr("line 2: svg has a viewBox without a size"));
-    EXPECT_THAT(fault("<svg id='a' x='wide'/>"),
+    EXPECT_THAT(error("<svg viewBox='0 0 10 0'/>"), HasSubstr("line 2: svg has a viewBox without a size"));
+    EXPECT_THAT(error("<svg id='a' x='wide'/>"),
                 HasSubstr("line 2: svg a has x=\"wide\", which is no length"));
     EXPECT_THAT(svg_fault("<svg width='0' viewBox='0 0 1 1'/>"), HasSubstr("has a page without a size"));
-    EXPECT_THAT(fault("<symbol id='s'><use href='#s'/></symbol><use href='#s'/>"),
+    EXPECT_THAT(error("<symbol id='s'><use href='#s'/></symbol><use href='#s'/>"),
                 HasSubstr("nested deeper than 100 elements"));
     std::string deep;
     for (int i = 0; i < 102; ++i) deep += "<g>";
     for (int i = 0; i < 102; ++i) deep += "</g>";
-    EXPECT_THAT(fault(deep), HasSubstr("nested deeper than 100 elements"));
+    EXPECT_THAT(error(deep), HasSubstr("nested deeper than 100 elements"));
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/cam/drawing/drawn.h"
+#include "tests/cam/drawing/drawing_support.h"
 
 namespace gsim::drawing::svg_reader_test {
 
@@ -55,7 +55,7 @@ TEST(Svg, ShapesWithThePrefixOfTheirNamespace) {
 
 TEST(Svg, YPointsUpAndThePageIsInMm) {
     const Drawing drawing = svg_drawing(svg_of("<circle cx='10' cy='20' r='5'/>"));
-    const geometry::Box box = box_of(drawing.pieces[0]);
+    const geometry::Box box = bounding_box(drawing.drawn_contours[0]);
     EXPECT_NEAR(box.low.x, 5, 1e-9);
     EXPECT_NEAR(box.low.y, 50 - 25, 1e-9);
     const Drawing px = svg_drawing("<svg><rect width='96' height='96'/></svg>");
@@ -93,7 +93,7 @@ TEST(Svg, ArcsTakeTheRightOneOfFour) {
     EXPECT_THAT(areas_in(path_of("M0 0A5 5 0 0 0 6 0Z")), ElementsAre(DoubleNear(small, 1e-6)));
     EXPECT_THAT(areas_in(path_of("M0 0A5 5 0 1 1 6 0Z")), ElementsAre(DoubleNear(25 * kPi - small, 1e-6)));
     const auto top = [](const std::string& data) {
-        return box_of(svg_drawing(svg_of(path_of(data))).pieces[0]).high.y;
+        return bounding_box(svg_drawing(svg_of(path_of(data))).drawn_contours[0]).high.y;
     };
     EXPECT_NEAR(top("M0 40A5 5 0 0 1 10 40Z"), 15, 1e-6);  // positive angles go clockwise on the page
     EXPECT_NEAR(top("M0 40A5 5 0 0 0 10 40Z"), 10, 1e-6);
@@ -106,12 +106,12 @@ TEST(Svg, EllipsesEitherWayRound) {
         const Drawing drawing = svg_drawing(
             svg_of(path_of(fmt::format("M10 20A10 5 0 0 {} 30 20A10 5 0 0 {} 10 20Z", sweep, sweep))));
         EXPECT_THAT(areas_of(drawing), ElementsAre(DoubleNear(50 * kPi, 0.05)));
-        EXPECT_LT(drawing.pieces[0].edges(), 100U);
+        EXPECT_LT(drawing.drawn_contours[0].edges(), 100U);
     }
     const Drawing stretched =
         svg_drawing(svg_of("<path transform='scale(2 1)' d='M0 0H10A5 5 0 0 0 20 0V-10H0Z'/>"));
     EXPECT_THAT(areas_of(stretched), ElementsAre(DoubleNear(2 * (200 + 12.5 * kPi), 0.05)));
-    EXPECT_LT(stretched.pieces[0].edges(), 100U);
+    EXPECT_LT(stretched.drawn_contours[0].edges(), 100U);
 }
 
 TEST(Svg, TransformsGroupsAndUses) {
@@ -161,18 +161,18 @@ TEST(Svg, WhatIsVisibleInAHiddenGroupIsCut) {
 }
 
 TEST(Svg, MessagesNameElementAndPlace) {
-    const auto fault = [](const std::string& content) { return svg_fault(svg_of(content)); };
-    EXPECT_THAT(fault(path_of("M0 0 L10")),
+    const auto error = [](const std::string& content) { return svg_fault(svg_of(content)); };
+    EXPECT_THAT(error(path_of("M0 0 L10")),
                 HasSubstr("line 3: path p has path data that cannot be read at character"));
-    EXPECT_THAT(fault(path_of("L0 0")), HasSubstr("does not begin with M"));
-    EXPECT_THAT(fault(path_of("M0 0L nan 3")), HasSubstr("line 3"));
-    EXPECT_THAT(fault(path_of("M0 0L1e300 3z")), HasSubstr("nothing can be cut further off"));
-    EXPECT_THAT(fault(path_of("M1 1")), HasSubstr("has no length"));
-    EXPECT_THAT(fault("<rect width='3'/>"), HasSubstr("rect has the size 3 x 0"));
-    EXPECT_THAT(fault("<circle r='50%'/>"), HasSubstr("is no length"));
-    EXPECT_THAT(fault("\n\n<g transform='turn(3)'/>"), HasSubstr("line 5: g has transform"));
-    EXPECT_THAT(fault("<use href='#gone'/>"), HasSubstr("'#gone'"));
-    EXPECT_THAT(fault("<g id='a'><use href='#a'/></g>"), HasSubstr("nested deeper"));
+    EXPECT_THAT(error(path_of("L0 0")), HasSubstr("does not begin with M"));
+    EXPECT_THAT(error(path_of("M0 0L nan 3")), HasSubstr("line 3"));
+    EXPECT_THAT(error(path_of("M0 0L1e300 3z")), HasSubstr("nothing can be cut further off"));
+    EXPECT_THAT(error(path_of("M1 1")), HasSubstr("has no length"));
+    EXPECT_THAT(error("<rect width='3'/>"), HasSubstr("rect has the size 3 x 0"));
+    EXPECT_THAT(error("<circle r='50%'/>"), HasSubstr("is no length"));
+    EXPECT_THAT(error("\n\n<g transform='turn(3)'/>"), HasSubstr("line 5: g has transform"));
+    EXPECT_THAT(error("<use href='#gone'/>"), HasSubstr("'#gone'"));
+    EXPECT_THAT(error("<g id='a'><use href='#a'/></g>"), HasSubstr("nested deeper"));
     EXPECT_THAT(svg_fault("<svg><rect"), HasSubstr("no sound XML"));
     EXPECT_THAT(svg_fault("<html/>"), HasSubstr("<html>"));
 }

@@ -33,14 +33,14 @@ class Contours : public testing::Test {
         EXPECT_TRUE(read) << read.error();
         return read.value_or(WallContours{});
     }
-    std::string refusal(const ContourOptions& options) const {
+    std::string rejection(const ContourOptions& options) const {
         const auto read = read_contours(file_, options);
         return read ? "" : read.error();
     }
     // Returns the edge that runs round a hole, on the upper side.
     std::string edge_at(double x_mm) const {
         for (const WallContour& contour : read({.kind = "holes"}).contours) {
-            const Triple& at = contour.edges.front().points.front().position_mm;
+            const Vec3& at = contour.edges.front().points.front().position_mm;
             if (std::abs(at[0] - x_mm) < 10) return contour.edges.front().label;
         }
         ADD_FAILURE() << "there is no hole at " << x_mm;
@@ -78,16 +78,16 @@ TEST_F(Contours, ManyEdgesOfOneContourChooseItOnce) {
 }
 
 TEST_F(Contours, AnEdgeThatChoosesNothingIsRefusedByItsNumber) {
-    EXPECT_THAT(refusal({.edges = {"#99999"}}), HasSubstr("it has no edge with the number '#99999'"));
-    EXPECT_THAT(refusal({.edges = {""}}), HasSubstr("it has no edge with the number ''"));
+    EXPECT_THAT(rejection({.edges = {"#99999"}}), HasSubstr("it has no edge with the number '#99999'"));
+    EXPECT_THAT(rejection({.edges = {""}}), HasSubstr("it has no edge with the number ''"));
     const std::string hole = edge_at(60);
-    EXPECT_EQ(refusal({.kind = "outlines", .edges = {hole}}),
+    EXPECT_EQ(rejection({.kind = "outlines", .edges = {hole}}),
               file_.string() + ": edge " + hole + " is of no contour that is chosen");
-    EXPECT_THAT(refusal({.edges = {hole}, .side = "-z"}),
+    EXPECT_THAT(rejection({.edges = {hole}, .side = "-z"}),
                 HasSubstr("edge " + hole + " is of no contour that is chosen"));
     const std::string below = read({.side = "-z"}).contours.front().edges.front().label;
     EXPECT_THAT(
-        refusal({.edges = {hole, below}}),
+        rejection({.edges = {hole, below}}),
         HasSubstr("edge " + below +
                   " is of no contour that is chosen: it is of one that looks to another side than z"));
 }
@@ -99,7 +99,7 @@ TEST_F(Contours, AnEdgeOfWhatIsNoContourSaysWhy) {
     EXPECT_THAT(all.notes.front(), HasSubstr("does not go through: below edge #"));
     const std::size_t begin = all.notes.front().find("edge #") + 5;
     const std::string blind = all.notes.front().substr(begin, all.notes.front().find(' ', begin) - begin);
-    EXPECT_THAT(refusal({.kind = "holes", .edges = {blind}}),
+    EXPECT_THAT(rejection({.kind = "holes", .edges = {blind}}),
                 HasSubstr("edge " + blind + " is of no contour that is chosen: a hole of the plane face #"));
 }
 
@@ -117,8 +117,8 @@ TEST_F(Contours, EdgesMakeChainsWithMaterialToTheirLeft) {
     EXPECT_EQ(chain.edges[0].label, front);
     EXPECT_EQ(chain.edges[1].label, right);
     // Seen from above, the plate is to the left of a path towards +X along its front.
-    EXPECT_EQ(chain.edges[0].points.front().position_mm, (Triple{0, 0, 0}));
-    EXPECT_EQ(chain.edges[1].points.back().position_mm, (Triple{80, 50, 0}));
+    EXPECT_EQ(chain.edges[0].points.front().position_mm, (Vec3{0, 0, 0}));
+    EXPECT_EQ(chain.edges[1].points.back().position_mm, (Vec3{80, 50, 0}));
     EXPECT_NEAR(chain.edges[0].points.front().tangent[0], 1, 1e-9);
     for (const WallEdge& edge : chain.edges) {
         for (const WallPoint& point : edge.points) EXPECT_NEAR(point.depth_mm, 10, 1e-6);
@@ -142,13 +142,13 @@ TEST_F(Contours, ChainsThatCloseAreOutlinesOrHoles) {
     ASSERT_EQ(hole.contours.size(), 1U);
     EXPECT_FALSE(hole.contours.front().is_open);
     EXPECT_TRUE(hole.contours.front().is_hole);
-    EXPECT_THAT(refusal({.kind = "edges", .edges = {"#99999"}}),
+    EXPECT_THAT(rejection({.kind = "edges", .edges = {"#99999"}}),
                 HasSubstr("it has no edge with the number '#99999'"));
 }
 
 TEST_F(Contours, ChainsComeWithWhatElseAJetCouldComeInto) {
     const WallContours front = read({.kind = "edges", .edges = {edge_between(file_, {0, 0, 0}, {80, 0, 0})}});
-    const auto has = [&](const Place& a, const Place& b) {
+    const auto has = [&](const Position& a, const Position& b) {
         const std::string name = "edge " + edge_between(file_, a, b);
         return std::any_of(front.other_edges.begin(), front.other_edges.end(),
                            [&](const PartEdge& edge) { return edge.name == name; });
@@ -171,18 +171,18 @@ TEST_F(Contours, EdgesOfAnIgesFileHaveNoNumbers) {
     for (const WallContour& contour : all->contours) {
         for (const WallEdge& edge : contour.edges) EXPECT_EQ(edge.label, "");
     }
-    const auto asked = read_contours(file, {.kind = "all", .edges = {"57"}});
-    ASSERT_FALSE(asked);
-    EXPECT_THAT(asked.error(), HasSubstr("it has no edge with the number '57'"));
+    const auto requested = read_contours(file, {.kind = "all", .edges = {"57"}});
+    ASSERT_FALSE(requested);
+    EXPECT_THAT(requested.error(), HasSubstr("it has no edge with the number '57'"));
 }
 
 TEST_F(Contours, InAnAssemblyShapesGoByTheNumbersOfTheirPart) {
     const TopoDS_Shape plate = without(box({0, 0, -10}, {80, 50, 0}), {cylinder({20, 25, -11}, 8, 12)});
-    gp_Trsf aside;
-    aside.SetTranslation(gp_Vec(200, 0, 0));
+    gp_Trsf lateral;
+    lateral.SetTranslation(gp_Vec(200, 0, 0));
     const int before = Interface_Static::IVal("write.step.assembly");
     Interface_Static::SetIVal("write.step.assembly", 1);
-    const auto file = folder_.step("plates.step", together({plate, plate.Moved(TopLoc_Location(aside))}));
+    const auto file = folder_.step("plates.step", together({plate, plate.Moved(TopLoc_Location(lateral))}));
     Interface_Static::SetIVal("write.step.assembly", before);
     ASSERT_THAT(read_file(file), HasSubstr("NEXT_ASSEMBLY_USAGE_OCCURRENCE"));
     const auto both = read_contours(file, {.kind = "holes"});

@@ -36,9 +36,9 @@ std::vector<Together> in_groups(std::span<const Jet> jets) {
     constexpr std::size_t kSize = 100;
     std::vector<Together> groups;
     for (; !jets.empty(); jets = jets.subspan(groups.back().jets.size())) {
-        Together group{jets.first(std::min(kSize, jets.size())), jets.front().tip_mm};
+        Together group{jets.first(std::min(kSize, jets.size())), jets.front().tcp_mm};
         for (const Jet& jet : group.jets)
-            group.radius_mm = std::max(group.radius_mm, (jet.tip_mm - group.middle_mm).norm());
+            group.radius_mm = std::max(group.radius_mm, (jet.tcp_mm - group.middle_mm).norm());
         groups.push_back(group);
     }
     return groups;
@@ -48,7 +48,7 @@ std::vector<Together> in_groups(std::span<const Jet> jets) {
 
 std::vector<Jet> read_jets(const std::string& csv, const std::string& program,
                            const Eigen::Vector3d& origin_mm) {
-    const std::vector<bool> jet_on = lines_with_jet(program);
+    const std::vector<bool> process_on = lines_with_jet(program);
     std::vector<Jet> jets;
     std::istringstream lines(csv);
     std::string line;
@@ -62,7 +62,7 @@ std::vector<Jet> read_jets(const std::string& csv, const std::string& program,
             each = std::stod(field);
         }
         const auto line_number = static_cast<std::size_t>(value[1]);
-        if (line_number >= jet_on.size() || !jet_on[line_number]) continue;
+        if (line_number >= process_on.size() || !process_on[line_number]) continue;
         const double turn = value[5] * kRadPerDeg;
         const double tilt = value[6] * kRadPerDeg;
         jets.push_back({Eigen::Vector3d(value[2], value[3], value[4]) - origin_mm,
@@ -82,14 +82,14 @@ Deviation deviation(const std::vector<Eigen::Vector3d>& points, const std::vecto
         for (const Together& group : groups) {
             if ((point - group.middle_mm).norm() - group.radius_mm > kReach_mm + std::sqrt(nearest)) continue;
             for (const Jet& jet : group.jets) {
-                const Eigen::Vector3d off = point - jet.tip_mm;
+                const Eigen::Vector3d off = point - jet.tcp_mm;
                 const double along = off.dot(jet.axis);
                 if (along > kTube_mm || along < -kReach_mm) continue;
                 nearest = std::min(nearest, off.squaredNorm() - along * along);
             }
         }
         const double left = std::sqrt(std::max(nearest, 0.0)) - kerf_mm / 2;
-        found.least_mm = std::min(found.least_mm, left);
+        found.min_mm = std::min(found.min_mm, left);
         found.greatest_mm = std::max(found.greatest_mm, left);
     }
     return found;

@@ -10,7 +10,7 @@ namespace gsim::solid::models {
 
 /// Jet at a moment: its TCP, and the direction from there up to the nozzle.
 struct Jet {
-    Eigen::Vector3d tip_mm, axis;
+    Eigen::Vector3d tcp_mm, axis;
 };
 
 /// Returns the part with the jet on, from M08 to M09 in the lines of the program, of the trajectory that
@@ -23,7 +23,7 @@ std::vector<Jet> read_jets(const std::string& csv, const std::string& program,
 /// half of the kerf from each point. The values are extremes over all points, above 0 if the jet left too
 /// much, below if it cut into the part.
 struct Deviation {
-    double least_mm = 0, greatest_mm = 0;
+    double min_mm = 0, greatest_mm = 0;
 };
 Deviation deviation(const std::vector<Eigen::Vector3d>& points, const std::vector<Jet>& jets, double kerf_mm);
 

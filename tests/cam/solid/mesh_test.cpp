@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 constexpr double kPi = std::numbers::pi;
 
-Mesh mesh_of(const std::filesystem::path& file, double tolerance_mm = 0.05) {
+Mesh read_solid_mesh(const std::filesystem::path& file, double tolerance_mm = 0.05) {
     auto mesh = read_mesh(file, tolerance_mm);
     EXPECT_TRUE(mesh) << mesh.error();
     return mesh ? *std::move(mesh) : Mesh{};
@@ -66,7 +66,7 @@ TEST(SolidMesh, HasTheVolumeOfTheBodyAndNoGaps) {
     for (const auto& file :
          {folder.step("plate.step", drilled_plate()), folder.step("plate.STP", drilled_plate()),
           folder.iges("plate.igs", drilled_plate())}) {
-        const Mesh mesh = mesh_of(file, 0.005);
+        const Mesh mesh = read_solid_mesh(file, 0.005);
         EXPECT_TRUE(is_watertight(mesh)) << file;
         EXPECT_NEAR(volume_mm3(mesh), kDrilledVolume, 1e-3 * kDrilledVolume) << file;
     }
@@ -76,10 +76,10 @@ TEST(SolidMesh, IsNoFurtherOffThanTheTolerance) {
     const SolidFolder folder;
     const auto file = folder.step("ball.step", sphere({1, 2, 3}, 40));
     for (const double tolerance : {0.5, 0.05}) {
-        const Mesh mesh = mesh_of(file, tolerance);
+        const Mesh mesh = read_solid_mesh(file, tolerance);
         double furthest = 0;
         for (const auto& corners : mesh.triangles) {
-            Place middle{-1, -2, -3};
+            Position middle{-1, -2, -3};
             for (const std::uint32_t corner : corners) {
                 for (std::size_t i = 0; i < 3; ++i) middle[i] += mesh.vertices_mm[corner][i] / 3;
             }
@@ -95,7 +95,7 @@ TEST(SolidMesh, LengthsAreInMillimetresWhateverTheUnit) {
     const TopoDS_Shape body = box({0, 0, 0}, {10, 20, 30});
     for (const auto& file : {folder.step("inch.step", body, "INCH"), folder.step("m.step", body, "M"),
                              folder.iges("inch.iges", body, "INCH")})
-        EXPECT_NEAR(volume_mm3(mesh_of(file)), 6000, 1e-3) << file;
+        EXPECT_NEAR(volume_mm3(read_solid_mesh(file)), 6000, 1e-3) << file;
     const std::string text = read_file(folder.path("inch.step"));
     EXPECT_THAT(text, HasSubstr("INCH"));
 }
@@ -104,7 +104,7 @@ TEST(SolidMesh, SeveralBodiesAndTurnedOnesAreAllThere) {
     const SolidFolder folder;
     const TopoDS_Shape body = box({0, 0, 0}, {10, 20, 30});
     const auto file = folder.step("two.step", together({body, turned(body, {1, 2, 3}, 1, {100, 0, 0})}));
-    const Mesh mesh = mesh_of(file);
+    const Mesh mesh = read_solid_mesh(file);
     EXPECT_NEAR(volume_mm3(mesh), 12000, 1e-6);
     EXPECT_TRUE(is_watertight(mesh));
 }

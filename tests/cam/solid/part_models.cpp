@@ -47,8 +47,8 @@ TopoDS_Shape slot_tool(double half_mm, double radius_mm, double taper_deg, doubl
 }
 
 // Moves a shape at the origin to a position, its Z along a direction in the plane of X and Z, its Y kept.
-TopoDS_Shape placed(const TopoDS_Shape& shape, const Place& at, double lean_rad) {
-    return turned(shape, {0, 1, 0}, lean_rad, at);
+TopoDS_Shape placed(const TopoDS_Shape& shape, const Position& at, double tilt_rad) {
+    return turned(shape, {0, 1, 0}, tilt_rad, at);
 }
 
 TopoDS_Shape prism_along_y(const std::vector<gp_Pnt>& corners, const std::vector<int>& arc_at,
@@ -90,8 +90,8 @@ TopoDS_Shape bracket() {
          at(inner_radius, bend, 0), at(inner_radius, 0, 0), at(inner_radius, 0, -kLevel_mm)},
         {0, 1, 0, 0, 0, 2, 0, 0}, outer, inner, B::kWidth_mm);
     const auto on_rising = [&](double along, double y) {
-        const gp_Pnt place = at(inner_radius, bend, along);
-        return Place{place.X(), y, place.Z()};
+        const gp_Pnt position = at(inner_radius, bend, along);
+        return Position{position.X(), y, position.Z()};
     };
     const TopoDS_Shape hole =
         cylinder({B::kHoleX_mm, B::kHoleY_mm, -1}, B::kHoleRadius_mm, B::kThickness_mm + 2);
@@ -116,7 +116,7 @@ TopoDS_Shape frustum() {
     const TopoDS_Shape core = cone({0, 0, -5}, F::kLowerRadius_mm - less + over,
                                    F::kUpperRadius_mm - less - over, F::kHeight_mm + 10);
     const TopoDS_Shape tool = slot_tool(F::kSlotHalf_mm, F::kSlotRadius_mm, F::kTaper_deg, 12, 12);
-    const Place middle{(F::kLowerRadius_mm + F::kUpperRadius_mm) / 2, 0, F::kHeight_mm / 2};
+    const Position middle{(F::kLowerRadius_mm + F::kUpperRadius_mm) / 2, 0, F::kHeight_mm / 2};
     // The side's normal is tilted from the vertical by 90 degrees less its slope.
     return without(body, {core, placed(tool, middle, kTurn_rad / 4 - slope)});
 }

@@ -41,14 +41,14 @@ std::vector<double> areas_mm2(const std::vector<Contour>& contours) {
 }
 
 std::vector<double> areas_mm2(const Plate& plate) {
-    const geometry::Chained chained = geometry::chain(plate.drawing.pieces, 0.02);
-    EXPECT_TRUE(chained.open.empty());
-    return areas_mm2(chained.closed);
+    const geometry::ChainResult chains = geometry::chain(plate.drawing.drawn_contours, 0.02);
+    EXPECT_TRUE(chains.open.empty());
+    return areas_mm2(chains.closed);
 }
 
 // Returns the areas of the paths.
 std::vector<double> offset_areas_mm2(const Plate& plate, double kerf_mm) {
-    const auto layout = cutting::lay_out(plate.drawing, {kerf_mm, 0.02});
+    const auto layout = cutting::make_layout(plate.drawing, {kerf_mm, 0.02});
     EXPECT_TRUE(layout) << layout.error();
     std::vector<Contour> contours;
     if (!layout) return {};
@@ -56,9 +56,10 @@ std::vector<double> offset_areas_mm2(const Plate& plate, double kerf_mm) {
     return areas_mm2(contours);
 }
 
-void expect_near(const std::vector<double>& found, const std::vector<double>& wanted) {
-    ASSERT_EQ(found.size(), wanted.size());
-    for (std::size_t i = 0; i < wanted.size(); ++i) EXPECT_NEAR(found[i], wanted[i], 1e-3 * wanted[i]) << i;
+void expect_near(const std::vector<double>& found, const std::vector<double>& expected_value) {
+    ASSERT_EQ(found.size(), expected_value.size());
+    for (std::size_t i = 0; i < expected_value.size(); ++i)
+        EXPECT_NEAR(found[i], expected_value[i], 1e-3 * expected_value[i]) << i;
 }
 
 std::vector<double> bevels_deg(const Plate& plate) {
@@ -75,11 +76,11 @@ TopoDS_Shape drilled_plate() {
                     box({70, 20, -1}, {90, 40, 9})});
 }
 
-double offset_ellipse_area(double a, double b, double inwards) {
+double offset_ellipse_area(double a, double b, double inward_offset) {
     // Steiner: area - length * d + pi d^2; the length by Ramanujan's second formula.
     const double h = (a - b) * (a - b) / ((a + b) * (a + b));
     const double length = kPi * (a + b) * (1 + 3 * h / (10 + std::sqrt(4 - 3 * h)));
-    return kPi * a * b - length * inwards + kPi * inwards * inwards;
+    return kPi * a * b - length * inward_offset + kPi * inward_offset * inward_offset;
 }
 
 void expect_drilled_plate(const Plate& plate) {
@@ -128,7 +129,8 @@ TEST(Plate, KeepsThePlacesOfTheFileWhereItLiesLevel) {
     for (const bool flip : {false, true}) {
         const Plate plate = plate_of(folder.step("a.step", part), {0.005, flip, {}});
         geometry::Box box;
-        for (const Contour& piece : plate.drawing.pieces) box.add(box_of(piece));
+        for (const Contour& drawn_contour : plate.drawing.drawn_contours)
+            box.add(bounding_box(drawn_contour));
         EXPECT_NEAR(box.low.x, 20, 1e-6);
         EXPECT_NEAR(box.high.x, 40, 1e-6);
         // Seen from below Y points down.
@@ -166,7 +168,7 @@ TEST(Plate, SidesThatLeanHaveBevels) {
     for (const drawing::Entity& entity : plate.drawing.entities) {
         // The long edges lie along X, below them the sides that face along Y.
         const auto source = static_cast<std::size_t>(&entity - plate.drawing.entities.data());
-        EXPECT_NEAR(length_mm(plate.drawing.pieces[source]), entity.bevel_deg > 20 ? 40 : 60, 1e-6);
+        EXPECT_NEAR(length_mm(plate.drawing.drawn_contours[source]), entity.bevel_deg > 20 ? 40 : 60, 1e-6);
     }
 }
 
@@ -191,17 +193,17 @@ TEST(Plate, BevelsThatChangeGoInSteps) {
                                    {{-20, -20, 5}, {20, -20, 5}, {20, 20, 5}, {-20, 20, 5}});
     const Plate plate = plate_of(folder.step("a.step", part));
     expect_near(areas_mm2(plate), {1600});
-    std::size_t stretches = 0;
+    std::size_t sections = 0;
     for (std::size_t i = 0; i < plate.drawing.entities.size(); ++i) {
-        const geometry::Contour& piece = plate.drawing.pieces[i];
-        const geometry::Point middle = point_at(piece.edge(0), 0.5);
+        const geometry::Contour& drawn_contour = plate.drawing.drawn_contours[i];
+        const geometry::Point middle = point_at(drawn_contour.edge(0), 0.5);
         if (std::abs(middle.y - 20) > 1e-6) continue;
-        ++stretches;
+        ++sections;
         // Below y = 20 there is 20 at x = -20 and 15 at x = 20, 5 mm deeper.
-        const double lean_deg = std::atan((middle.x + 20) / 40) * 180 / kPi;
-        EXPECT_NEAR(plate.drawing.entities[i].bevel_deg, lean_deg, 0.3);
+        const double wall_tilt_deg = std::atan((middle.x + 20) / 40) * 180 / kPi;
+        EXPECT_NEAR(plate.drawing.entities[i].bevel_deg, wall_tilt_deg, 0.3);
     }
-    EXPECT_GE(stretches, 90U);
+    EXPECT_GE(sections, 90U);
 }
 
 TEST(Plate, SeveralBodiesAreSeveralParts) {
@@ -234,26 +236,27 @@ TEST(Plate, CurvesAndFacesOfAPlaneDo) {
 
 TEST(Plate, WhatIsNoPlateIsNamedWithItsPlace) {
     const SolidFolder folder;
-    const auto refused = [&](const TopoDS_Shape& shape) { return error_of(folder.step("a.step", shape)); };
-    EXPECT_THAT(refused(sphere({1, 2, 3}, 10)), HasSubstr("has no plane face; only flat plates are cut"));
-    EXPECT_THAT(refused(cone({0, 0, 0}, 20, 0, 5)),
+    const auto rejected = [&](const TopoDS_Shape& shape) { return error_of(folder.step("a.step", shape)); };
+    EXPECT_THAT(rejected(sphere({1, 2, 3}, 10)), HasSubstr("has no plane face; only flat plates are cut"));
+    EXPECT_THAT(rejected(cone({0, 0, 0}, 20, 0, 5)),
                 AllOf(HasSubstr("the conical face #"), HasSubstr("belongs to a body without a lower side")));
     const TopoDS_Shape block = box({0, 0, 0}, {50, 40, 10});
-    EXPECT_THAT(refused(without(block, {box({10, 10, 5}, {20, 20, 11})})), HasSubstr("the plane face #"));
-    EXPECT_THAT(refused(without(block, {cylinder({20, 20, 5}, 4, 10)})), HasSubstr(" face #"));
+    EXPECT_THAT(rejected(without(block, {box({10, 10, 5}, {20, 20, 11})})), HasSubstr("the plane face #"));
+    EXPECT_THAT(rejected(without(block, {cylinder({20, 20, 5}, 4, 10)})), HasSubstr(" face #"));
     EXPECT_THAT(
-        refused(without(block, {turned(cylinder({0, 0, 0}, 2, 100), {1, 0, 0}, -kPi / 2, {25, -10, 5})})),
+        rejected(without(block, {turned(cylinder({0, 0, 0}, 2, 100), {1, 0, 0}, -kPi / 2, {25, -10, 5})})),
         HasSubstr("the cylindrical face #"));
-    EXPECT_THAT(refused(without(block, {turned(cylinder({0, 0, -50}, 5, 100), {1, 0, 0}, 0.3, {25, 20, 5})})),
-                AllOf(HasSubstr("the cylindrical face #"),
-                      HasSubstr("is not straight from the upper to the lower side")));
-    EXPECT_THAT(refused(without(block, {cylinder({50, 40, 10}, 4, 10), box({-1, -1, 8}, {51, 3, 11})})),
+    EXPECT_THAT(
+        rejected(without(block, {turned(cylinder({0, 0, -50}, 5, 100), {1, 0, 0}, 0.3, {25, 20, 5})})),
+        AllOf(HasSubstr("the cylindrical face #"),
+              HasSubstr("is not straight from the upper to the lower side")));
+    EXPECT_THAT(rejected(without(block, {cylinder({50, 40, 10}, 4, 10), box({-1, -1, 8}, {51, 3, 11})})),
                 HasSubstr("face #"));
-    EXPECT_THAT(refused(frustum({0, 0, 0}, 60, 40, 20, 38, 10)),
+    EXPECT_THAT(rejected(frustum({0, 0, 0}, 60, 40, 20, 38, 10)),
                 HasSubstr("leans by 63.4 deg; a jet can lean by 60"));
-    EXPECT_THAT(refused(without(cylinder({0, 0, -20}, 20, 20), {sphere({0, 0, -30}, 18)})),
+    EXPECT_THAT(rejected(without(cylinder({0, 0, -20}, 20, 20), {sphere({0, 0, -30}, 18)})),
                 HasSubstr("spherical face #"));
-    EXPECT_THAT(refused(box({0, 0, 0}, {6e5, 40, 10})),
+    EXPECT_THAT(rejected(box({0, 0, 0}, {6e5, 40, 10})),
                 HasSubstr("nothing can be cut further off than 500000 mm"));
 }
 

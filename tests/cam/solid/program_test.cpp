@@ -29,17 +29,17 @@ TEST_F(SolidProgram, APartGivesItsThickness) {
     const std::string file = step("ring.step", ring());
     const Ended ended = autopath({file, "--material", "aluminum", "--report", "-o", "ring.path.json"});
     EXPECT_EQ(ended.status, 0) << ended.err;
-    EXPECT_TRUE(holds(ended.err, "2 contours, 2 pierces")) << ended.err;
-    EXPECT_TRUE(holds(ended.err, "inferred from the solid")) << ended.err;
-    EXPECT_TRUE(holds(read("ring.path.json"), "waterjet_on"));
+    EXPECT_TRUE(contains(ended.err, "2 contours, 2 pierces")) << ended.err;
+    EXPECT_TRUE(contains(ended.err, "inferred from the solid")) << ended.err;
+    EXPECT_TRUE(contains(read("ring.path.json"), "waterjet_on"));
     const Ended other = autopath({file, "--material", "aluminum", "--thickness", "10", "-o", "b.path.json"});
     const Ended upright = autopath({file, "--material", "aluminum", "--up", "-x", "-o", "c.path.json"});
-    EXPECT_TRUE(holds(upright.err, "no plane face that looks along -x")) << upright.err;
-    EXPECT_TRUE(holds(other.err, "the solid is 8 mm thick; --thickness says 10 mm")) << other.err;
+    EXPECT_TRUE(contains(upright.err, "no plane face that looks along -x")) << upright.err;
+    EXPECT_TRUE(contains(other.err, "the solid is 8 mm thick; --thickness says 10 mm")) << other.err;
 }
 
 TEST_F(SolidProgram, WhatCannotBeCutLeavesNoFile) {
-    const auto refused = [&](const std::vector<std::string>& arguments) {
+    const auto rejected = [&](const std::vector<std::string>& arguments) {
         std::vector<std::string> all = arguments;
         all.insert(all.end(), {"--speed", "300", "--kerf", "0.8", "-o", "part.path.json"});
         const Ended ended = autopath(all);
@@ -47,17 +47,17 @@ TEST_F(SolidProgram, WhatCannotBeCutLeavesNoFile) {
         EXPECT_FALSE(exists("part.path.json"));
         return ended.err;
     };
-    const std::string dome = refused({step("dome.step", solid::sphere({0, 0, 0}, 10))});
-    EXPECT_TRUE(holds(dome, "dome.step: the body at ")) << dome;
+    const std::string dome = rejected({step("dome.step", solid::sphere({0, 0, 0}, 10))});
+    EXPECT_TRUE(contains(dome, "dome.step: the body at ")) << dome;
     const std::string slit =
-        refused({step("slit.step", solid::without(ring(), {solid::box({20, -0.2, -1}, {30, 0.2, 9})}))});
-    EXPECT_TRUE(holds(slit, "narrower than the kerf")) << slit;
-    EXPECT_TRUE(holds(slit, "line of plane face #")) << slit;
-    EXPECT_TRUE(
-        holds(refused({step("ring.step", ring()), "--unit", "inch"}), "--unit and --layer are for drawings"));
-    EXPECT_TRUE(
-        holds(refused({write("a.svg", "<svg/>"), "--flip"}), "--up and --flip are for STEP and IGES files"));
-    EXPECT_TRUE(holds(refused({write("a.step", "ISO-10303-21;\n")}), "a.step: the file is cut off"));
+        rejected({step("slit.step", solid::without(ring(), {solid::box({20, -0.2, -1}, {30, 0.2, 9})}))});
+    EXPECT_TRUE(contains(slit, "narrower than the kerf")) << slit;
+    EXPECT_TRUE(contains(slit, "line of plane face #")) << slit;
+    EXPECT_TRUE(contains(rejected({step("ring.step", ring()), "--unit", "inch"}),
+                         "--unit and --layer are for drawings"));
+    EXPECT_TRUE(contains(rejected({write("a.svg", "<svg/>"), "--flip"}),
+                         "--up and --flip are for STEP and IGES files"));
+    EXPECT_TRUE(contains(rejected({write("a.step", "ISO-10303-21;\n")}), "a.step: the file is cut off"));
 }
 
 TEST_F(SolidProgram, ACellHoldsAStepFile) {
@@ -76,7 +76,7 @@ shape = {{ sphere_mm = 10.0 }}
     EXPECT_EQ(gsim_run({write("by.nc", "G1 X100 Y216 F6000\nX300\n"), "--cell", "cell.toml"}).status, 0);
     const Ended hit = gsim_run({write("hit.nc", "G1 X100 Y214 F6000\nX300\n"), "--cell", "cell.toml"});
     EXPECT_EQ(hit.status, 1) << hit.err;
-    EXPECT_TRUE(holds(hit.out, "post")) << hit.out;
+    EXPECT_TRUE(contains(hit.out, "post")) << hit.out;
 }
 
 }  // namespace

@@ -50,60 +50,60 @@ namespace gsim::solid {
 
 namespace {
 
-gp_Pnt at(const Place& place) {
-    return {place[0], place[1], place[2]};
+gp_Pnt at(const Position& position) {
+    return {position[0], position[1], position[2]};
 }
 
-gp_Ax2 upright(const Place& foot) {
+gp_Ax2 upright(const Position& foot) {
     return {at(foot), gp_Dir(0, 0, 1)};
 }
 
 // The writers print a page of statistics.
-void silence() {
+void redirect_output() {
     Message::DefaultMessenger()->ChangePrinters().Clear();
 }
 
 }  // namespace
 
-TopoDS_Shape box(const Place& low, const Place& high) {
+TopoDS_Shape box(const Position& low, const Position& high) {
     return BRepPrimAPI_MakeBox(at(low), at(high)).Shape();
 }
 
-TopoDS_Shape cylinder(const Place& foot, double radius, double height) {
+TopoDS_Shape cylinder(const Position& foot, double radius, double height) {
     return BRepPrimAPI_MakeCylinder(upright(foot), radius, height).Shape();
 }
 
-TopoDS_Shape cone(const Place& foot, double lower_radius, double upper_radius, double height) {
+TopoDS_Shape cone(const Position& foot, double lower_radius, double upper_radius, double height) {
     return BRepPrimAPI_MakeCone(upright(foot), lower_radius, upper_radius, height).Shape();
 }
 
-TopoDS_Shape sphere(const Place& middle, double radius) {
+TopoDS_Shape sphere(const Position& middle, double radius) {
     return BRepPrimAPI_MakeSphere(at(middle), radius).Shape();
 }
 
-TopoDS_Shape loft(const std::vector<Place>& lower, const std::vector<Place>& upper) {
+TopoDS_Shape loft(const std::vector<Position>& lower, const std::vector<Position>& upper) {
     BRepOffsetAPI_ThruSections sections(true, true);
-    for (const std::vector<Place>& corners : {lower, upper}) {
+    for (const std::vector<Position>& corners : {lower, upper}) {
         BRepBuilderAPI_MakePolygon polygon;
-        for (const Place& corner : corners) polygon.Add(at(corner));
+        for (const Position& corner : corners) polygon.Add(at(corner));
         polygon.Close();
         sections.AddWire(polygon.Wire());
     }
     return sections.Shape();
 }
 
-TopoDS_Shape frustum(const Place& foot, double lower_x, double lower_y, double upper_x, double upper_y,
+TopoDS_Shape frustum(const Position& foot, double lower_x, double lower_y, double upper_x, double upper_y,
                      double height) {
     const auto rectangle = [&](double x, double y, double z) {
-        return std::vector<Place>{{foot[0] - x / 2, foot[1] - y / 2, z},
-                                  {foot[0] + x / 2, foot[1] - y / 2, z},
-                                  {foot[0] + x / 2, foot[1] + y / 2, z},
-                                  {foot[0] - x / 2, foot[1] + y / 2, z}};
+        return std::vector<Position>{{foot[0] - x / 2, foot[1] - y / 2, z},
+                                     {foot[0] + x / 2, foot[1] - y / 2, z},
+                                     {foot[0] + x / 2, foot[1] + y / 2, z},
+                                     {foot[0] - x / 2, foot[1] + y / 2, z}};
     };
     return loft(rectangle(lower_x, lower_y, foot[2]), rectangle(upper_x, upper_y, foot[2] + height));
 }
 
-TopoDS_Shape elliptic_cylinder(const Place& foot, double x_radius, double y_radius, double height) {
+TopoDS_Shape elliptic_cylinder(const Position& foot, double x_radius, double y_radius, double height) {
     const bool along_x = x_radius >= y_radius;
     const gp_Ax2 axes(at(foot), gp_Dir(0, 0, 1), along_x ? gp_Dir(1, 0, 0) : gp_Dir(0, 1, 0));
     const gp_Elips ellipse(axes, std::max(x_radius, y_radius), std::min(x_radius, y_radius));
@@ -112,19 +112,19 @@ TopoDS_Shape elliptic_cylinder(const Place& foot, double x_radius, double y_radi
 }
 
 TopoDS_Shape without(const TopoDS_Shape& body, const std::vector<TopoDS_Shape>& tools) {
-    TopoDS_Shape rest = body;
-    for (const TopoDS_Shape& tool : tools) rest = BRepAlgoAPI_Cut(rest, tool).Shape();
-    return rest;
+    TopoDS_Shape remainder = body;
+    for (const TopoDS_Shape& tool : tools) remainder = BRepAlgoAPI_Cut(remainder, tool).Shape();
+    return remainder;
 }
 
 TopoDS_Shape largest_face(const TopoDS_Shape& shape) {
     TopoDS_Shape largest;
-    double most = 0;
+    double max = 0;
     for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {
         GProp_GProps properties;
         BRepGProp::SurfaceProperties(faces.Current(), properties);
-        if (properties.Mass() <= most) continue;
-        most = properties.Mass();
+        if (properties.Mass() <= max) continue;
+        max = properties.Mass();
         largest = faces.Current();
     }
     return largest;
@@ -149,7 +149,7 @@ TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes) {
     return compound;
 }
 
-TopoDS_Shape turned(const TopoDS_Shape& shape, const Place& axis, double angle_rad, const Place& by) {
+TopoDS_Shape turned(const TopoDS_Shape& shape, const Position& axis, double angle_rad, const Position& by) {
     gp_Trsf turn;
     turn.SetRotation(gp_Ax1(gp_Pnt(0, 0, 0), gp_Dir(axis[0], axis[1], axis[2])), angle_rad);
     gp_Trsf move;
@@ -158,7 +158,7 @@ TopoDS_Shape turned(const TopoDS_Shape& shape, const Place& axis, double angle_r
 }
 
 SolidFolder::SolidFolder() {
-    silence();
+    redirect_output();
 }
 
 std::filesystem::path SolidFolder::step(const std::string& name, const TopoDS_Shape& shape,

@@ -13,21 +13,21 @@
 
 namespace gsim::solid {
 
-using Place = std::array<double, 3>;
+using Position = std::array<double, 3>;
 
 /// A box between two corners.
-TopoDS_Shape box(const Place& low, const Place& high);
+TopoDS_Shape box(const Position& low, const Position& high);
 /// Upright, from its lower end on.
-TopoDS_Shape cylinder(const Place& foot, double radius, double height);
-TopoDS_Shape cone(const Place& foot, double lower_radius, double upper_radius, double height);
-TopoDS_Shape sphere(const Place& middle, double radius);
+TopoDS_Shape cylinder(const Position& foot, double radius, double height);
+TopoDS_Shape cone(const Position& foot, double lower_radius, double upper_radius, double height);
+TopoDS_Shape sphere(const Position& middle, double radius);
 /// An upright body between two polygons of as many corners; its sides are ruled between them.
-TopoDS_Shape loft(const std::vector<Place>& lower, const std::vector<Place>& upper);
+TopoDS_Shape loft(const std::vector<Position>& lower, const std::vector<Position>& upper);
 /// A rectangle and another one above it, both about a middle: a box with bevels.
-TopoDS_Shape frustum(const Place& foot, double lower_x, double lower_y, double upper_x, double upper_y,
+TopoDS_Shape frustum(const Position& foot, double lower_x, double lower_y, double upper_x, double upper_y,
                      double height);
 /// Upright, from an ellipse along X and Y.
-TopoDS_Shape elliptic_cylinder(const Place& foot, double x_radius, double y_radius, double height);
+TopoDS_Shape elliptic_cylinder(const Position& foot, double x_radius, double y_radius, double height);
 TopoDS_Shape without(const TopoDS_Shape& body, const std::vector<TopoDS_Shape>& tools);
 /// The plane face of the largest area.
 TopoDS_Shape largest_face(const TopoDS_Shape& shape);
@@ -37,7 +37,8 @@ TopoDS_Shape edges_of(const TopoDS_Shape& shape);
 TopoDS_Shape as_splines(const TopoDS_Shape& shape);
 TopoDS_Shape together(const std::vector<TopoDS_Shape>& shapes);
 /// Turned about an axis through the origin, then moved.
-TopoDS_Shape turned(const TopoDS_Shape& shape, const Place& axis, double angle_rad, const Place& by = {});
+TopoDS_Shape turned(const TopoDS_Shape& shape, const Position& axis, double angle_rad,
+                    const Position& by = {});
 
 /// A folder for files of one test.
 class SolidFolder {

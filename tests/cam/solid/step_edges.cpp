@@ -26,14 +26,14 @@ std::map<std::string, std::string> entities_of(std::string text) {
 
 }  // namespace
 
-std::string edge_between(const std::filesystem::path& step, const Place& a, const Place& b) {
+std::string edge_between(const std::filesystem::path& step, const Position& a, const Position& b) {
     const std::map<std::string, std::string> entities = entities_of(read_file(step));
-    const auto is_at = [&](const std::string& vertex, const Place& place) {
+    const auto is_at = [&](const std::string& vertex, const Position& position) {
         const std::string& text = entities.at(vertex);
         const std::string& point = entities.at(text.substr(text.find('#'), text.rfind(')') - text.find('#')));
         double off = 0;
         const char* from = point.c_str() + point.find(",(") + 2;
-        for (const double coordinate : place) {
+        for (const double coordinate : position) {
             char* end = nullptr;
             off = std::max(off, std::abs(std::strtod(from, &end) - coordinate));
             from = end + 1;

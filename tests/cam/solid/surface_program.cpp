@@ -44,11 +44,11 @@ Ended SurfaceProgram::autopath(const std::string& step, const std::vector<std::s
 }
 
 void SurfaceProgram::expect_cut(const std::string& what, const Points& points,
-                                const std::vector<solid::models::Jet>& jets, double into_mm) {
+                                const std::vector<solid::models::Jet>& jets, double gouge_mm) {
     const solid::models::Deviation off = solid::models::deviation(points, jets, kKerf_mm);
-    RecordProperty(what, fmt::format("{:.4f} to {:.4f} mm", off.least_mm, off.greatest_mm));
-    fmt::print("{}: {:.4f} to {:.4f} mm\n", what, off.least_mm, off.greatest_mm);
-    EXPECT_GE(off.least_mm, -into_mm) << what;
+    RecordProperty(what, fmt::format("{:.4f} to {:.4f} mm", off.min_mm, off.greatest_mm));
+    fmt::print("{}: {:.4f} to {:.4f} mm\n", what, off.min_mm, off.greatest_mm);
+    EXPECT_GE(off.min_mm, -gouge_mm) << what;
     EXPECT_LE(off.greatest_mm, kNear_mm) << what;
 }
 

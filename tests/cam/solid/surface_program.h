@@ -33,7 +33,7 @@ class SurfaceProgram : public Apps {
 
     /// Expects the edges that the jets cut to be where these points are.
     static void expect_cut(const std::string& what, const Points& points,
-                           const std::vector<solid::models::Jet>& jets, double into_mm = kNear_mm);
+                           const std::vector<solid::models::Jet>& jets, double gouge_mm = kNear_mm);
 
     static std::string sample(const std::string& name);
 

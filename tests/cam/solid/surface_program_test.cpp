@@ -16,7 +16,7 @@
 #include "tests/build_files/build_files.h"
 #include "tests/cam/solid/part_models.h"
 #include "tests/cam/solid/solids.h"
-#include "tests/cam/solid/wheel_way.h"
+#include "tests/cam/solid/wheel_path.h"
 
 namespace gsim::apps::surface_program_test {
 
@@ -44,10 +44,10 @@ std::vector<Points> edges_at(const std::vector<WheelStep>& pocket, double depth_
     for (const WheelStep& step : pocket) {
         Points& points = edges.emplace_back();
         for (int n = 0; n <= steps; ++n) {
-            const auto place = step.at(static_cast<double>(n) / steps);
+            const auto position = step.at(static_cast<double>(n) / steps);
             const auto axis = step.axis(static_cast<double>(n) / steps);
-            points.emplace_back(place[0] - depth_mm * axis[0] / axis[2],
-                                place[1] - depth_mm * axis[1] / axis[2], -depth_mm);
+            points.emplace_back(position[0] - depth_mm * axis[0] / axis[2],
+                                position[1] - depth_mm * axis[1] / axis[2], -depth_mm);
         }
     }
     return edges;
@@ -65,18 +65,18 @@ bool has_room(const WheelStep& step, std::size_t n, const Points& edge, const Po
     const auto values = step.axis(static_cast<double>(n) / kStepsOfEdge);
     const Vector3d axis(values[0], values[1], values[2]);
     const Vector3d along = edge[std::min(n + 1, edge.size() - 1)] - edge[n == 0 ? 0 : n - 1];
-    const Vector3d waste = along.cross(axis).normalized();  // the program runs round clockwise
-    const Vector3d middle = edge[n] + kerf_mm / 2 * waste;
-    return std::none_of(all.begin(), all.end(), [&](const Vector3d& place) {
-        return (place - middle).cross(axis).norm() < kerf_mm / 2 - near_mm;
+    const Vector3d waste_direction = along.cross(axis).normalized();  // the program runs round clockwise
+    const Vector3d middle = edge[n] + kerf_mm / 2 * waste_direction;
+    return std::none_of(all.begin(), all.end(), [&](const Vector3d& position) {
+        return (position - middle).cross(axis).norm() < kerf_mm / 2 - near_mm;
     });
 }
 
 TEST_F(SurfaceProgram, ABentBracketHasItsHolesWhereTheyBelong) {
     using B = Bracket;
-    const auto way = jets(sample("parts/bracket.step"), {600, 600, 120},
-                          {"--contours", "holes", "--speed", "400", "--cut-height", "1"});
-    EXPECT_TRUE(holds(told_, "4 contours, 4 pierces")) << told_;
+    const auto jet_path = jets(sample("parts/bracket.step"), {600, 600, 120},
+                               {"--contours", "holes", "--speed", "400", "--cut-height", "1"});
+    EXPECT_TRUE(contains(told_, "4 contours, 4 pierces")) << told_;
     const double bend = B::kBend_deg * kRadPerDeg;
     const double inner = B::kOuterRadius_mm - B::kThickness_mm;
     const Vector3d up(-std::sin(bend), 0, std::cos(bend));
@@ -92,13 +92,13 @@ TEST_F(SurfaceProgram, ABentBracketHasItsHolesWhereTheyBelong) {
                                        B::kHoleY_mm + B::kHoleRadius_mm * std::sin(turn),
                                        B::kThickness_mm - depth);
                    }),
-                   way);
+                   jet_path);
         expect_cut("the slot" + at, along([&](double share) {
                        const Eigen::Vector2d off = slot(B::kSlotHalf_mm, B::kSlotRadius_mm, share);
                        return Vector3d(B::kSlotX_mm + off.x(), B::kSlotY_mm + off.y(),
                                        B::kThickness_mm - depth);
                    }),
-                   way);
+                   jet_path);
         const auto round = [&](const Vector3d& middle, double radius) {
             return along([=](double share) -> Vector3d {
                 const double turn = share * kTurn_rad;
@@ -107,26 +107,26 @@ TEST_F(SurfaceProgram, ABentBracketHasItsHolesWhereTheyBelong) {
             });
         };
         expect_cut("the hole in the rising flange" + at,
-                   round(on_rising(B::kFarAlong_mm, B::kFarY_mm), B::kFarRadius_mm), way);
+                   round(on_rising(B::kFarAlong_mm, B::kFarY_mm), B::kFarRadius_mm), jet_path);
         expect_cut("the tapered hole" + at,
                    round(on_rising(B::kTaperAlong_mm, B::kTaperY_mm),
                          B::kTaperRadius_mm - depth * std::tan(B::kTaper_deg * kRadPerDeg)),
-                   way);
+                   jet_path);
     }
 }
 
 TEST_F(SurfaceProgram, ASlotThroughTheSideOfAConeFollowsIt) {
     using F = Frustum;
-    const auto way =
+    const auto jet_path =
         jets(sample("parts/frustum.step"), {300, 900, 150},
              {"--contours", "holes", "--speed", "400", "--cut-height", "1", "--box-low", "55", "-50", "0"});
-    EXPECT_TRUE(holds(told_, "1 contours, 1 pierces")) << told_;
+    EXPECT_TRUE(contains(told_, "1 contours, 1 pierces")) << told_;
     const double fall = (F::kLowerRadius_mm - F::kUpperRadius_mm) / F::kHeight_mm;
-    const double lean = std::atan2(1, fall);  // of the side's normal
-    const double less = F::kWall_mm / std::sin(lean);
+    const double tilt = std::atan2(1, fall);  // of the side's normal
+    const double less = F::kWall_mm / std::sin(tilt);
     const Vector3d middle((F::kLowerRadius_mm + F::kUpperRadius_mm) / 2, 0, F::kHeight_mm / 2);
-    const Vector3d x(std::cos(lean), 0, -std::sin(lean));
-    const Vector3d up(std::sin(lean), 0, std::cos(lean));
+    const Vector3d x(std::cos(tilt), 0, -std::sin(tilt));
+    const Vector3d up(std::sin(tilt), 0, std::cos(tilt));
     // The slot's wall at a height over the middle of the side.
     const auto wall = [&](double share, double height) -> Vector3d {
         const double radius = F::kSlotRadius_mm + height * std::tan(F::kTaper_deg * kRadPerDeg);
@@ -144,27 +144,27 @@ TEST_F(SurfaceProgram, ASlotThroughTheSideOfAConeFollowsIt) {
         }
         return wall(share, low);
     };
-    expect_cut("the outer edge", along([&](double share) { return on_cone(share, 0); }), way);
-    expect_cut("the inner edge", along([&](double share) { return on_cone(share, less); }), way);
+    expect_cut("the outer edge", along([&](double share) { return on_cone(share, 0); }), jet_path);
+    expect_cut("the inner edge", along([&](double share) { return on_cone(share, less); }), jet_path);
 }
 
 TEST_F(SurfaceProgram, TheWheelFromItsModelIsTheThesissWheel) {
     const auto pockets = wheel_pockets(sample("wheel.path.json"));
     const auto& at = kWheelMiddle_mm;
-    const auto way = jets(sample("parts/wheel.step"), {at[0], at[1], at[2]},
-                          {"--contours", "all", "--cut-height", "0", "--max-lean", "72", "--speed", "6350",
-                           "--cell", sample("cell/wheel.toml")},
-                          sample("cell/wheel.toml"), "af5");
-    EXPECT_TRUE(holds(told_, "6 contours, 6 pierces")) << told_;
+    const auto jet_path = jets(sample("parts/wheel.step"), {at[0], at[1], at[2]},
+                               {"--contours", "all", "--cut-height", "0", "--max-lean", "72", "--speed",
+                                "6350", "--cell", sample("cell/wheel.toml")},
+                               sample("cell/wheel.toml"), "af5");
+    EXPECT_TRUE(contains(told_, "6 contours, 6 pierces")) << told_;
     // The machine's home is below the table, with clamps between.
-    EXPECT_TRUE(holds(told_, "1 of 7 ways lead round something")) << told_;
+    EXPECT_TRUE(contains(told_, "1 of 7 ways lead round something")) << told_;
     // The control that was measured rounds the corners of B and C; its time is of interest.
     const Ended measured =
         gsim_run({"part.nc", "--machine", "af5-measured", "--cell", sample("cell/wheel.toml")});
     EXPECT_EQ(measured.status, 0) << measured.err;
     fmt::print("{}", measured.out.substr(0, measured.out.find("blocks")));
     ASSERT_EQ(pockets.size(), 4U);
-    int out_of_reach = 0;
+    int unreachable_count = 0;
     const auto ring = [](double radius, double depth) {
         return along(
             [=](double share) {
@@ -175,43 +175,43 @@ TEST_F(SurfaceProgram, TheWheelFromItsModelIsTheThesissWheel) {
     };
     for (const double depth : {0.0, kWheelThickness_mm}) {
         const std::string where = fmt::format(" at {} mm", depth);
-        expect_cut("the rim" + where, ring(kRimRadius_mm, depth), way);
-        expect_cut("the bore" + where, ring(kBoreRadius_mm, depth), way);
+        expect_cut("the rim" + where, ring(kRimRadius_mm, depth), jet_path);
+        expect_cut("the bore" + where, ring(kBoreRadius_mm, depth), jet_path);
         for (std::size_t i = 0; i < pockets.size(); ++i) {
             const std::vector<Points> edges = edges_at(pockets[i], depth, kStepsOfEdge);
             const Points all = together(edges_at(pockets[i], depth, kFineSteps));
             for (std::size_t k = 0; k < edges.size(); ++k) {
                 const std::string what = fmt::format("pocket {}, edge {}{}", i + 1, k + 1, where);
-                const Deviation off = deviation(edges[k], way, kKerf_mm);
-                EXPECT_GE(off.least_mm, -kNear_mm) << what;
+                const Deviation off = deviation(edges[k], jet_path, kKerf_mm);
+                EXPECT_GE(off.min_mm, -kNear_mm) << what;
                 Points open;
                 for (std::size_t n = 0; n < edges[k].size(); ++n) {
                     if (has_room(pockets[i][k], n, edges[k], all, kKerf_mm, kNear_mm))
                         open.push_back(edges[k][n]);
                 }
-                out_of_reach += static_cast<int>(edges[k].size() - open.size());
-                expect_cut(what, open, way);
+                unreachable_count += static_cast<int>(edges[k].size() - open.size());
+                expect_cut(what, open, jet_path);
             }
         }
     }
     // Lower edges meet at corners of up to 147 degrees, into which no jet comes.
-    fmt::print("{} places of lower edges are narrower than the jet\n", out_of_reach);
-    EXPECT_LT(out_of_reach, 30);
-    EXPECT_TRUE(holds(told_, "corners of lower edges are narrower than the jet")) << told_;
+    fmt::print("{} places of lower edges are narrower than the jet\n", unreachable_count);
+    EXPECT_LT(unreachable_count, 30);
+    EXPECT_TRUE(contains(told_, "corners of lower edges are narrower than the jet")) << told_;
 }
 
 TEST_F(SurfaceProgram, WhatCannotBeCutIsRefusedWithEdgeAndReason) {
     const std::string bracket = sample("parts/bracket.step");
-    const Ended lean = autopath(sample("parts/wheel.step"), {"--contours", "all"});
-    EXPECT_EQ(lean.status, 1);
-    EXPECT_TRUE(holds(lean.err, "edge #")) << lean.err;
-    EXPECT_TRUE(holds(lean.err, "deg from the face's normal, more than 60 deg (--max-lean)")) << lean.err;
+    const Ended tilt = autopath(sample("parts/wheel.step"), {"--contours", "all"});
+    EXPECT_EQ(tilt.status, 1);
+    EXPECT_TRUE(contains(tilt.err, "edge #")) << tilt.err;
+    EXPECT_TRUE(contains(tilt.err, "deg from the face's normal, more than 60 deg (--max-lean)")) << tilt.err;
     const Ended wide = autopath(bracket, {"--contours", "holes", "--box-low", "-45", "0", "0"}, "19");
-    EXPECT_TRUE(holds(wide.err, "cannot be cut")) << wide.err;
-    const Ended alone = autopath(bracket, {"--side", "y"});
-    EXPECT_TRUE(holds(alone.err, "--side needs --contours")) << alone.err;
+    EXPECT_TRUE(contains(wide.err, "cannot be cut")) << wide.err;
+    const Ended standalone = autopath(bracket, {"--side", "y"});
+    EXPECT_TRUE(contains(standalone.err, "--side needs --contours")) << standalone.err;
     const Ended nameless = autopath(bracket, {"--contours", "holes", "--face", "sheet"});
-    EXPECT_TRUE(holds(nameless.err, "it has no face with the number, name, layer or colour 'sheet'"))
+    EXPECT_TRUE(contains(nameless.err, "it has no face with the number, name, layer or colour 'sheet'"))
         << nameless.err;
     EXPECT_FALSE(exists("part.path.json"));
     // Out of reach: X ends at 1828.8 mm.
@@ -219,7 +219,7 @@ TEST_F(SurfaceProgram, WhatCannotBeCutIsRefusedWithEdgeAndReason) {
     const Ended far =
         run_program(tests::program_path("path2gcode"), {"part.path.json", "-o", "part.nc"}, folder_);
     EXPECT_NE(far.status, 0);
-    EXPECT_TRUE(holds(far.err, "X")) << far.err;
+    EXPECT_TRUE(contains(far.err, "X")) << far.err;
 }
 
 TEST_F(SurfaceProgram, AScriptChoosesContours) {
@@ -234,15 +234,15 @@ TEST_F(SurfaceProgram, AScriptChoosesContours) {
     const Ended one =
         autopath("return function(contour) return contour.lean_deg > 10 and contour.lean_deg < 14 end");
     EXPECT_EQ(one.status, 0) << one.err;
-    EXPECT_TRUE(holds(one.err, "1 contours, 1 pierces")) << one.err;
+    EXPECT_TRUE(contains(one.err, "1 contours, 1 pierces")) << one.err;
     std::filesystem::remove(folder_ / "part.path.json");
     const Ended none = autopath("return function(contour) return contour.length_mm < 1 end");
     EXPECT_EQ(none.status, 1);
-    EXPECT_TRUE(holds(none.err, "choose.lua:1: the script chooses none of the 4 contours")) << none.err;
+    EXPECT_TRUE(contains(none.err, "choose.lua:1: the script chooses none of the 4 contours")) << none.err;
     EXPECT_FALSE(exists("part.path.json"));
     const Ended lonely = run_program(tests::program_path("autopath"),
                                      {sample("plate.svg"), "--choose", "choose.lua"}, folder_);
-    EXPECT_TRUE(holds(lonely.err, "--choose needs --contours")) << lonely.err;
+    EXPECT_TRUE(contains(lonely.err, "--choose needs --contours")) << lonely.err;
 }
 
 TEST_F(SurfaceProgram, FacesGoByTheirNamesInTheFile) {
@@ -255,7 +255,7 @@ TEST_F(SurfaceProgram, FacesGoByTheirNamesInTheFile) {
                                      "--speed", "400", "-o", "part.path.json"},
                                     folder_);
     EXPECT_EQ(ended.status, 0) << ended.err;
-    EXPECT_TRUE(holds(ended.err, "4 contours")) << ended.err;
+    EXPECT_TRUE(contains(ended.err, "4 contours")) << ended.err;
 }
 
 TEST_F(SurfaceProgram, FacesGoByTheirColoursAndLayers) {
@@ -284,8 +284,8 @@ TEST_F(SurfaceProgram, FacesGoByTheirColoursAndLayers) {
     text.insert(text.rfind("ENDSEC;"), colour + styled);
     const std::string file = write("styled.step", text);
     for (const std::string name : {"255,128,0", "cut"})
-        EXPECT_TRUE(holds(run(file, name).err, "cannot be cut")) << name << run(file, name).err;
-    EXPECT_TRUE(holds(run(file, "0,128,0").err, "no face with")) << run(file, "0,128,0").err;
+        EXPECT_TRUE(contains(run(file, name).err, "cannot be cut")) << name << run(file, name).err;
+    EXPECT_TRUE(contains(run(file, "0,128,0").err, "no face with")) << run(file, "0,128,0").err;
 }
 
 TEST_F(SurfaceProgram, TheSamplesAreTheModels) {

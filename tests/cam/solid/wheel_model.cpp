@@ -27,7 +27,7 @@
 
 #include "base/units.h"
 #include "tests/cam/solid/part_models.h"
-#include "tests/cam/solid/wheel_way.h"
+#include "tests/cam/solid/wheel_path.h"
 
 namespace gsim::solid::models {
 
@@ -74,15 +74,15 @@ struct Pocket {
 };
 
 Pocket pocket(const std::vector<WheelStep>& steps) {
-    Pocket made;
+    Pocket made_pocket;
     for (const WheelStep& step : steps) {
         const auto top = through([&](double share) { return upper(step, share); });
         const auto bottom = through([&](double share) { return lower(step, share); });
-        made.upper.Add(BRepBuilderAPI_MakeEdge(top).Edge());
-        made.lower.Add(BRepBuilderAPI_MakeEdge(bottom).Edge());
-        made.walls.push_back(BRepBuilderAPI_MakeFace(GeomFill::Surface(top, bottom), 1e-6).Face());
+        made_pocket.upper.Add(BRepBuilderAPI_MakeEdge(top).Edge());
+        made_pocket.lower.Add(BRepBuilderAPI_MakeEdge(bottom).Edge());
+        made_pocket.walls.push_back(BRepBuilderAPI_MakeFace(GeomFill::Surface(top, bottom), 1e-6).Face());
     }
-    return made;
+    return made_pocket;
 }
 
 TopoDS_Wire circle(double radius_mm, double z_mm) {
@@ -108,10 +108,10 @@ TopoDS_Shape wheel(const std::filesystem::path& path_file) {
     std::vector<TopoDS_Wire> above{circle(kBoreRadius_mm, 0)};
     std::vector<TopoDS_Wire> below{circle(kBoreRadius_mm, -kWheelThickness_mm)};
     for (const auto& steps : wheel_pockets(path_file)) {
-        Pocket made = pocket(steps);
-        above.push_back(made.upper.Wire());
-        below.push_back(made.lower.Wire());
-        for (const TopoDS_Face& wall : made.walls) sewing.Add(wall);
+        Pocket made_pocket = pocket(steps);
+        above.push_back(made_pocket.upper.Wire());
+        below.push_back(made_pocket.lower.Wire());
+        for (const TopoDS_Face& wall : made_pocket.walls) sewing.Add(wall);
     }
     sewing.Add(side(0, above));
     sewing.Add(side(-kWheelThickness_mm, below));

@@ -12,7 +12,7 @@ namespace gsim::surface::surface_path_test {
 
 namespace {
 
-using solid::Triple;
+using solid::Vec3;
 using solid::WallContour;
 using solid::WallContours;
 using solid::WallEdge;
@@ -22,32 +22,32 @@ using testing::HasSubstr;
 constexpr double kKerf_mm = 0.8;
 constexpr double kDepth_mm = 6;
 
-Triple triple_of(const Vector& v) {
+Vec3 to_vec3(const Vector& v) {
     return {v.x(), v.y(), v.z()};
 }
 
 // A point of the level face z = 0. The wall leans over the waste by an angle: the part is smaller below.
-WallPoint wall_point(const Vector& at, const Vector& tangent, double lean_rad = 0) {
+WallPoint wall_point(const Vector& at, const Vector& tangent, double tilt_rad = 0) {
     const Vector up(0, 0, 1);
-    const Vector waste = tangent.cross(up);
+    const Vector waste_direction = tangent.cross(up);
     WallPoint point;
-    point.position_mm = triple_of(at);
-    point.normal = triple_of(up);
-    point.tangent = triple_of(tangent);
-    point.wall_normal = triple_of(std::cos(lean_rad) * waste - std::sin(lean_rad) * up);
-    point.along_wall = triple_of(-std::cos(lean_rad) * up - std::sin(lean_rad) * waste);
-    point.depth_mm = kDepth_mm / std::cos(lean_rad);
-    point.far_normal = point.wall_normal;
+    point.position_mm = to_vec3(at);
+    point.normal = to_vec3(up);
+    point.tangent = to_vec3(tangent);
+    point.wall_normal = to_vec3(std::cos(tilt_rad) * waste_direction - std::sin(tilt_rad) * up);
+    point.along_wall = to_vec3(-std::cos(tilt_rad) * up - std::sin(tilt_rad) * waste_direction);
+    point.depth_mm = kDepth_mm / std::cos(tilt_rad);
+    point.exit_normal = point.wall_normal;
     return point;
 }
 
 // A round hole: material to the left means clockwise, seen from above.
-WallContour round_hole(double radius_mm, double lean_rad = 0) {
+WallContour round_hole(double radius_mm, double tilt_rad = 0) {
     WallEdge edge{"edge #7", {}, 0};
     for (int i = 0; i <= 360; ++i) {
         const double turn = -std::numbers::pi / 180 * i;
         const Vector out(std::cos(turn), std::sin(turn), 0);
-        edge.points.push_back(wall_point(radius_mm * out, Vector(0, 0, -1).cross(out), lean_rad));
+        edge.points.push_back(wall_point(radius_mm * out, Vector(0, 0, -1).cross(out), tilt_rad));
     }
     return {"the plane face #1", true, {edge}};
 }
@@ -74,19 +74,20 @@ cutting::CutRules some_rules() {
     return rules;
 }
 
-tl::expected<cutting::Autopath, std::string> made(const WallContour& contour, SurfaceOptions options = {},
-                                                  const cutting::CutRules& rules = some_rules()) {
+tl::expected<cutting::Autopath, std::string> make_autopath(const WallContour& contour,
+                                                           SurfaceOptions options = {},
+                                                           const cutting::CutRules& rules = some_rules()) {
     WallContours part;
     part.contours = {contour};
     return surface_path(part, rules, options);
 }
 
-std::string refusal(const WallContour& contour, const SurfaceOptions& options = {}) {
-    const auto path = made(contour, options);
+std::string rejection(const WallContour& contour, const SurfaceOptions& options = {}) {
+    const auto path = make_autopath(contour, options);
     return path ? "" : path.error();
 }
 
-std::vector<path::Point> points_of(const cutting::Autopath& path) {
+std::vector<path::Point> path_points(const cutting::Autopath& path) {
     std::vector<path::Point> points;
     for (const path::Target& target : path.program.paths.at(1).targets)
         points.push_back(std::get<path::Point>(target));
@@ -94,12 +95,12 @@ std::vector<path::Point> points_of(const cutting::Autopath& path) {
 }
 
 TEST(SurfacePath, ARoundHoleIsArcsHalfAKerfInside) {
-    const auto path = made(round_hole(5));
+    const auto path = make_autopath(round_hole(5));
     ASSERT_TRUE(path) << path.error();
     EXPECT_EQ(path->summary.pierces, 1U);
     EXPECT_EQ(path->summary.without_leads, 0U);
     int on_hole = 0;
-    for (const path::Point& point : points_of(*path)) {
+    for (const path::Point& point : path_points(*path)) {
         const double radius = std::hypot(point.position_mm[0], point.position_mm[1]);
         EXPECT_LE(radius, 5 - kKerf_mm / 2 + 0.006);
         if (point.motion == path::MotionType::circular && std::abs(radius - 4.6) < 0.006) ++on_hole;
@@ -109,40 +110,40 @@ TEST(SurfacePath, ARoundHoleIsArcsHalfAKerfInside) {
 }
 
 TEST(SurfacePath, TheTipOfALeaningJetIsBesideTheEdgeByItsHeight) {
-    const double lean = 0.3;
+    const double tilt = 0.3;
     SurfaceOptions options;
     options.cut_height_mm = 2;
-    const auto path = made(round_hole(20, lean), options);
+    const auto path = make_autopath(round_hole(20, tilt), options);
     ASSERT_TRUE(path) << path.error();
     // The distance from the edge is the height's share, plus half of the kerf across the level face.
-    const double aside = 2 * std::tan(lean) + kKerf_mm / 2 / std::cos(lean);
-    for (const path::Point& point : points_of(*path)) {
+    const double lateral = 2 * std::tan(tilt) + kKerf_mm / 2 / std::cos(tilt);
+    for (const path::Point& point : path_points(*path)) {
         if (point.motion != path::MotionType::circular || !point.orientation) continue;
-        EXPECT_NEAR(std::hypot(point.position_mm[0], point.position_mm[1]), 20 - aside, 0.006);
+        EXPECT_NEAR(std::hypot(point.position_mm[0], point.position_mm[1]), 20 - lateral, 0.006);
         EXPECT_NEAR(point.position_mm[2], 2, 0.006);
         const auto& axis = std::get<path::ToolAxis>(*point.orientation).direction;
-        EXPECT_NEAR(axis[2], std::cos(lean), 1e-9);
+        EXPECT_NEAR(axis[2], std::cos(tilt), 1e-9);
     }
 }
 
 TEST(SurfacePath, CornersThatCloseAreTrimmedAndThoseThatOpenAreTurnedAbout) {
     const std::vector<Vector> square{{-10, -10, 0}, {10, -10, 0}, {10, 10, 0}, {-10, 10, 0}};
-    const auto outside = made(polygon(square, false));
-    const auto inside = made(polygon({square.rbegin(), square.rend()}, true));
+    const auto outside = make_autopath(polygon(square, false));
+    const auto inside = make_autopath(polygon({square.rbegin(), square.rend()}, true));
     ASSERT_TRUE(outside) << outside.error();
     ASSERT_TRUE(inside) << inside.error();
-    double most = 0;
-    for (const path::Point& point : points_of(*inside))
-        most = std::max({most, std::abs(point.position_mm[0]), std::abs(point.position_mm[1])});
-    EXPECT_NEAR(most, 10 - kKerf_mm / 2, 1e-6);
+    double max = 0;
+    for (const path::Point& point : path_points(*inside))
+        max = std::max({max, std::abs(point.position_mm[0]), std::abs(point.position_mm[1])});
+    EXPECT_NEAR(max, 10 - kKerf_mm / 2, 1e-6);
     int arcs = 0;
-    for (const path::Point& point : points_of(*outside)) {
+    for (const path::Point& point : path_points(*outside)) {
         if (point.motion != path::MotionType::circular) continue;
         ++arcs;
         const auto& at = point.position_mm;
-        const double beyond =
+        const double out_of_range =
             std::hypot(std::max(std::abs(at[0]) - 10, 0.0), std::max(std::abs(at[1]) - 10, 0.0));
-        EXPECT_GE(beyond, kKerf_mm / 2 - 0.006);
+        EXPECT_GE(out_of_range, kKerf_mm / 2 - 0.006);
     }
     EXPECT_GE(arcs, 4 + 2);  // the corners and both leads
 }
@@ -152,9 +153,9 @@ TEST(SurfacePath, TheFeedIsLessBeforeAndBehindCornersThatClose) {
     rules.feed_in_corner_mm_min = [](double turn_rad) { return turn_rad > 1.5 ? 100.0 : 300.0; };
     rules.corner_zone_mm = 2;
     const std::vector<Vector> square{{-10, 10, 0}, {10, 10, 0}, {10, -10, 0}, {-10, -10, 0}};
-    const auto path = made(polygon(square, true), {}, rules);
+    const auto path = make_autopath(polygon(square, true), {}, rules);
     ASSERT_TRUE(path) << path.error();
-    const std::vector<path::Point> points = points_of(*path);
+    const std::vector<path::Point> points = path_points(*path);
     double slow_mm = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
         const auto& from = points[i - 1].position_mm;
@@ -170,20 +171,20 @@ TEST(SurfacePath, TheFeedIsLessBeforeAndBehindCornersThatClose) {
         }
     }
     EXPECT_NEAR(slow_mm, 4 * 2 * 2, 1e-6);
-    EXPECT_NEAR(path->summary.slower_s, 60 * slow_mm * (1.0 / 100 - 1.0 / 300), 1e-6);
+    EXPECT_NEAR(path->summary.slowdown_s, 60 * slow_mm * (1.0 / 100 - 1.0 / 300), 1e-6);
 }
 
 TEST(SurfacePath, AJetThatLeansIsSlowerByWhatItGoesThrough) {
-    const double lean = 0.9;
+    const double tilt = 0.9;
     cutting::CutRules rules = some_rules();
-    const auto plain = made(round_hole(20, lean), {}, rules);
+    const auto plain = make_autopath(round_hole(20, tilt), {}, rules);
     rules.speed_at_depth_mm_min = [](double depth_mm) { return 300 * kDepth_mm / depth_mm; };
-    const auto slower = made(round_hole(20, lean), {}, rules);
-    const auto upright = made(round_hole(20), {}, rules);
+    const auto slower = make_autopath(round_hole(20, tilt), {}, rules);
+    const auto upright = make_autopath(round_hole(20), {}, rules);
     ASSERT_TRUE(plain && slower && upright);
     // The jet's path through the wall is longer by 1 / cos.
-    EXPECT_NEAR(plain->summary.cut_s / slower->summary.cut_s, std::cos(lean), 1e-6);
-    for (const path::Point& point : points_of(*upright)) {
+    EXPECT_NEAR(plain->summary.cut_s / slower->summary.cut_s, std::cos(tilt), 1e-6);
+    for (const path::Point& point : path_points(*upright)) {
         if (!point.feed_mm_min) continue;
         EXPECT_LE(*point.feed_mm_min, 300.0 + 1e-9);
     }
@@ -192,10 +193,10 @@ TEST(SurfacePath, AJetThatLeansIsSlowerByWhatItGoesThrough) {
 TEST(SurfacePath, TheFaceNormalMayBeLeanedOverTheWaste) {
     SurfaceOptions options;
     options.jet.along_walls = false;
-    options.jet.lean_deg = 30;
-    const auto path = made(round_hole(20), options);
+    options.jet.tilt_deg = 30;
+    const auto path = make_autopath(round_hole(20), options);
     ASSERT_TRUE(path) << path.error();
-    for (const path::Point& point : points_of(*path)) {
+    for (const path::Point& point : path_points(*path)) {
         if (!point.orientation) continue;
         const auto& axis = std::get<path::ToolAxis>(*point.orientation).direction;
         const auto& at = point.position_mm;
@@ -209,43 +210,43 @@ TEST(SurfacePath, TheFaceNormalMayBeLeanedOverTheWaste) {
 TEST(SurfacePath, BridgesStayWhereTheJetIsOff) {
     SurfaceOptions options;
     options.bridges = {3, 0.5};
-    const auto whole = made(round_hole(20));
-    const auto held = made(round_hole(20), options);
-    ASSERT_TRUE(whole && held);
-    EXPECT_EQ(held->summary.pierces, 4U);
+    const auto full = make_autopath(round_hole(20));
+    const auto retained = make_autopath(round_hole(20), options);
+    ASSERT_TRUE(full && retained);
+    EXPECT_EQ(retained->summary.pierces, 4U);
     // Each bridge takes its width and that of the jet from the edge; the jet's path is shorter by the ratio
     // of radii.
     const double share = (20 - kKerf_mm / 2) / 20;
-    EXPECT_NEAR(whole->summary.cut_mm - held->summary.cut_mm, 3 * (0.5 + kKerf_mm) * share, 0.01);
+    EXPECT_NEAR(full->summary.cut_mm - retained->summary.cut_mm, 3 * (0.5 + kKerf_mm) * share, 0.01);
     options.bridges = {40, 2};
-    EXPECT_EQ(refusal(round_hole(20), options),
+    EXPECT_EQ(rejection(round_hole(20), options),
               "a hole of the plane face #1 has no room for 40 bridges of 2 mm");
 }
 
 TEST(SurfacePath, RefusalsNameTheEdgeAndWhy) {
-    EXPECT_EQ(refusal(round_hole(0.3)),
+    EXPECT_EQ(rejection(round_hole(0.3)),
               "edge #7 cannot be cut: at (0.299954, -0.00523572, 0) its radius is smaller than half of the "
               "kerf, 0.4 mm");
     EXPECT_EQ(
-        refusal(round_hole(20, 1.2)),
+        rejection(round_hole(20, 1.2)),
         "edge #7 cannot be cut: at (20, 0, 0) the jet would lean 68.75 deg from the face's normal, more "
         "than 60 "
         "deg (--max-lean)");
     // A slit of 0.6 mm: the paths along both sides do not even cross.
     const std::vector<Vector> slit{{0, 0, 0}, {0, 0.6, 0}, {20, 0.6, 0}, {20, 0, 0}};
-    EXPECT_THAT(refusal(polygon(slit, true)),
+    EXPECT_THAT(rejection(polygon(slit, true)),
                 HasSubstr("cannot be cut: it is narrower than the kerf of 0.8 mm"));
     // Narrow in its middle, wide at its ends.
     const std::vector<Vector> waist{{0, 0, 0},    {0, 6, 0},    {8, 6, 0},   {9, 3.3, 0},
                                     {11, 3.3, 0}, {12, 6, 0},   {20, 6, 0},  {20, 0, 0},
                                     {12, 0, 0},   {11, 2.7, 0}, {9, 2.7, 0}, {8, 0, 0}};
-    EXPECT_THAT(refusal(polygon(waist, true)), HasSubstr("the jet would go"));
+    EXPECT_THAT(rejection(polygon(waist, true)), HasSubstr("the jet would go"));
 }
 
 TEST(SurfacePath, WhatTheJetMeetsBehindAWallIsTold) {
     WallContour hole = round_hole(5);
-    hole.edges.front().behind_mm = 42;
-    const auto path = made(hole);
+    hole.edges.front().next_surface_mm = 42;
+    const auto path = make_autopath(hole);
     ASSERT_TRUE(path) << path.error();
     EXPECT_THAT(
         path->notes,

@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "cam/surface/jet_way.h"
-#include "cam/surface/wall_touch.h"
+#include "cam/surface/jet_path.h"
+#include "cam/surface/wall_alignment.h"
 
 namespace gsim::surface::twisted_wall_test {
 
@@ -20,7 +20,7 @@ constexpr double kTiny = 1e-5;
 
 using Curve = std::function<Vector(double)>;
 
-solid::Triple triple_of(const Vector& v) {
+solid::Vec3 to_vec3(const Vector& v) {
     return {v.x(), v.y(), v.z()};
 }
 
@@ -38,38 +38,38 @@ solid::WallEdge wall(const std::string& name, const Curve& upper, const Curve& l
         const double at = static_cast<double>(i) / kSteps;
         const Vector down = lower(at) - upper(at);
         solid::WallPoint point;
-        point.position_mm = triple_of(upper(at));
-        point.normal = triple_of(up);
-        point.tangent = triple_of(slope(upper, at));
-        point.along_wall = triple_of(down.normalized());
+        point.position_mm = to_vec3(upper(at));
+        point.normal = to_vec3(up);
+        point.tangent = to_vec3(slope(upper, at));
+        point.along_wall = to_vec3(down.normalized());
         point.depth_mm = down.norm();
-        point.wall_normal = triple_of(down.cross(slope(upper, at)).normalized());
-        point.far_normal = triple_of(down.cross(slope(lower, at)).normalized());
+        point.wall_normal = to_vec3(down.cross(slope(upper, at)).normalized());
+        point.exit_normal = to_vec3(down.cross(slope(lower, at)).normalized());
         edge.points.push_back(point);
     }
     return edge;
 }
 
-JetWay way_of(const std::vector<solid::WallEdge>& edges) {
+JetPath way_of(const std::vector<solid::WallEdge>& edges) {
     const solid::WallContour contour{"the plane face #1", true, edges};
-    auto way = jet_way(contour, kJet, {});
-    EXPECT_TRUE(way) << way.error();
-    return way ? *way : JetWay{};
+    auto path = jet_path(contour, kJet, {});
+    EXPECT_TRUE(path) << path.error();
+    return path ? *path : JetPath{};
 }
 
 // Returns the smallest and the largest deviation of the cut from a curve.
-std::pair<double, double> off(const Curve& curve, const JetWay& way) {
-    double least = std::numeric_limits<double>::infinity();
-    double greatest = -least;
+std::pair<double, double> off(const Curve& curve, const JetPath& jet_path) {
+    double min = std::numeric_limits<double>::infinity();
+    double max = -min;
     for (int i = 0; i < 250; ++i) {
-        const Vector place = curve(i / 250.0);
+        const Vector position = curve(i / 250.0);
         double nearest = std::numeric_limits<double>::infinity();
-        for (const JetPoint& at : way.points)
-            nearest = std::min(nearest, (place - middle_of(at, kJet)).cross(at.axis).norm());
-        least = std::min(least, nearest - kJet.kerf_mm / 2);
-        greatest = std::max(greatest, nearest - kJet.kerf_mm / 2);
+        for (const JetPoint& at : jet_path.points)
+            nearest = std::min(nearest, (position - jet_center(at, kJet)).cross(at.axis).norm());
+        min = std::min(min, nearest - kJet.kerf_mm / 2);
+        max = std::max(max, nearest - kJet.kerf_mm / 2);
     }
-    return {least, greatest};
+    return {min, max};
 }
 
 // Round a circle clockwise, so that what is around it is to the left.
@@ -89,13 +89,13 @@ TEST(TwistedWall, BothCirclesOfAHyperboloidAreLeft) {
     // deg.
     const Curve upper = [](double share) { return around(10, share, 0); };
     const Curve lower = [](double share) { return around(12, share + 40.0 / 360, -kDepth_mm); };
-    const JetWay way = way_of({wall("edge #1", upper, lower)});
+    const JetPath jet_path = way_of({wall("edge #1", upper, lower)});
     for (const Curve& each : {upper, lower}) {
-        const auto [least, greatest] = off(each, way);
-        EXPECT_GT(least, -0.002);
-        EXPECT_LT(greatest, 0.005);
+        const auto [min, max] = off(each, jet_path);
+        EXPECT_GT(min, -0.002);
+        EXPECT_LT(max, 0.005);
     }
-    EXPECT_TRUE(way.low_corners.empty());
+    EXPECT_TRUE(jet_path.lower_corners.empty());
 }
 
 TEST(TwistedWall, LowerCornersUnderAStraightEdgeAreTurnedAboutOrKeepWhatIsNarrow) {
@@ -106,31 +106,31 @@ TEST(TwistedWall, LowerCornersUnderAStraightEdgeAreTurnedAboutOrKeepWhatIsNarrow
         const Vector a(10, -10, 0), middle(10, 0, 0), b(10, 10, 0), c(-10, 10, 0), d(-10, -10, 0);
         const Vector off_b = b + down + Vector(lean_mm, 0, 0);
         // Clockwise: up the left side, to the right, down the right side.
-        const JetWay way = way_of({wall("edge #1", line(d, c), line(d + down, c + down)),
-                                   wall("edge #2", line(c, b), line(c + down, off_b)),
-                                   wall("edge #3", line(b, middle), line(off_b, middle + down)),
-                                   wall("edge #4", line(middle, a), line(middle + down, a + down)),
-                                   wall("edge #5", line(a, d), line(a + down, d + down))});
+        const JetPath jet_path = way_of({wall("edge #1", line(d, c), line(d + down, c + down)),
+                                         wall("edge #2", line(c, b), line(c + down, off_b)),
+                                         wall("edge #3", line(b, middle), line(off_b, middle + down)),
+                                         wall("edge #4", line(middle, a), line(middle + down, a + down)),
+                                         wall("edge #5", line(a, d), line(a + down, d + down))});
         const double turn_rad = std::atan(std::abs(lean_mm) / 10);
-        const auto [least, greatest] = off(line(middle + down, a + down), way);
-        EXPECT_GT(least, -kMayTake_mm) << lean_mm;
-        const auto [least_beside, greatest_beside] = off(line(off_b, middle + down), way);
-        EXPECT_GT(least_beside, -kMayTake_mm) << lean_mm;
+        const auto [min, max] = off(line(middle + down, a + down), jet_path);
+        EXPECT_GT(min, -kAllowedGouge_mm) << lean_mm;
+        const auto [least_beside, greatest_beside] = off(line(off_b, middle + down), jet_path);
+        EXPECT_GT(least_beside, -kAllowedGouge_mm) << lean_mm;
         const auto found = std::find_if(
-            way.low_corners.begin(), way.low_corners.end(),
-            [&](const LowCorner& each) { return (each.place_mm - (middle + down)).norm() < 1e-9; });
+            jet_path.lower_corners.begin(), jet_path.lower_corners.end(),
+            [&](const LowerCorner& each) { return (each.lower_edge_mm - (middle + down)).norm() < 1e-9; });
         if (lean_mm > 0) {
             // The hole is wider there: material comes to a point, about which the jet turns.
-            EXPECT_EQ(found, way.low_corners.end());
-            EXPECT_LT(std::max(greatest, greatest_beside), 0.35);  // at the corners of the square alone
+            EXPECT_EQ(found, jet_path.lower_corners.end());
+            EXPECT_LT(std::max(max, greatest_beside), 0.35);  // at the corners of the square alone
             continue;
         }
-        ASSERT_NE(found, way.low_corners.end());
-        const LowCorner& corner = *found;
+        ASSERT_NE(found, jet_path.lower_corners.end());
+        const LowerCorner& corner = *found;
         EXPECT_NEAR(corner.turn_deg, turn_rad * 180 / std::numbers::pi, 2);
         // A circle in the corner between two lines is off its point by as much.
-        const double stays = kJet.kerf_mm / 2 * (1 / std::cos(turn_rad / 2) - 1);
-        EXPECT_NEAR(corner.stays_mm, stays, 0.2 * stays + 0.002);
+        const double is_fixed = kJet.kerf_mm / 2 * (1 / std::cos(turn_rad / 2) - 1);
+        EXPECT_NEAR(corner.uncut_mm, is_fixed, 0.2 * is_fixed + 0.002);
     }
 }
 

@@ -50,7 +50,7 @@ TEST(JetLag, SpeedAndLagAreInverse) {
     for (int i = 0; i < 1000; ++i) {
         const LagState cut{uniform(random, 1, 100), uniform(random, 10, 5000)};
         const double speed = uniform(random, 1, 5000);
-        EXPECT_NEAR(speed_of_lag_mm_min(rule, cut, lag_mm(rule, cut, speed)), speed, 1e-9 * speed);
+        EXPECT_NEAR(speed_for_lag_mm_min(rule, cut, lag_mm(rule, cut, speed)), speed, 1e-9 * speed);
     }
     EXPECT_NEAR(lag_mm(rule, {10, 200}, 200), 10 * rule.lag_to_thickness, 1e-12);
 }
@@ -75,7 +75,7 @@ TEST(FeedForRadius, GrowsWithTheRadiusUpToTheCuttingSpeed) {
     for (int i = 0; i < 200; ++i) {
         const CuttingPlan plan =
             sample_plan("stainless steel", uniform(random, 0.5, 100), uniform(random, 1, 5));
-        double before = plan.lag.least_feed_share * plan.cutting_speed_mm_min;
+        double before = plan.lag.min_feed_share * plan.cutting_speed_mm_min;
         for (double radius = 0; radius < 500; radius += 2.5) {
             const double feed = feed_for_radius_mm_min(plan, radius);
             EXPECT_GE(feed, before);
@@ -116,7 +116,7 @@ TEST(FeedForCorner, FallsWithTheTurn) {
         before = feed;
     }
     EXPECT_LT(before, 0.5 * plan.cutting_speed_mm_min);
-    EXPECT_GE(before, plan.lag.least_feed_share * plan.cutting_speed_mm_min);
+    EXPECT_GE(before, plan.lag.min_feed_share * plan.cutting_speed_mm_min);
 }
 
 TEST(Feed, ThinAndThick) {

@@ -24,8 +24,8 @@ TEST(JobPrice, OfAnHour) {
     EXPECT_NEAR(price.orifice_wear, 1 / prices.orifice_life_h, 1e-12);
     const double by_hand = prices.machine_per_h + 0.06 * plan.water_l_min * prices.water_per_m3 +
                            0.06 * plan.jet.abrasive_g_min * prices.abrasive_per_kg +
-                           prices.orifice_each / prices.orifice_life_h +
-                           prices.mixing_tube_each / prices.mixing_tube_life_h;
+                           prices.orifice_price / prices.orifice_life_h +
+                           prices.mixing_tube_price / prices.mixing_tube_life_h;
     EXPECT_NEAR(price.total, by_hand, 1e-9);
 }
 

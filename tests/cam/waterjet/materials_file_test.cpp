@@ -17,11 +17,11 @@ namespace {
 using testing::HasSubstr;
 
 // Returns the sample with one part of its text replaced; the part must exist.
-std::string error_with(std::string_view piece, std::string_view other) {
+std::string error_with(std::string_view fragment, std::string_view other) {
     std::string text(built_in_materials_toml());
-    const std::size_t at = text.find(piece);
-    EXPECT_NE(at, std::string::npos) << piece;
-    text.replace(at, piece.size(), other);
+    const std::size_t at = text.find(fragment);
+    EXPECT_NE(at, std::string::npos) << fragment;
+    text.replace(at, fragment.size(), other);
     const auto materials = read_materials(text, "f");
     return materials ? "" : materials.error();
 }
@@ -104,9 +104,9 @@ TEST(MaterialsFile, NoFile) {
 // position.
 TEST(MaterialsFile, Mangled) {
     std::mt19937 random(5);
-    const std::string whole(built_in_materials_toml());
+    const std::string full(built_in_materials_toml());
     for (int i = 0; i < 2000; ++i) {
-        const auto materials = read_materials(test::mangled(random, whole), "f");
+        const auto materials = read_materials(test::mangled(random, full), "f");
         if (!materials) {
             EXPECT_TRUE(test::is_located(materials.error())) << materials.error();
             continue;

@@ -102,10 +102,10 @@ std::string NgcGenerator::value(int size) {
 
 std::string NgcGenerator::axis_words(int size, bool incremental) {
     std::string words;
-    const int least = incremental ? size / 2 : size;
+    const int min = incremental ? size / 2 : size;
     for (const std::string_view axis : {"X", "Y", "Z", "A", "B", "C"}) {
         const unsigned percent = axis < "D" ? 15 : 60;
-        if (random_.chance(percent)) words += fmt::format(" {}{}", axis, value(least));
+        if (random_.chance(percent)) words += fmt::format(" {}{}", axis, value(min));
     }
     return words.empty() ? fmt::format(" X{}", random_.decimal(1, size)) : words;
 }

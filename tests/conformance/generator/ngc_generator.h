@@ -98,7 +98,7 @@ class NgcGenerator {
         false;  ///< The stand-alone interpreter's canned machine has not moved since its tool offset changed.
     bool inverse_time_ = false;
     bool per_turn_ = false;
-    bool turning_ = false;  ///< The spindle.
+    bool spindle_turns_ = false;  ///< The spindle.
 };
 
 }  // namespace gsim::conformance

@@ -47,8 +47,8 @@ std::string NgcGenerator::arc_words(bool absolute_centre) {
     const double end = start + random_.between(10, 350) * kDegree;
     const double first = -radius * std::cos(start);
     const double second = -radius * std::sin(start);
-    const double to_first = first + radius * std::cos(end);
-    const double to_second = second + radius * std::sin(end);
+    const double joints_to_first = first + radius * std::cos(end);
+    const double joints_to_second = second + radius * std::sin(end);
     const std::string_view names = plane_ == Plane::xy ? "XYZIJ" : plane_ == Plane::zx ? "ZXYKI" : "YZXJK";
     const std::string_view parameters = plane_ == Plane::xy   ? "#5420#5421"
                                         : plane_ == Plane::zx ? "#5422#5420"
@@ -61,7 +61,7 @@ std::string NgcGenerator::arc_words(bool absolute_centre) {
         const std::string at = from_here(step, axis, !incremental_);
         return fmt::format("{}{}", names[axis], diameters_ && names[axis] == 'X' ? "[2 * " + at + "]" : at);
     };
-    std::string words = fmt::format("{} {}", end_word(to_first, 0), end_word(to_second, 1));
+    std::string words = fmt::format("{} {}", end_word(joints_to_first, 0), end_word(joints_to_second, 1));
     words += fmt::format(" {}{} {}{}", names[3], from_here(first, 0, absolute_centre), names[4],
                          from_here(second, 1, absolute_centre));
     if (random_.chance(30)) words += fmt::format(" {}{}", names[2], random_.decimal(-5, 5));
@@ -133,7 +133,7 @@ void NgcGenerator::cycle() {
     const std::string_view depth_axis = plane_ == Plane::xy ? "Z" : plane_ == Plane::zx ? "Y" : "X";
     const std::string_view hole_axes = plane_ == Plane::xy ? "XY" : plane_ == Plane::zx ? "ZX" : "YZ";
     const std::string_view code = random_.one_of({"G81", "G82", "G83", "G73", "G85", "G89", "G86"});
-    if (code == "G86" && !turning_) return;
+    if (code == "G86" && !spindle_turns_) return;
     std::string words =
         fmt::format("{} {} {}{} {}{} {}{} R{}", random_.one_of({"G98", "G99"}), code, hole_axes[0], value(20),
                     hole_axes[1], value(20), depth_axis, random_.decimal(-20, -1), random_.decimal(1, 8));
@@ -168,7 +168,7 @@ void NgcGenerator::back_to_known_place() {
 }
 
 void NgcGenerator::thread() {
-    if (!turning_ || inverse_time_) return;
+    if (!spindle_turns_ || inverse_time_) return;
     if (random_.chance(60)) {
         line(fmt::format("G33 X{} Z{} K{}", random_.decimal(-20, 20), random_.decimal(-40, -1),
                          random_.decimal(1, 3)));
@@ -179,7 +179,7 @@ void NgcGenerator::thread() {
 }
 
 void NgcGenerator::threading_cycle() {
-    if (!turning_ || inverse_time_ || rotated_ || incremental_) return;
+    if (!spindle_turns_ || inverse_time_ || rotated_ || incremental_) return;
     line("G18");
     line("G0 X20 Z5");
     line(fmt::format("G76 P{} Z{} I-1 J{} R{} K2 Q{} H{} E{} L{}", random_.decimal(1, 3),

@@ -27,7 +27,7 @@ void NgcGenerator::feed_mode() {
             line("S600 M3");
             line(fmt::format("G95 F{}", random_.decimal(1, 3)));
             inverse_time_ = false;
-            per_turn_ = turning_ = true;
+            per_turn_ = spindle_turns_ = true;
             return;
         case 2:
             line("G94");
@@ -140,7 +140,7 @@ void NgcGenerator::tool_data() {
 
 void NgcGenerator::tool_change() {
     line(fmt::format("T{} M6", random_.between(1, 5)));
-    turning_ = false;
+    spindle_turns_ = false;
     after_wait();
     if (random_.chance(50)) change_tool_offset("G43");
 }
@@ -159,7 +159,7 @@ void NgcGenerator::spindle() {
         case 0:
             if (per_turn_) return;
             line("M5");
-            turning_ = false;
+            spindle_turns_ = false;
             return;
         case 1: line("M4 S450"); break;
         case 2:
@@ -168,7 +168,7 @@ void NgcGenerator::spindle() {
             break;
         default: line(fmt::format("S{} M3", random_.between(100, 3000))); break;
     }
-    turning_ = true;
+    spindle_turns_ = true;
 }
 
 void NgcGenerator::switches() {
@@ -189,11 +189,11 @@ void NgcGenerator::shared_words() {
     switch (random_.below(6)) {
         case 0:
             line("G64 M19 R90");
-            turning_ = false;
+            spindle_turns_ = false;
             return;
         case 1:
             line("G64 P1 M19 R45 Q2");
-            turning_ = false;
+            spindle_turns_ = false;
             return;
         case 2: line("G4 P1.5 G64"); return;
         case 3: line("M50 P1 G64"); return;

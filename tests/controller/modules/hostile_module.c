@@ -57,12 +57,12 @@ static void block_signals(void) {
 
 /* Allocates a gigabyte at most, so that a test without a limit fails and does not bring down the machine. */
 static void hog_memory(void) {
-    const size_t piece = 64U << 20U;
+    const size_t chunk = 64U << 20U;
     int i;
     for (i = 0; i < 16; ++i) {
-        char* const more = malloc(piece);
+        char* const more = malloc(chunk);
         if (more == NULL) abort();
-        memset(more, 1, piece);
+        memset(more, 1, chunk);
     }
 }
 

@@ -66,12 +66,12 @@ static const double* last_position(const gsim_rcs_module* m) {
     return m->count == 0 ? m->position : m->queue[(m->first + m->count - 1) % CAPACITY].joints;
 }
 
-static int32_t refuse(gsim_rcs_module* m, int32_t status, const char* message) {
+static int32_t reject(gsim_rcs_module* m, int32_t status, const char* message) {
     m->message = message;
     return status;
 }
 
-static int32_t put(gsim_rcs_module* m, const double* joints, double duration_s) {
+static int32_t enqueue(gsim_rcs_module* m, const double* joints, double duration_s) {
     entry* e = &m->queue[(m->first + m->count) % CAPACITY];
     memcpy(e->joints, joints, sizeof e->joints);
     e->duration_s = duration_s;
@@ -83,39 +83,39 @@ static int32_t put_target(gsim_rcs_module* m, const gsim_rcs_target* target) {
     const double speed = m->rapid ? m->rapid_mm_s : m->speed_mm_s;
     double square = 0;
     int i;
-    if (m->count == CAPACITY) return refuse(m, GSIM_RCS_QUEUE_FULL, "The queue is full.");
-    if (!(speed > 0)) return refuse(m, GSIM_RCS_ZERO_SPEED, "No speed is programmed.");
+    if (m->count == CAPACITY) return reject(m, GSIM_RCS_QUEUE_FULL, "The queue is full.");
+    if (!(speed > 0)) return reject(m, GSIM_RCS_ZERO_SPEED, "No speed is programmed.");
     for (i = 0; i < m->joint_count; ++i) {
-        const double way = target->position.joints.values[i] - last_position(m)[i];
-        square += way * way;
+        const double distance = target->position.joints.values[i] - last_position(m)[i];
+        square += distance * distance;
     }
-    return put(m, target->position.joints.values, sqrt(square) / speed);
+    return enqueue(m, target->position.joints.values, sqrt(square) / speed);
 }
 
-static int32_t put_rest(gsim_rcs_module* m, const gsim_rcs_rest* rest) {
-    if (m->count == CAPACITY) return refuse(m, GSIM_RCS_QUEUE_FULL, "The queue is full.");
-    return put(m, last_position(m), rest->rest_s);
+static int32_t enqueue_dwell(gsim_rcs_module* m, const gsim_rcs_rest* rest) {
+    if (m->count == CAPACITY) return reject(m, GSIM_RCS_QUEUE_FULL, "The queue is full.");
+    return enqueue(m, last_position(m), rest->rest_s);
 }
 
 /* Spends up to the time of a step on the entries of the queue. */
 static int32_t step(gsim_rcs_module* m, double* elapsed_s) {
     int32_t status = m->count == 0 ? GSIM_RCS_NEED_MORE_DATA : GSIM_RCS_SUCCESS;
-    double left_s = m->step_s;
-    while (m->count > 0 && left_s > 0) {
+    double remaining_s = m->step_s;
+    while (m->count > 0 && remaining_s > 0) {
         const double rest_s = oldest(m)->duration_s - m->spent_s;
-        if (left_s < rest_s || FAULT == NEVER_ARRIVES) {
-            m->spent_s += FAULT == NEVER_ARRIVES ? 0 : left_s;
-            left_s = 0;
+        if (remaining_s < rest_s || FAULT == NEVER_ARRIVES) {
+            m->spent_s += FAULT == NEVER_ARRIVES ? 0 : remaining_s;
+            remaining_s = 0;
             break;
         }
-        left_s -= rest_s;
+        remaining_s -= rest_s;
         memcpy(m->position, oldest(m)->joints, sizeof m->position);
         m->spent_s = 0;
         m->first = (m->first + 1) % CAPACITY;
         --m->count;
         status = GSIM_RCS_TARGET_REACHED;
     }
-    *elapsed_s = m->step_s - left_s;
+    *elapsed_s = m->step_s - remaining_s;
     return status;
 }
 
@@ -137,7 +137,7 @@ static int32_t next_step(gsim_rcs_module* m, gsim_rcs_step* out) {
     int32_t status;
     if (FAULT == LEAVES_OUTPUT) return GSIM_RCS_SUCCESS;
     if (FAULT == NO_STATUS) return 77;
-    if (FAULT == BREAKS_DOWN) return refuse(m, GSIM_RCS_FAULT, "out of memory");
+    if (FAULT == BREAKS_DOWN) return reject(m, GSIM_RCS_FAULT, "out of memory");
     status = step(m, &elapsed_s);
     tell_position(m, out);
     out->elapsed_s = FAULT == BACKWARDS ? -elapsed_s : elapsed_s;
@@ -199,7 +199,7 @@ GSIM_RCS_EXPORT int32_t gsim_rcs_call(gsim_rcs_module* m, int32_t opcode, const 
         case GSIM_RCS_SELECT_MOTION_TYPE: return GSIM_RCS_SUCCESS;
         case GSIM_RCS_SET_INITIAL_POSITION: return set_initial_position(m, input);
         case GSIM_RCS_SET_NEXT_TARGET: return put_target(m, input);
-        case GSIM_RCS_SET_NEXT_REST: return put_rest(m, input);
+        case GSIM_RCS_SET_NEXT_REST: return enqueue_dwell(m, input);
         case GSIM_RCS_GET_NEXT_STEP: return next_step(m, output);
         case GSIM_RCS_SET_INTERPOLATION_TIME: m->step_s = ((const gsim_rcs_number*)input)->value; return 0;
         case GSIM_RCS_SET_CARTESIAN_POSITION_SPEED:

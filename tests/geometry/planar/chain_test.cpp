@@ -11,17 +11,17 @@ namespace {
 // The edges of a contour one by one, in any order and sense, their ends moved by up to `gap_mm`.
 std::vector<Contour> in_pieces(const Contour& contour, std::mt19937& random, double gap_mm) {
     std::uniform_real_distribution<double> shift(-gap_mm / 3, gap_mm / 3);
-    std::vector<Contour> pieces;
+    std::vector<Contour> drawn_contours;
     for (std::size_t i = 0; i < contour.edges(); ++i) {
         Edge edge = contour.edge(i);
         edge.start = edge.start + Point{shift(random), shift(random)};
-        Contour piece;
-        append_edge(piece, edge, static_cast<std::uint32_t>(i));
-        if (random() % 2 == 0) reverse(piece);
-        pieces.push_back(piece);
+        Contour drawn_contour;
+        append_edge(drawn_contour, edge, static_cast<std::uint32_t>(i));
+        if (random() % 2 == 0) reverse(drawn_contour);
+        drawn_contours.push_back(drawn_contour);
     }
-    std::shuffle(pieces.begin(), pieces.end(), random);
-    return pieces;
+    std::shuffle(drawn_contours.begin(), drawn_contours.end(), random);
+    return drawn_contours;
 }
 
 TEST(Chain, PiecesInAnyOrderAndSenseCloseAgain) {
@@ -29,22 +29,22 @@ TEST(Chain, PiecesInAnyOrderAndSenseCloseAgain) {
     for (const double gap_mm : {0.0, 0.01}) {
         for (int i = 0; i < 20; ++i) {
             const Contour contour = star(random, 25, 10, 30, 0.5);
-            const Chained chained = chain(in_pieces(contour, random, gap_mm), 0.02);
-            ASSERT_EQ(chained.closed.size(), 1U);
-            EXPECT_TRUE(chained.open.empty());
-            EXPECT_NEAR(std::abs(area_mm2(chained.closed[0])), area_mm2(contour),
+            const ChainResult chains = chain(in_pieces(contour, random, gap_mm), 0.02);
+            ASSERT_EQ(chains.closed.size(), 1U);
+            EXPECT_TRUE(chains.open.empty());
+            EXPECT_NEAR(std::abs(area_mm2(chains.closed[0])), area_mm2(contour),
                         1e-6 + gap_mm * length_mm(contour));
         }
     }
 }
 
 TEST(Chain, AGapWiderThanTheToleranceStaysOpen) {
-    Contour piece;
-    append_edge(piece, {{0, 0}, {10, 0}, 0}, 0);
-    append_edge(piece, {{10, 0}, {10, 10}, 0}, 0);
-    append_edge(piece, {{10, 10}, {0, 0.1}, 0}, 0);
-    EXPECT_EQ(chain({piece}, 0.05).open.size(), 1U);
-    EXPECT_EQ(chain({piece}, 0.2).closed.size(), 1U);
+    Contour drawn_contour;
+    append_edge(drawn_contour, {{0, 0}, {10, 0}, 0}, 0);
+    append_edge(drawn_contour, {{10, 0}, {10, 10}, 0}, 0);
+    append_edge(drawn_contour, {{10, 10}, {0, 0.1}, 0}, 0);
+    EXPECT_EQ(chain({drawn_contour}, 0.05).open.size(), 1U);
+    EXPECT_EQ(chain({drawn_contour}, 0.2).closed.size(), 1U);
 }
 
 TEST(Chain, TooManyEndsInOnePlaceAreSaid) {
@@ -54,7 +54,7 @@ TEST(Chain, TooManyEndsInOnePlaceAreSaid) {
         append_edge(ray, {{0, 0}, {std::cos(i * 0.006), std::sin(i * 0.006)}, 0}, 0);
         rays.push_back(ray);
     }
-    EXPECT_TRUE(chain(rays, 0.001).crowded);
+    EXPECT_TRUE(chain(rays, 0.001).is_ambiguous);
 }
 
 }  // namespace

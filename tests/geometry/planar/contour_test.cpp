@@ -21,8 +21,8 @@ TEST(Contour, AreaOfARoundedSlot) {
     slot.closed = true;
     slot.vertices = {{{0, -2}, 0, 0}, {{10, -2}, 1, 0}, {{10, 2}, 0, 0}, {{0, 2}, 1, 0}};
     EXPECT_NEAR(area_mm2(slot), 40 + kPi * 4, 1e-9);
-    EXPECT_NEAR(box_of(slot).high.x, 12, 1e-9);
-    EXPECT_NEAR(box_of(slot).low.x, -2, 1e-9);
+    EXPECT_NEAR(bounding_box(slot).high.x, 12, 1e-9);
+    EXPECT_NEAR(bounding_box(slot).low.x, -2, 1e-9);
 }
 
 TEST(Contour, GoingRoundTheOtherWayNegatesTheArea) {
@@ -57,8 +57,8 @@ TEST(Edge, SharesAndPartsOfArcs) {
         const Point point = point_at(edge, share);
         EXPECT_NEAR(share_at(edge, point), share, 1e-9);
         EXPECT_NEAR(distance_mm(edge, point), 0, 1e-9);
-        const Edge first = part_of(edge, 0, share);
-        const Edge second = part_of(edge, share, 1);
+        const Edge first = sub_edge(edge, 0, share);
+        const Edge second = sub_edge(edge, share, 1);
         EXPECT_NEAR(length_mm(first) + length_mm(second), length_mm(edge), 1e-9);
         EXPECT_NEAR(distance(start_tangent(second), end_tangent(first)), 0, 1e-6);
     }

@@ -15,14 +15,14 @@ std::optional<Crossing> crossing_of(const std::vector<Contour>& contours) {
 TEST(Crossing, ABowTieCrossesItsMiddle) {
     const auto found = crossing_of({polygon({{0, 0}, {10, 10}, {10, 0}, {0, 10}})});
     ASSERT_TRUE(found);
-    EXPECT_NEAR(distance(found->place, {5, 5}), 0, 1e-9);
+    EXPECT_NEAR(distance(found->location, {5, 5}), 0, 1e-9);
 }
 
 TEST(Crossing, OfTwoContoursBothAreNamed) {
     const auto found = crossing_of({rectangle({0, 0}, {10, 10}), circle({10, 5}, 2)});
     ASSERT_TRUE(found);
     EXPECT_NE(found->contour_a, found->contour_b);
-    EXPECT_NEAR(found->place.x, 10, 1e-9);
+    EXPECT_NEAR(found->location.x, 10, 1e-9);
 }
 
 TEST(Crossing, TouchingIsFoundToo) {

@@ -11,14 +11,14 @@ namespace {
 TEST(Nesting, AParentIsTheSmallestContourAround) {
     const std::vector<Contour> contours = {circle({0, 0}, 1), rectangle({-10, -10}, {10, 10}),
                                            circle({0, 0}, 5), circle({7, 7}, 1), circle({30, 0}, 4)};
-    const std::vector<Nest> nests = nest(contours);
-    EXPECT_EQ(nests[0].depth, 2U);
-    EXPECT_EQ(nests[0].parent, 2U);
-    EXPECT_EQ(nests[1].depth, 0U);
-    EXPECT_FALSE(nests[1].parent);
-    EXPECT_EQ(nests[2].parent, 1U);
-    EXPECT_EQ(nests[3].parent, 1U);
-    EXPECT_EQ(nests[4].depth, 0U);
+    const std::vector<NestingLevel> nestings = find_nesting(contours);
+    EXPECT_EQ(nestings[0].depth, 2U);
+    EXPECT_EQ(nestings[0].parent, 2U);
+    EXPECT_EQ(nestings[1].depth, 0U);
+    EXPECT_FALSE(nestings[1].parent);
+    EXPECT_EQ(nestings[2].parent, 1U);
+    EXPECT_EQ(nestings[3].parent, 1U);
+    EXPECT_EQ(nestings[4].depth, 0U);
 }
 
 TEST(Nesting, ABulgeCountsAsInside) {

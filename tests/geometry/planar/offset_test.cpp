@@ -21,7 +21,8 @@ double total_area(const std::vector<Contour>& contours) {
 
 std::vector<Contour> offset_of(const Contour& contour, double distance_mm) {
     auto result = offset(contour, distance_mm);
-    EXPECT_TRUE(result) << result.error().sentence << result.error().place.x << ' ' << result.error().place.y;
+    EXPECT_TRUE(result) << result.error().message << result.error().location.x << ' '
+                        << result.error().location.y;
     return result ? *result : std::vector<Contour>{};
 }
 
@@ -32,11 +33,11 @@ TEST(Offset, OfConvexShapesTheAreaIsSteiners) {
     for (const Contour& contour :
          {rectangle({0, 0}, {30, 20}), circle({500, 3}, 12), slot, polygon({{0, 0}, {40, 1}, {13, 29}})}) {
         for (const double d : {0.001, 0.4, 3.0, 100.0}) {
-            const std::vector<Contour> grown = offset_of(contour, d);
-            ASSERT_EQ(grown.size(), 1U);
+            const std::vector<Contour> expanded = offset_of(contour, d);
+            ASSERT_EQ(expanded.size(), 1U);
             const double expected = area_mm2(contour) + length_mm(contour) * d + kPi * d * d;
-            EXPECT_NEAR(area_mm2(grown[0]), expected, 1e-9 * expected);
-            EXPECT_NEAR(length_mm(grown[0]), length_mm(contour) + 2 * kPi * d, 1e-6);
+            EXPECT_NEAR(area_mm2(expanded[0]), expected, 1e-9 * expected);
+            EXPECT_NEAR(length_mm(expanded[0]), length_mm(contour) + 2 * kPi * d, 1e-6);
         }
     }
 }
@@ -96,8 +97,8 @@ TEST(Offset, ATangentThatWasRoundedDoesNotHarm) {
 TEST(Offset, ASlotAsWideAsTheToolDoesNotHarm) {
     // The walls are at exactly twice the distance.
     const Contour comb = polygon({{0, 0}, {30, 0}, {30, 20}, {20, 20}, {20, 5}, {18, 5}, {18, 20}, {0, 20}});
-    const std::vector<Contour> grown = offset_of(comb, 1);
-    EXPECT_NEAR(total_area(grown), clipper_offset_area_mm2(comb, 1), 0.01);
+    const std::vector<Contour> expanded = offset_of(comb, 1);
+    EXPECT_NEAR(total_area(expanded), clipper_offset_area_mm2(comb, 1), 0.01);
 }
 
 // No point of the offset is nearer to the contour than the distance, or farther.

@@ -110,11 +110,11 @@ void Ab9Control::set_scale(const ReadBlock& block) {
 // if the block gives none.
 void Ab9Control::set_rotation(const ReadBlock& block) {
     Rotation rotation;
-    const bool goes_on = rotates() && rotation_->plane == plane_;
-    if (goes_on) rotation.centre = rotation_->centre;
+    const bool continues = rotates() && rotation_->plane == plane_;
+    if (continues) rotation.centre = rotation_->centre;
     rotation.plane = plane_;
     rotation.system = system_;
-    rotation.angle_deg = *block.word("R") + (goes_on && incremental_ ? rotation_->angle_deg : 0);
+    rotation.angle_deg = *block.word("R") + (continues && incremental_ ? rotation_->angle_deg : 0);
     each_axis(block, [&](std::size_t axis, double value) {
         rotation.centre[static_cast<Eigen::Index>(axis)] = value;
     });
@@ -142,25 +142,26 @@ void Ab9Control::set_data(const ReadBlock& block) {
 }
 
 void Ab9Control::set_table(const ReadBlock& block) {
-    const auto set = [this](double& held, double value) { held = incremental_ ? held + value : value; };
-    const int list = static_cast<int>(*block.word("L")), place = static_cast<int>(*block.word("P"));
+    const auto set = [this](double& stored, double value) { stored = incremental_ ? stored + value : value; };
+    const int list = static_cast<int>(*block.word("L")), location = static_cast<int>(*block.word("P"));
     if (list == 2) {
-        Point& table = place == 0 ? external_ : systems_[static_cast<std::size_t>(place - 1)];
+        Point& table = location == 0 ? external_ : systems_[static_cast<std::size_t>(location - 1)];
         each_axis(block, [&](std::size_t axis, double value) {
             set(table[static_cast<Eigen::Index>(axis)], value);
         });
     } else {
-        Tool& tool = tools_[place];
+        Tool& tool = tools_[location];
         set(list == 10 ? tool.length_mm : tool.wear_mm, *block.word("R") * unit_mm_);
     }
 }
 
 // G92: the machine's current point gets the given coordinates, and keeps the others.
 void Ab9Control::shift_to(const ReadBlock& block) {
-    Point wanted = program_point();
-    each_axis(block,
-              [&](std::size_t axis, double value) { wanted[static_cast<Eigen::Index>(axis)] = value; });
-    shift_ += position_ - to_machine(wanted);
+    Point expected_value = program_point();
+    each_axis(block, [&](std::size_t axis, double value) {
+        expected_value[static_cast<Eigen::Index>(axis)] = value;
+    });
+    shift_ += position_ - to_machine(expected_value);
 }
 
 // --- Motion ---
@@ -224,11 +225,11 @@ void Ab9Control::drill(const ReadBlock& block) {
     read_levels(block);
     if (!block.has_axis() && !block.word("R")) return;
     const auto normal = kPlanes[at(plane_)][2];
-    ReadBlock place = block;
-    place.words.erase(std::string(1, kAxes[at(normal)]));
+    ReadBlock location = block;
+    location.words.erase(std::string(1, kAxes[at(normal)]));
     const int times = static_cast<int>(block.word("L").value_or(1));
     for (int pass = 0; pass < times; ++pass) {
-        go(true, to_machine(program_target(place)));
+        go(true, to_machine(program_target(location)));
         drill_here(motion_);
     }
 }

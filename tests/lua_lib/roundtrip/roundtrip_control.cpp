@@ -10,18 +10,18 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kTurn_rad = 2 * std::numbers::pi;
-constexpr double kMinute_s = 60;
+constexpr double kSecondsPerMinute = 60;
 constexpr std::array<char, 3> kCentreWords{'I', 'J', 'K'};
 
 // The angle from a to b in the sense of travel, above 0 and up to a turn.
-double swept(const Vector2d& a, const Vector2d& b, bool ccw) {
+double sweep_angle(const Vector2d& a, const Vector2d& b, bool ccw) {
     double angle = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
     if (!ccw) angle = -angle;
     return angle <= 0 ? angle + kTurn_rad : angle;
 }
 
 // Left of a, as far as a is long.
-Vector2d left_of(const Vector2d& a) {
+Vector2d left_normal(const Vector2d& a) {
     return {-a.y(), a.x()};
 }
 
@@ -98,13 +98,13 @@ void Control::go(bool rapid, const Point& machine) {
     Move move;
     move.kind = rapid ? Kind::rapid : Kind::linear;
     move.end = machine;
-    const Point way = machine - position_;
-    move.length_mm = way.head<3>().norm();
+    const Point displacement = machine - position_;
+    move.length_mm = displacement.head<3>().norm();
     if (!rapid) {
-        const bool rotary_alone = move.length_mm < kNoMove_mm && way.tail<3>().norm() < kNoMove_mm;
-        const double length = rotary_alone ? way.norm() : move.length_mm;
-        if (inverse_time_) move.time_s = kMinute_s / feed_;
-        move.feed_per_min = inverse_time_ ? length * feed_ : feed_ * (rotary_alone ? 1 : feed_unit_mm_);
+        const bool is_rotary_only = move.length_mm < kNoMove_mm && displacement.tail<3>().norm() < kNoMove_mm;
+        const double length = is_rotary_only ? displacement.norm() : move.length_mm;
+        if (inverse_time_) move.time_s = kSecondsPerMinute / feed_;
+        move.feed_per_min = inverse_time_ ? length * feed_ : feed_ * (is_rotary_only ? 1 : feed_unit_mm_);
     }
     add(move);
 }
@@ -126,17 +126,18 @@ Control::Circle Control::circle_by_centre(const ReadBlock& block, const Vector2d
         centre[i] += block.word(std::string(1, kCentreWords[axis])).value_or(0) * unit_mm_;
     }
     const bool full = (to - from).norm() < kNoMove_mm;
-    return {centre, full ? kTurn_rad : swept(from - centre, to - centre, ccw)};
+    return {centre, full ? kTurn_rad : sweep_angle(from - centre, to - centre, ccw)};
 }
 
 // Two circles pass through both ends: returns the arc of at most half a turn, or the other one if R is below
 // 0.
 Control::Circle Control::circle_by_radius(double radius, const Vector2d& from, const Vector2d& to, bool ccw) {
     const Vector2d half = (to - from) / 2;
-    const double aside = std::sqrt(std::max(radius * radius - half.squaredNorm(), 0.0));
+    const double lateral = std::sqrt(std::max(radius * radius - half.squaredNorm(), 0.0));
     const bool centre_on_left = ccw == (radius > 0);
-    const Vector2d centre = from + half + (centre_on_left ? 1 : -1) * aside * left_of(half).normalized();
-    return {centre, swept(from - centre, to - centre, ccw)};
+    const Vector2d centre =
+        from + half + (centre_on_left ? 1 : -1) * lateral * left_normal(half).normalized();
+    return {centre, sweep_angle(from - centre, to - centre, ccw)};
 }
 
 // Worked out in program coordinates; what comes of it in the machine is found at the end.
@@ -160,10 +161,11 @@ void Control::arc(bool ccw, const ReadBlock& block) {
     const Eigen::Matrix3d turn = space().linear();
     move.axis = (ccw ? 1 : -1) * turn.col(first).cross(turn.col(second)).normalized();
     const Eigen::Vector3d out = position_.head<3>() - move.centre;
-    const Eigen::Vector3d way = move.end.head<3>() - position_.head<3>();
-    move.length_mm = std::hypot(out.cross(move.axis).norm() * circle.sweep_rad, way.dot(move.axis));
+    const Eigen::Vector3d displacement = move.end.head<3>() - position_.head<3>();
+    move.length_mm = std::hypot(out.cross(move.axis).norm() * circle.sweep_rad, displacement.dot(move.axis));
     if (inverse_time_) move.time_s = inverse_time_of_arc_s(circle.sweep_rad) / feed_;
-    move.feed_per_min = inverse_time_ ? move.length_mm / *move.time_s * kMinute_s : feed_ * feed_unit_mm_;
+    move.feed_per_min =
+        inverse_time_ ? move.length_mm / *move.time_s * kSecondsPerMinute : feed_ * feed_unit_mm_;
     add(move);
 }
 

@@ -8,7 +8,7 @@ namespace gsim::roundtrip {
 namespace {
 
 constexpr int kSubs = 3;
-constexpr int kDeepest = 3;
+constexpr int kMaxDepth = 3;
 
 // Surroundings of a statement.
 struct Surroundings : Scope {
@@ -26,14 +26,14 @@ class Generator {
         turned_systems_ = !is_ab9() && random_.chance(2);
     }
 
-    Program whole() {
+    Program random_integer() {
         for (int i = 0; i < kSubs; ++i) add_sub();
-        Surroundings here = surroundings();
-        here.callable = program_.subs.size();
-        here.names = is_ab9() ? ab9_names() : ngc_names();
+        Surroundings current = environment();
+        current.callable = program_.subs.size();
+        current.names = is_ab9() ? ab9_names() : ngc_names();
         program_.main = named_parameters();
         program_.main.push_back({.block = shapes_.start()});
-        append(program_.main, statements(here, random_.whole(15, 30)));
+        append(program_.main, statements(current, random_.random_integer(15, 30)));
         return std::move(program_);
     }
 
@@ -49,10 +49,10 @@ class Generator {
         return {.block = {.assignments = {{std::move(target), std::move(value)}}}};
     }
 
-    Surroundings surroundings() const {
-        Surroundings here;
-        here.turned_systems = turned_systems_;
-        return here;
+    Surroundings environment() const {
+        Surroundings current;
+        current.turned_systems = turned_systems_;
+        return current;
     }
 
     // --- Names ---
@@ -115,69 +115,70 @@ class Generator {
     // --- Subs ---
 
     void add_sub() {
-        Surroundings here = surroundings();
-        here.in_sub = true;
-        here.callable = program_.subs.size();
-        here.depth = 1;
+        Surroundings current = environment();
+        current.in_sub = true;
+        current.callable = program_.subs.size();
+        current.depth = 1;
         Sub sub;
         sub.kind = !is_ab9() ? CallKind::o_word : random_.chance(2) ? CallKind::macro : CallKind::m98;
-        here.names = !is_ab9() ? ngc_names() : sub.kind == CallKind::macro ? macro_names() : ab9_names();
+        current.names = !is_ab9() ? ngc_names() : sub.kind == CallKind::macro ? macro_names() : ab9_names();
         shapes_.forget_arcs();
         if (!is_ab9())
             for (const char* name : {"a", "feed_2"})
                 sub.body.push_back(assign(named(name), values().constant(-9, 9)));
-        append(sub.body, statements(here, random_.whole(2, 4)));
-        if (!is_ab9() && random_.chance(2)) sub.result = values().assigned(here.names);
+        append(sub.body, statements(current, random_.random_integer(2, 4)));
+        if (!is_ab9() && random_.chance(2)) sub.result = values().assigned(current.names);
         made_arcs_.push_back(shapes_.made_arcs());
         for (const std::size_t called : called_) made_arcs_.back() = made_arcs_.back() || made_arcs_[called];
         called_.clear();
         program_.subs.push_back(std::move(sub));
     }
 
-    Body call(const Surroundings& here) {
-        const bool all_arcs = here.arcs == surroundings().arcs;
-        const auto index = static_cast<std::size_t>(random_.whole(0, static_cast<int>(here.callable) - 1));
-        if (made_arcs_[index] && !all_arcs) return shapes_.some(here);
+    Body call(const Surroundings& current) {
+        const bool all_arcs = current.arcs == environment().arcs;
+        const auto index =
+            static_cast<std::size_t>(random_.random_integer(0, static_cast<int>(current.callable) - 1));
+        if (made_arcs_[index] && !all_arcs) return shapes_.some(current);
         called_.push_back(index);
         Statement call{.kind = StatementKind::call, .sub = index};
         const CallKind kind = program_.subs[index].kind;
         if (kind == CallKind::macro) {
             for (const char* letter : {"A", "B", "C", "I", "J", "K", "X", "Y", "Z"})
-                if (random_.chance(3)) call.arguments.push_back({letter, values().coordinate(here.names)});
+                if (random_.chance(3)) call.arguments.push_back({letter, values().coordinate(current.names)});
         } else if (kind == CallKind::o_word) {
-            const int arguments = random_.whole(0, 4);
+            const int arguments = random_.random_integer(0, 4);
             for (int i = 0; i < arguments; ++i)
-                call.arguments.push_back({"", values().coordinate(here.names)});
+                call.arguments.push_back({"", values().coordinate(current.names)});
         }
         if (kind != CallKind::o_word && random_.chance(3)) call.count = values().constant(0, 2, 0);
         Body body;
         body.push_back(std::move(call));
         if (kind == CallKind::o_word && random_.chance(2))
-            body.push_back(assign(random_.pick(here.names.writable), named("_value")));
+            body.push_back(assign(random_.pick(current.names.writable), named("_value")));
         return body;
     }
 
     // --- Statements ---
 
-    Body statements(const Surroundings& here, int count) {
+    Body statements(const Surroundings& current, int count) {
         Body body;
-        for (int i = 0; i < count; ++i) append(body, some(here));
+        for (int i = 0; i < count; ++i) append(body, some(current));
         return body;
     }
 
-    Body some(const Surroundings& here) {
-        const bool shallow = here.depth < kDeepest;
-        switch (random_.whole(0, 15)) {
+    Body some(const Surroundings& current) {
+        const bool shallow = current.depth < kMaxDepth;
+        switch (random_.random_integer(0, 15)) {
             case 0:
             case 1:
-            case 2: return assignments(here);
-            case 3: return shallow ? choice(here) : assignments(here);
-            case 4: return shallow && here.loops < 2 ? loop(here) : shapes_.some(here);
-            case 5: return here.callable > 0 && here.loops < 2 ? call(here) : shapes_.some(here);
-            case 6: return early_end(here);
-            case 7: return is_ab9() ? shapes_.polar(here) : optional_parameter(here);
-            case 8: return is_ab9() && shallow ? transformed(here) : shapes_.some(here);
-            default: return shapes_.some(here);
+            case 2: return assignments(current);
+            case 3: return shallow ? choice(current) : assignments(current);
+            case 4: return shallow && current.loops < 2 ? loop(current) : shapes_.some(current);
+            case 5: return current.callable > 0 && current.loops < 2 ? call(current) : shapes_.some(current);
+            case 6: return early_end(current);
+            case 7: return is_ab9() ? shapes_.polar(current) : optional_parameter(current);
+            case 8: return is_ab9() && shallow ? transformed(current) : shapes_.some(current);
+            default: return shapes_.some(current);
         }
     }
 
@@ -186,12 +187,12 @@ class Generator {
         return variable(binary(random_.pick(names.counters), "+", number(is_ab9() ? "105" : "35")));
     }
 
-    Body assignments(const Surroundings& here) {
+    Body assignments(const Surroundings& current) {
         Statement statement;
-        statement.block.assignments.push_back({target(here.names), values().assigned(here.names)});
+        statement.block.assignments.push_back({target(current.names), values().assigned(current.names)});
         if (!is_ab9() && random_.chance(3))
             statement.block.assignments.push_back(
-                {random_.pick(here.names.writable), values().assigned(here.names)});
+                {random_.pick(current.names.writable), values().assigned(current.names)});
         Body body;
         body.push_back(std::move(statement));
         // Two assignments to one parameter in one block would leave open which one is last.
@@ -199,78 +200,80 @@ class Generator {
         return body;
     }
 
-    Body optional_parameter(const Surroundings& here) {
+    Body optional_parameter(const Surroundings& current) {
         Body body;
         body.push_back({.kind = StatementKind::choice});
-        body[0].branches.push_back({values().condition(here.names), {}});
+        body[0].branches.push_back({values().condition(current.names), {}});
         body[0].branches[0].body.push_back(
-            assign(named(random_.pick(here.names.optional)), values().assigned(here.names)));
+            assign(named(random_.pick(current.names.optional)), values().assigned(current.names)));
         return body;
     }
 
-    Body choice(Surroundings here) {
-        ++here.depth;
+    Body choice(Surroundings current) {
+        ++current.depth;
         Body body;
         body.push_back({.kind = StatementKind::choice});
-        const int branches = random_.whole(1, 3);
+        const int branches = random_.random_integer(1, 3);
         for (int i = 0; i < branches; ++i) {
             const bool otherwise = i > 0 && i == branches - 1;
-            ExprPtr condition = otherwise ? ExprPtr() : values().condition(here.names);
-            body[0].branches.push_back({std::move(condition), statements(here, random_.whole(1, 3))});
+            ExprPtr condition = otherwise ? ExprPtr() : values().condition(current.names);
+            body[0].branches.push_back(
+                {std::move(condition), statements(current, random_.random_integer(1, 3))});
         }
         return body;
     }
 
     // The counter is incremented first, so that a jump to the next pass cannot keep the loop running
     // endlessly.
-    Body loop(Surroundings here) {
-        ++here.depth;
-        ++here.loops;
-        here.may_jump = true;
+    Body loop(Surroundings current) {
+        ++current.depth;
+        ++current.loops;
+        current.may_jump = true;
         static constexpr StatementKind kKinds[] = {StatementKind::loop, StatementKind::do_loop,
                                                    StatementKind::repeat};
         Statement loop;
-        loop.kind = kKinds[random_.whole(0, is_ab9() ? 1 : 2)];
-        if (loop.kind == StatementKind::repeat) here.may_jump = false;
+        loop.kind = kKinds[random_.random_integer(0, is_ab9() ? 1 : 2)];
+        if (loop.kind == StatementKind::repeat) current.may_jump = false;
         const ExprPtr counter = variable(next_counter_++);
         Body body;
         body.push_back(assign(counter, number("0")));
-        here.names.counters.push_back(counter);
+        current.names.counters.push_back(counter);
         loop.count = values().constant(0, 4, 0);
         loop.condition = binary(counter, "LT", values().constant(1, 4, 0));
-        if (random_.chance(4)) loop.condition = binary(loop.condition, "AND", values().condition(here.names));
+        if (random_.chance(4))
+            loop.condition = binary(loop.condition, "AND", values().condition(current.names));
         loop.body.push_back(assign(counter, binary(counter, "+", number("1"))));
-        append(loop.body, statements(here, random_.whole(1, 3)));
+        append(loop.body, statements(current, random_.random_integer(1, 3)));
         body.push_back(std::move(loop));
         return body;
     }
 
     // Out of a loop or a sub, on a condition.
-    Body early_end(const Surroundings& here) {
+    Body early_end(const Surroundings& current) {
         Statement end;
-        if (here.may_jump && (!here.in_sub || random_.chance(2))) {
+        if (current.may_jump && (!current.in_sub || random_.chance(2))) {
             end.kind = random_.chance(2) ? StatementKind::leave : StatementKind::next;
-        } else if (here.in_sub) {
+        } else if (current.in_sub) {
             end.kind = StatementKind::give_back;
-            if (!is_ab9() && random_.chance(2)) end.result = values().assigned(here.names);
+            if (!is_ab9() && random_.chance(2)) end.result = values().assigned(current.names);
         } else {
-            return shapes_.lines(here);
+            return shapes_.lines(current);
         }
         Body body;
         body.push_back({.kind = StatementKind::choice});
-        body[0].branches.push_back({values().condition(here.names), {}});
+        body[0].branches.push_back({values().condition(current.names), {}});
         body[0].branches[0].body.push_back(std::move(end));
         return body;
     }
 
     // Mirror image, scaling or rotation around some statements, which no jump leaves.
-    Body transformed(Surroundings here) {
-        ++here.depth;
-        here.may_jump = false;
-        here.in_sub = false;
-        Bracket bracket = random_transformation(here, random_, values());
+    Body transformed(Surroundings current) {
+        ++current.depth;
+        current.may_jump = false;
+        current.in_sub = false;
+        Bracket bracket = random_transformation(current, random_, values());
         Body body = std::move(bracket.begin);
-        append(body, statements(here, random_.whole(1, 3)));
+        append(body, statements(current, random_.random_integer(1, 3)));
         body.push_back({.block = std::move(bracket.end)});
         return body;
     }
@@ -287,7 +290,7 @@ class Generator {
 }  // namespace
 
 Program random_program(Dialect dialect, unsigned seed) {
-    return Generator(dialect, seed).whole();
+    return Generator(dialect, seed).random_integer();
 }
 
 }  // namespace gsim::roundtrip

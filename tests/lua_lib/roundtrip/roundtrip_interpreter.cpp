@@ -25,7 +25,7 @@ class Interpreter {
           control_(control),
           variables_(program.dialect, [&control](int number) { return control.variable(number); }) {}
 
-    Reading whole() {
+    Reading random_integer() {
         const Ended ended = run(program_.main);
         return {control_.moves(), variables_.fragile(), ended == Ended::too_long};
     }
@@ -38,7 +38,7 @@ class Interpreter {
     }
 
     Ended run(const Statement& s) {
-        if (control_.moves().size() > kMostMoves) return Ended::too_long;
+        if (control_.moves().size() > kMaxMoves) return Ended::too_long;
         switch (s.kind) {
             case StatementKind::block: run(s.block); return Ended::normally;
             case StatementKind::choice: return choice(s);
@@ -68,19 +68,19 @@ class Interpreter {
 
     Ended choice(const Statement& s) {
         for (const Branch& branch : s.branches)
-            if (!branch.condition || variables_.holds(*branch.condition)) return run(branch.body);
+            if (!branch.condition || variables_.is_true(*branch.condition)) return run(branch.body);
         return Ended::normally;
     }
 
     Ended loop(const Statement& s) {
         long passes = s.kind == StatementKind::repeat ? std::lround(variables_.number(*s.count)) : -1;
         const bool tests_before = s.kind == StatementKind::loop;
-        while (passes != 0 && (!tests_before || variables_.holds(*s.condition))) {
+        while (passes != 0 && (!tests_before || variables_.is_true(*s.condition))) {
             const Ended ended = run(s.body);
             if (ended == Ended::leave) break;
             if (ended == Ended::given_back || ended == Ended::too_long) return ended;
             if (passes > 0) --passes;
-            if (s.kind == StatementKind::do_loop && !variables_.holds(*s.condition)) break;
+            if (s.kind == StatementKind::do_loop && !variables_.is_true(*s.condition)) break;
         }
         return Ended::normally;
     }
@@ -110,8 +110,8 @@ class Interpreter {
         int number = 0;
         for (const Word& argument : s.arguments) {
             ++number;
-            const int place = kind == CallKind::macro ? kMacroVariables.at(argument.letter) : number;
-            if (const Value value = variables_.value(*argument.value)) locals.numbered[place] = *value;
+            const int location = kind == CallKind::macro ? kMacroVariables.at(argument.letter) : number;
+            if (const Value value = variables_.value(*argument.value)) locals.numbered[location] = *value;
         }
         return locals;
     }
@@ -127,10 +127,10 @@ class Interpreter {
 Reading read(const Program& program, const std::array<Point, 9>& systems) {
     if (program.dialect == Dialect::ab9) {
         Ab9Control control(systems);
-        return Interpreter(program, control).whole();
+        return Interpreter(program, control).random_integer();
     }
     NgcControl control(systems);
-    return Interpreter(program, control).whole();
+    return Interpreter(program, control).random_integer();
 }
 
 }  // namespace gsim::roundtrip

@@ -14,10 +14,10 @@ namespace gsim::roundtrip {
 struct Reading {
     std::vector<Move> moves;
     bool fragile = false;   ///< The last bit of rounding may decide its course.
-    bool too_long = false;  ///< It was ended at kMostMoves.
+    bool too_long = false;  ///< It was ended at kMaxMoves.
 };
 
-inline constexpr std::size_t kMostMoves = 3000;
+inline constexpr std::size_t kMaxMoves = 3000;
 
 /// Carries out a program. `systems`: the stored offsets of G54, G55, ..
 Reading read(const Program& program, const std::array<Point, 9>& systems);

@@ -82,15 +82,15 @@ void NgcControl::set_data(const ReadBlock& block) {
 }
 
 void NgcControl::set_g10(const ReadBlock& block) {
-    const int list = static_cast<int>(*block.word("L")), place = static_cast<int>(*block.word("P"));
+    const int list = static_cast<int>(*block.word("L")), location = static_cast<int>(*block.word("P"));
     if (list == 1) {
-        if (!tools_.contains(place)) tools_[place].setZero();
+        if (!tools_.contains(location)) tools_[location].setZero();
         each_axis(block, [&](std::size_t axis, double value) {
-            tools_[place][static_cast<Eigen::Index>(axis)] = value;
+            tools_[location][static_cast<Eigen::Index>(axis)] = value;
         });
         return;
     }
-    System& system = systems_[place == 0 ? system_ : static_cast<std::size_t>(place - 1)];
+    System& system = systems_[location == 0 ? system_ : static_cast<std::size_t>(location - 1)];
     if (list == 20) return set_origin_by_position(block, system);
     each_axis(block, [&](std::size_t axis, double value) {
         system.origin[static_cast<Eigen::Index>(axis)] = value;
@@ -111,10 +111,10 @@ void NgcControl::set_origin_by_position(const ReadBlock& block, System& system) 
 }
 
 void NgcControl::set_g92(const ReadBlock& block) {
-    const Point here = program_point();
+    const Point current = program_point();
     each_axis(block, [&](std::size_t axis, double value) {
         const auto i = static_cast<Eigen::Index>(axis);
-        g92_[i] += here[i] - value;
+        g92_[i] += current[i] - value;
     });
     stored_g92_ = g92_;
 }
@@ -152,18 +152,18 @@ void NgcControl::to_level(bool rapid, double level) {
 // Words missing in the block are those of the cycle before, if it is the same. In increments R counts from
 // the level at which the series began, the depth from R.
 NgcControl::Hole NgcControl::read_levels(const ReadBlock& block) {
-    if (motion_ != last_cycle_) held_ = {};
+    if (motion_ != last_cycle_) sticky_ = {};
     last_cycle_ = motion_;
-    const auto keep = [&](const std::string& letter, double factor, std::optional<double>& held) {
-        if (const auto value = block.word(letter)) held = *value * factor;
+    const auto keep = [&](const std::string& letter, double factor, std::optional<double>& stored) {
+        if (const auto value = block.word(letter)) stored = *value * factor;
     };
-    keep("R", unit_mm_, held_.r);
-    keep(std::string(1, kAxes[at(kPlanes[at(plane_)][2])]), unit_mm_, held_.depth);
-    keep("Q", unit_mm_, held_.peck);
-    keep("P", 1, held_.dwell_s);
+    keep("R", unit_mm_, sticky_.r);
+    keep(std::string(1, kAxes[at(kPlanes[at(plane_)][2])]), unit_mm_, sticky_.depth);
+    keep("Q", unit_mm_, sticky_.peck);
+    keep("P", 1, sticky_.dwell_s);
     Hole hole;
-    hole.r = *held_.r + (incremental_ ? initial_ : 0);
-    hole.bottom = *held_.depth + (incremental_ ? hole.r : 0);
+    hole.r = *sticky_.r + (incremental_ ? initial_ : 0);
+    hole.bottom = *sticky_.depth + (incremental_ ? hole.r : 0);
     hole.clear = return_to_r_ ? hole.r : std::max(hole.r, initial_);
     return hole;
 }
@@ -190,14 +190,15 @@ void NgcControl::drill(const ReadBlock& block) {
 void NgcControl::strokes(const Hole& hole) {
     constexpr double kClearance_mm = 0.254;
     if (motion_ == "G83") {
-        for (double depth = hole.r - *held_.peck; depth > hole.bottom + kNoMove_mm; depth -= *held_.peck) {
+        for (double depth = hole.r - *sticky_.peck; depth > hole.bottom + kNoMove_mm;
+             depth -= *sticky_.peck) {
             to_level(false, depth);
             to_level(true, hole.r);
             to_level(true, depth + kClearance_mm);
         }
     }
     to_level(false, hole.bottom);
-    if (motion_ == "G82") dwell(*held_.dwell_s);
+    if (motion_ == "G82") dwell(*sticky_.dwell_s);
     if (motion_ == "G85") to_level(false, hole.r);
     to_level(true, hole.clear);
 }

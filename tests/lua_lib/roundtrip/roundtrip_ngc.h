@@ -55,7 +55,7 @@ class NgcControl : public Control {
     bool in_series_ = false;
     double initial_ = 0;
     std::string last_cycle_;
-    Held held_;
+    Held sticky_;
 };
 
 }  // namespace gsim::roundtrip

@@ -14,7 +14,7 @@ Block Shapes::start() {
 }
 
 Body Shapes::some(const Scope& scope) {
-    switch (random_.whole(0, 15)) {
+    switch (random_.random_integer(0, 15)) {
         case 0: return dwell(scope);
         case 1: return table(scope);
         case 2:
@@ -48,7 +48,7 @@ void Shapes::add_axes(Block& block, const Scope& scope, const std::string& lette
 // changes units or systems.
 void Shapes::add_modes_and_axes(Block& block, Scope scope, const std::string& letters) {
     if (random_.chance(4)) block.codes.emplace_back(random_.chance(2) ? "G90" : "G91");
-    if (random_.chance(8)) block.codes.push_back(fmt::format("G{}", random_.whole(17, 19)));
+    if (random_.chance(8)) block.codes.push_back(fmt::format("G{}", random_.random_integer(17, 19)));
     if (random_.chance(4)) {
         scope.names.unbounded.clear();
         block.codes.emplace_back(random_.chance(2)   ? random_.pick(kSystems)
@@ -84,7 +84,7 @@ Body Shapes::lines(const Scope& scope) {
 }
 
 Body Shapes::arc(const Scope& scope) {
-    const int plane = random_.whole(0, 2);
+    const int plane = random_.random_integer(0, 2);
     if (!scope.arcs[static_cast<std::size_t>(plane)]) return lines(scope);
     made_arcs_ = true;
     static constexpr const char* kLetters[] = {"XY", "ZX", "YZ"};
@@ -195,7 +195,7 @@ Body Shapes::table(const Scope& scope) {
     const bool is_ab9_external = is_ab9() && random_.chance(6);
     block.words.push_back({"L", number(by_position ? "20" : "2")});
     block.words.push_back(
-        {"P", number(std::to_string(is_ab9_external ? 0 : random_.whole(is_ab9() ? 1 : 0, 9)))});
+        {"P", number(std::to_string(is_ab9_external ? 0 : random_.random_integer(is_ab9() ? 1 : 0, 9)))});
     for (const char letter : some_of(is_ab9_external ? "XYZ" : "XYZA"))
         block.words.push_back({std::string(1, letter), values_.filled(scope.names)});
     if (scope.turned_systems && !by_position && random_.chance(2))
@@ -222,33 +222,33 @@ Body Shapes::offset(const Scope& scope) {
 
 Body Shapes::tool(const Scope& scope) {
     Body body;
-    const ExprPtr place = number(std::to_string(random_.whole(1, 3)));
+    const ExprPtr location = number(std::to_string(random_.random_integer(1, 3)));
     if (!is_ab9() && random_.chance(2)) {
         // rs274, which such programs can be compared with, forgets an offset that no move follows before M6.
         body = lines(scope);
-        add(body, {.codes = {"M6"}, .words = {{"T", place}}});
+        add(body, {.codes = {"M6"}, .words = {{"T", location}}});
     }
     if (random_.chance(2)) {
-        Block table{.codes = {"G10"}, .words = {{"P", place}}};
+        Block table{.codes = {"G10"}, .words = {{"P", location}}};
         const char* const list = is_ab9() ? (random_.chance(2) ? "10" : "11") : "1";
         table.words.push_back({"L", number(list)});
         table.words.push_back({is_ab9() ? "R" : "Z", values_.constant(0, 30)});
         if (!is_ab9() && random_.chance(3)) table.words.push_back({"X", values_.filled(scope.names)});
         add(body, std::move(table));
     }
-    switch (random_.whole(0, 4)) {
+    switch (random_.random_integer(0, 4)) {
         case 0: add(body, {.codes = {"G49"}}); break;
         case 1: add(body, {.codes = {"G43"}}); break;
         case 2:
             if (is_ab9()) {
-                add(body, {.words = {{"H", place}}});
+                add(body, {.words = {{"H", location}}});
             } else {
                 add(body, {.codes = {"G43.1"},
                            .words = {{random_.chance(2) ? "Z" : "Y", values_.filled(scope.names)}}});
             }
             break;
         default:
-            add(body, {.codes = {is_ab9() && random_.chance(3) ? "G44" : "G43"}, .words = {{"H", place}}});
+            add(body, {.codes = {is_ab9() && random_.chance(3) ? "G44" : "G43"}, .words = {{"H", location}}});
     }
     return body;
 }
@@ -279,7 +279,7 @@ void Shapes::add_cycle_words(Block& block, const Scope& scope, const std::string
 }
 
 Body Shapes::cycle(const Scope& scope) {
-    const int plane = scope.turned_systems ? 0 : random_.whole(0, 2);
+    const int plane = scope.turned_systems ? 0 : random_.random_integer(0, 2);
     const bool incremental = random_.chance(3);
     Body body;
     add(body, line_block(scope));
@@ -300,9 +300,9 @@ Body Shapes::cycle(const Scope& scope) {
     if (random_.chance(2)) return body;  // the next motion code ends it
     add(body, {.codes = {"G80"}});
     if (is_ab9()) {
-        Block again;
-        add_axes(again, scope, some_of("XYZ"));
-        add(body, std::move(again));
+        Block relist;
+        add_axes(relist, scope, some_of("XYZ"));
+        add(body, std::move(relist));
     }
     return body;
 }
@@ -310,12 +310,12 @@ Body Shapes::cycle(const Scope& scope) {
 Body Shapes::polar(const Scope& scope) {
     Body body;
     add(body, {.codes = {"G16"}});
-    const int blocks = random_.whole(1, 4);
+    const int blocks = random_.random_integer(1, 4);
     for (int i = 0; i < blocks; ++i) {
         Block block;
         if (i == 0 || random_.chance(2)) block.codes.emplace_back(random_.chance(3) ? "G0" : "G1");
         if (random_.chance(3)) block.codes.emplace_back(random_.chance(2) ? "G90" : "G91");
-        if (random_.chance(6)) block.codes.push_back(fmt::format("G{}", random_.whole(17, 19)));
+        if (random_.chance(6)) block.codes.push_back(fmt::format("G{}", random_.random_integer(17, 19)));
         add_axes(block, scope, some_of("XYZ"));
         add(body, std::move(block));
     }

@@ -46,7 +46,7 @@ script::Conditions conditions(Dialect dialect) {
     return setup;
 }
 
-Kind kind_of(MoveKind kind) {
+Kind program_kind(MoveKind kind) {
     if (kind == MoveKind::rapid) return Kind::rapid;
     if (kind == MoveKind::linear) return Kind::linear;
     if (kind == MoveKind::dwell) return Kind::dwell;
@@ -75,54 +75,57 @@ std::vector<std::size_t> real_moves(const script::Outcome& run) {
     return real;
 }
 
-std::string shown(const Point& point) {
+std::string display_text(const Point& point) {
     return text::joined(point, " ", "{:.6f}");
 }
 
-void expect_arc(const Move& wanted, const simulation::RecordedMove& found) {
+void expect_arc(const Move& expected_value, const simulation::RecordedMove& found) {
     ASSERT_TRUE(found.arc);
     const Eigen::Vector3d& normal = found.info.normal;
     const Eigen::Vector3d axis = found.info.kind == MoveKind::arc_ccw ? normal : Eigen::Vector3d(-normal);
-    EXPECT_LT((axis - wanted.axis).norm(), kTolerance)
-        << "found  " << axis.transpose() << "\nwanted " << wanted.axis.transpose();
-    EXPECT_EQ(normal, simulation::told_normal(normal));
-    EXPECT_EQ(found.info.turns, wanted.turns);
-    const Eigen::Vector3d apart = found.arc->center - wanted.centre;
+    EXPECT_LT((axis - expected_value.axis).norm(), kTolerance)
+        << "found  " << axis.transpose() << "\nwanted " << expected_value.axis.transpose();
+    EXPECT_EQ(normal, simulation::canonical_normal(normal));
+    EXPECT_EQ(found.info.turns, expected_value.turns);
+    const Eigen::Vector3d apart = found.arc->center - expected_value.centre;
     EXPECT_LT((apart - apart.dot(axis) * axis).norm(), kTolerance);
 }
 
-void expect_move(const Move& wanted, const script::Outcome& run, std::size_t n) {
+void expect_move(const Move& expected_value, const script::Outcome& run, std::size_t n) {
     const simulation::RecordedMove& found = run.moves[n];
-    ASSERT_EQ(kind_of(found.info.kind), wanted.kind);
-    if (wanted.time_s) {
-        EXPECT_NEAR(run.seconds(n), *wanted.time_s, kTolerance * (1 + *wanted.time_s));
+    ASSERT_EQ(program_kind(found.info.kind), expected_value.kind);
+    if (expected_value.time_s) {
+        EXPECT_NEAR(run.seconds(n), *expected_value.time_s, kTolerance * (1 + *expected_value.time_s));
     }
-    if (wanted.kind == Kind::dwell) return;
+    if (expected_value.kind == Kind::dwell) return;
     const Point end = end_of(run, n);
-    EXPECT_LT((end - wanted.end).cwiseAbs().maxCoeff(), kTolerance)
-        << "found  " << shown(end) << "\nwanted " << shown(wanted.end);
-    EXPECT_NEAR(found.length_mm, wanted.length_mm, kTolerance * (1 + wanted.length_mm * 1e-3));
-    if (wanted.kind == Kind::arc) expect_arc(wanted, found);
-    if (wanted.kind != Kind::rapid) {
-        EXPECT_NEAR(found.info.feed_per_min, wanted.feed_per_min, kTolerance * (1 + wanted.feed_per_min));
+    EXPECT_LT((end - expected_value.end).cwiseAbs().maxCoeff(), kTolerance)
+        << "found  " << display_text(end) << "\nwanted " << display_text(expected_value.end);
+    EXPECT_NEAR(found.length_mm, expected_value.length_mm,
+                kTolerance * (1 + expected_value.length_mm * 1e-3));
+    if (expected_value.kind == Kind::arc) expect_arc(expected_value, found);
+    if (expected_value.kind != Kind::rapid) {
+        EXPECT_NEAR(found.info.feed_per_min, expected_value.feed_per_min,
+                    kTolerance * (1 + expected_value.feed_per_min));
     }
 }
 
-void expect_same(const Reading& wanted, const script::Outcome& run) {
+void expect_same(const Reading& expected_value, const script::Outcome& run) {
     ASSERT_TRUE(run.completed()) << run.line() << ": " << run.message();
     const std::vector<std::size_t> found = real_moves(run);
-    for (std::size_t i = 0; i < std::min(found.size(), wanted.moves.size()); ++i) {
-        SCOPED_TRACE(fmt::format("move {} in line {}", i + 1, run.moves[found[i]].info.place.line));
-        expect_move(wanted.moves[i], run, found[i]);
+    for (std::size_t i = 0; i < std::min(found.size(), expected_value.moves.size()); ++i) {
+        SCOPED_TRACE(fmt::format("move {} in line {}", i + 1, run.moves[found[i]].info.location.line));
+        expect_move(expected_value.moves[i], run, found[i]);
         if (testing::Test::HasFailure()) return;
     }
-    EXPECT_EQ(found.size(), wanted.moves.size());
+    EXPECT_EQ(found.size(), expected_value.moves.size());
 }
 
 // GSIM_ROUNDTRIP_PROGRAMS requests more of them than the test needs day by day.
 unsigned programs() {
-    const char* const wanted = std::getenv("GSIM_ROUNDTRIP_PROGRAMS");
-    return wanted == nullptr ? kPrograms : static_cast<unsigned>(std::strtoul(wanted, nullptr, 10));
+    const char* const expected_value = std::getenv("GSIM_ROUNDTRIP_PROGRAMS");
+    return expected_value == nullptr ? kPrograms
+                                     : static_cast<unsigned>(std::strtoul(expected_value, nullptr, 10));
 }
 
 void run_all(Dialect dialect) {
@@ -132,16 +135,16 @@ void run_all(Dialect dialect) {
     for (unsigned seed = 1; seed <= count; ++seed) {
         const Program program = random_program(dialect, seed);
         const std::string text = program_text(program, seed);
-        const Reading wanted = read(program, systems);
-        if (wanted.fragile || wanted.too_long) {
+        const Reading expected_value = read(program, systems);
+        if (expected_value.fragile || expected_value.too_long) {
             ++left_out;
             continue;
         }
         const script::Outcome found = script::run(text, conditions(dialect));
         SCOPED_TRACE(fmt::format("seed {}\n{}\n{}", seed, text, found.lua));
-        expect_same(wanted, found);
+        expect_same(expected_value, found);
         if (testing::Test::HasFailure()) return;
-        moves += wanted.moves.size();
+        moves += expected_value.moves.size();
     }
     EXPECT_LT(left_out, 1 + count / 10);
     EXPECT_GT(moves, count * 20);

@@ -31,10 +31,10 @@ class ExprWriter {
     explicit ExprWriter(Dialect dialect) : dialect_(dialect) {}
 
     // Returns an operand that must bind at least so tightly.
-    std::string operand(const Expr& e, int least) const {
+    std::string operand(const Expr& e, int min) const {
         if (e.kind != ExprKind::binary) return primary(e);
         const std::string inner = joined(e);
-        return binding(e.text, dialect_) >= least ? inner : "[" + inner + "]";
+        return binding(e.text, dialect_) >= min ? inner : "[" + inner + "]";
     }
 
     std::string primary(const Expr& e) const { return operand_of(e); }
@@ -81,7 +81,7 @@ class Writer {
     Writer(const Program& program, unsigned seed)
         : program_(program), expr_(program.dialect), random_(seed) {}
 
-    std::string whole() {
+    std::string random_integer() {
         if (program_.dialect == Dialect::ab9) return whole_ab9();
         for (std::size_t i = 0; i < program_.subs.size(); ++i) o_sub(i);
         body(program_.main);
@@ -194,7 +194,7 @@ class Writer {
     void jump(const char* o_word, int to) {
         line(is_ab9() ? fmt::format("GOTO{}", to) : fmt::format("o{} {}", to, o_word));
     }
-    void place(int label) { line(fmt::format("N{}", label)); }
+    void location(int label) { line(fmt::format("N{}", label)); }
 
     static bool is_single_assignment(const Body& body) {
         return body.size() == 1 && body[0].kind == StatementKind::block && body[0].block.codes.empty() &&
@@ -222,11 +222,11 @@ class Writer {
         jump("", end);
         for (std::size_t i = 0; i < s.branches.size(); ++i) {
             if (!s.branches[i].condition) continue;
-            place(labels[i]);
+            location(labels[i]);
             body(s.branches[i].body);
             jump("", end);
         }
-        place(end);
+        location(end);
     }
 
     void loop_ab9(const Statement& s) {
@@ -234,19 +234,19 @@ class Writer {
         loops_.push_back(loop);
         if (s.kind == StatementKind::do_loop) {
             const int start = new_label();
-            place(start);
+            location(start);
             body(s.body);
-            place(loop.next);
+            location(loop.next);
             line(fmt::format("IF{}GOTO{}", expr_.bracketed(*s.condition), start));
         } else {
             const int nesting = ++while_depth_;
             line(fmt::format("WHILE{}DO{}", expr_.bracketed(*s.condition), nesting));
             body(s.body);
-            place(loop.next);
+            location(loop.next);
             line(fmt::format("END{}", nesting));
             --while_depth_;
         }
-        place(loop.leave);
+        location(loop.leave);
         loops_.pop_back();
     }
 
@@ -287,7 +287,7 @@ class Writer {
 }  // namespace
 
 std::string program_text(const Program& program, unsigned seed) {
-    return Writer(program, seed).whole();
+    return Writer(program, seed).random_integer();
 }
 
 }  // namespace gsim::roundtrip

@@ -15,11 +15,11 @@ class Maker {
 
     Bracket rotation() {
         static constexpr const char* kLetters[] = {"XY", "ZX", "YZ"};
-        const int plane = random_.whole(0, 2);
+        const int plane = random_.random_integer(0, 2);
         Block turn{.codes = {"G68", fmt::format("G{}", 17 + plane)},
                    .words = {{"R", values_.filled(names_)}}};
         if (random_.chance(3)) turn.codes.emplace_back(random_.chance(2) ? "G90" : "G91");
-        if (random_.chance(4)) turn.codes.push_back(fmt::format("G{}", random_.whole(54, 59)));
+        if (random_.chance(4)) turn.codes.push_back(fmt::format("G{}", random_.random_integer(54, 59)));
         add_centre(turn, kLetters[plane]);
         Bracket bracket{.begin = {}, .end = {.codes = {"G69"}}};
         bracket.begin.push_back({.block = std::move(turn)});
@@ -74,7 +74,7 @@ class Maker {
 
 Bracket random_transformation(Scope& inside, Random& random, Values& values) {
     Maker maker(inside, random, values);
-    switch (random.whole(0, 2)) {
+    switch (random.random_integer(0, 2)) {
         case 0: return maker.rotation();
         case 1: return maker.mirror();
         default: return maker.scale();

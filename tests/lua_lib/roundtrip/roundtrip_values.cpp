@@ -19,7 +19,7 @@ ExprPtr sum(ExprPtr a, ExprPtr b) {
 }  // namespace
 
 ExprPtr Values::constant(double low, double high, int decimals) {
-    const int digits = random_.whole(0, decimals);
+    const int digits = random_.random_integer(0, decimals);
     std::string text = fmt::format("{:.{}f}", random_.real(low, high), digits);
     if (std::stod(text) == 0) text = "0";
     if (digits == 0 && decimals > 0 && random_.chance(3)) text += ".";
@@ -27,18 +27,18 @@ ExprPtr Values::constant(double low, double high, int decimals) {
 }
 
 ExprPtr Values::leaf(const Names& names) {
-    const int way = random_.whole(0, 9);
-    if (way < 4 && !names.readable.empty()) return random_.pick(names.readable);
-    if (way == 4 && !names.counters.empty()) return random_.pick(names.counters);
-    if (way == 5 && !names.unbounded.empty()) return random_.pick(names.unbounded);
-    if (way == 6 && !names.optional.empty()) return exists(random_.pick(names.optional));
-    if (way == 7) return negative(leaf(names));
+    const int choice = random_.random_integer(0, 9);
+    if (choice < 4 && !names.readable.empty()) return random_.pick(names.readable);
+    if (choice == 4 && !names.counters.empty()) return random_.pick(names.counters);
+    if (choice == 5 && !names.unbounded.empty()) return random_.pick(names.unbounded);
+    if (choice == 6 && !names.optional.empty()) return exists(random_.pick(names.optional));
+    if (choice == 7) return negative(leaf(names));
     return constant(0, 40);
 }
 
 ExprPtr Values::call(const Names& names, int depth) {
     const ExprPtr a = any(names, depth - 1);
-    switch (random_.whole(0, 11)) {
+    switch (random_.random_integer(0, 11)) {
         case 0: return function("SIN", a);
         case 1: return function("COS", a);
         case 2: return angle(a, sum(size_of(leaf(names)), number("1.5")));
@@ -59,7 +59,7 @@ ExprPtr Values::call(const Names& names, int depth) {
 ExprPtr Values::operation(const Names& names, int depth) {
     static constexpr const char* kLogic[] = {"AND", "OR", "XOR"};
     const ExprPtr a = any(names, depth - 1);
-    switch (random_.whole(0, 8)) {
+    switch (random_.random_integer(0, 8)) {
         case 0:
         case 1: return sum(a, any(names, depth - 1));
         case 2:
@@ -97,8 +97,8 @@ ExprPtr Values::wrapped(const Names& names, int depth) {
 }
 
 ExprPtr Values::coordinate(const Names& names) {
-    const int way = random_.whole(0, 9);
-    if (way < 2 && !names.readable.empty()) {
+    const int choice = random_.random_integer(0, 9);
+    if (choice < 2 && !names.readable.empty()) {
         const ExprPtr variable = random_.pick(names.readable);
         return random_.chance(3) ? negative(variable) : variable;
     }
@@ -106,13 +106,13 @@ ExprPtr Values::coordinate(const Names& names) {
 }
 
 // Returns a name or number, moved by a constant up to `most`.
-ExprPtr Values::shifted(const Names& names, double most) {
+ExprPtr Values::shifted(const Names& names, double max) {
     const ExprPtr a = leaf(Names{.readable = names.readable});
-    return sum(a, constant(-most, most));
+    return sum(a, constant(-max, max));
 }
 
 ExprPtr Values::filled(const Names& names) {
-    switch (random_.whole(0, 7)) {
+    switch (random_.random_integer(0, 7)) {
         case 0: return shifted(names, 20);
         case 1: return wrapped(names, 2);
         case 2: return negative(wrapped(names, 1));
@@ -144,7 +144,7 @@ ExprPtr Values::condition(const Names& names) {
 }
 
 ExprPtr Values::assigned(const Names& names) {
-    switch (random_.whole(0, 5)) {
+    switch (random_.random_integer(0, 5)) {
         case 0: return coordinate(names);
         case 1: return shifted(names, 5);
         case 2: return constant(-50, 50);

@@ -13,15 +13,15 @@ class Random {
   public:
     explicit Random(unsigned seed) : engine_(seed) {}
 
-    int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
+    int random_integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(engine_); }
     /// True once in `of` times.
-    bool chance(int of) { return whole(1, of) == 1; }
+    bool chance(int of) { return random_integer(1, of) == 1; }
     double real(double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(engine_);
     }
     template <class List>
     auto& pick(List& list) {
-        return list[static_cast<std::size_t>(whole(0, static_cast<int>(std::size(list)) - 1))];
+        return list[static_cast<std::size_t>(random_integer(0, static_cast<int>(std::size(list)) - 1))];
     }
 
   private:
@@ -62,7 +62,7 @@ class Values {
     ExprPtr operation(const Names& names, int depth);
     ExprPtr comparison(const Names& names);
     ExprPtr wrapped(const Names& names, int depth);
-    ExprPtr shifted(const Names& names, double most);
+    ExprPtr shifted(const Names& names, double max);
 
     Dialect dialect_;
     Random& random_;

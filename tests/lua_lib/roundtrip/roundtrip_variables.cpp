@@ -9,7 +9,7 @@ namespace gsim::roundtrip {
 
 namespace {
 
-constexpr double kNear = 1e-9;
+constexpr double kTolerance = 1e-9;
 constexpr double kEqual = 1e-4;  // EQ and NE of RS274/NGC
 
 }  // namespace
@@ -36,11 +36,11 @@ void Variables::assign(const Expr& target, Value value) {
         return;
     }
     const int number = index(target);
-    std::map<int, double>& held = is_local(number) ? locals_.numbered : common_;
+    std::map<int, double>& stored = is_local(number) ? locals_.numbered : common_;
     if (value) {
-        held[number] = *value;
+        stored[number] = *value;
     } else {
-        held.erase(number);
+        stored.erase(number);
     }
 }
 
@@ -55,9 +55,9 @@ int Variables::index(const Expr& variable) {
 
 Value Variables::read(int number) {
     if (const Value own = system_(number)) return own;
-    const std::map<int, double>& held = is_local(number) ? locals_.numbered : common_;
-    const auto found = held.find(number);
-    if (found != held.end()) return found->second;
+    const std::map<int, double>& stored = is_local(number) ? locals_.numbered : common_;
+    const auto found = stored.find(number);
+    if (found != stored.end()) return found->second;
     return dialect_ == Dialect::ab9 ? Value() : Value(0);
 }
 
@@ -68,7 +68,7 @@ const std::map<std::string, double>& Variables::scope(const std::string& name) c
 // Checks the argument of functions that jump at integers.
 double Variables::step(double x) {
     const double off = std::abs(x - std::round(x));
-    if (off != 0 && off < kNear * (1 + std::abs(x))) fragile_ = true;
+    if (off != 0 && off < kTolerance * (1 + std::abs(x))) fragile_ = true;
     return x;
 }
 
@@ -103,7 +103,7 @@ double Variables::angle(double a, double b) const {
 double Variables::comparison(const std::string& op, const Value& a, const Value& b) {
     const double x = a.value_or(0), y = b.value_or(0);
     const double apart = std::abs(x - y);
-    if ((apart != 0 && apart < kNear) || std::abs(apart - kEqual) < kNear) fragile_ = true;
+    if ((apart != 0 && apart < kTolerance) || std::abs(apart - kEqual) < kTolerance) fragile_ = true;
     if (op == "EQ" || op == "NE") {
         bool equal = a.has_value() == b.has_value() && x == y;
         if (dialect_ == Dialect::ngc) equal = apart <= kEqual;

@@ -22,7 +22,7 @@ class Variables {
 
     Value value(const Expr& expr);
     double number(const Expr& expr) { return value(expr).value_or(0); }
-    bool holds(const Expr& condition) { return number(condition) != 0; }
+    bool is_true(const Expr& condition) { return number(condition) != 0; }
     void assign(const Expr& target, Value value);
 
     /// Around a call: local variables are new, and those of the caller come back.

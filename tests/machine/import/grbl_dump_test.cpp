@@ -22,10 +22,10 @@ constexpr const char* kRouter =
     "000\n"
     "ok\n";
 
-Imported import_text(const std::string& text) {
+ImportResult import_text(const std::string& text) {
     const auto imported = import_grbl(text, "router.txt");
     EXPECT_TRUE(imported) << imported.error();
-    return imported.value_or(Imported{});
+    return imported.value_or(ImportResult{});
 }
 
 TEST(GrblDump, TheRecordedMachineIsTheSample) {
@@ -43,7 +43,7 @@ TEST(GrblDump, TheRecordedMachineIsTheSample) {
 }
 
 TEST(GrblDump, WithHomingMachineCoordinatesGoFromMinusTheTravelToZero) {
-    const Imported imported =
+    const ImportResult imported =
         import_text(std::string(kRouter) + "$22=1\n$23=3\n$27=1.000\n$130=300.000\n$13=0\n$32=1\n");
     const machine::Axis& x = imported.machine.axes.at(0);
     EXPECT_EQ(x.min, -300);
@@ -57,7 +57,7 @@ TEST(GrblDump, WithHomingMachineCoordinatesGoFromMinusTheTravelToZero) {
 }
 
 TEST(GrblDump, TheRulesOfItsPlannerAndAFourthAxis) {
-    const Imported imported = import_text(
+    const ImportResult imported = import_text(
         std::string(kRouter) + "$11=0.020\n$12=0.004 (arc tolerance, mm)\n$103=10\n$113=3600\n$123=50\n");
     EXPECT_EQ(imported.machine.controller.junction_deviation_mm, 0.02);
     EXPECT_EQ(imported.machine.controller.arc_chord_tolerance_mm, 0.004);
@@ -67,7 +67,7 @@ TEST(GrblDump, TheRulesOfItsPlannerAndAFourthAxis) {
 }
 
 TEST(GrblDump, StoredPointsAreInTheUnitOfReports) {
-    const Imported imported =
+    const ImportResult imported =
         import_text(std::string(kRouter) +
                     "$13=1\n[G54:1.000,-2.000,0.500]\n[G28:1.000,0.000,0.000]\n"
                     "[G92:0.000,0.000,0.000]\n[TLO:0.000]\n[PRB:0.000,0.000,0.000:0]\n");

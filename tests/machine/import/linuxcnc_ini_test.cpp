@@ -45,13 +45,13 @@ std::string recorded(double speed, double acceleration, double turn_acceleration
     return ini;
 }
 
-Imported import_text(const std::string& ini) {
+ImportResult import_text(const std::string& ini) {
     const auto imported = import_linuxcnc(ini, "mill.ini");
     EXPECT_TRUE(imported) << imported.error();
-    return imported.value_or(Imported{});
+    return imported.value_or(ImportResult{});
 }
 
-tl::expected<Imported, std::string> import_file(const std::filesystem::path& path) {
+tl::expected<ImportResult, std::string> import_file(const std::filesystem::path& path) {
     return os::read_text_file(path).and_then(
         [&](const std::string& text) { return import_machine(text, path); });
 }
@@ -135,24 +135,24 @@ TEST(LinuxcncIni, ThePlannersOf210) {
     const auto of_traj = [](const std::string& traj, const std::string& axes = "") {
         return import_text(mill() + "[TRAJ]\n" + traj + axes);
     };
-    const Imported straight = of_traj("PLANNER_TYPE = 0\nMAX_LINEAR_JERK = 500\n");
+    const ImportResult straight = of_traj("PLANNER_TYPE = 0\nMAX_LINEAR_JERK = 500\n");
     EXPECT_EQ(straight.machine.controller, machine::built_in_controller("linuxcnc-2.10").value());
     EXPECT_EQ(straight.machine.path.max_jerk_mm_s3, std::numeric_limits<double>::infinity());
 
     const std::string jerks =
         "[AXIS_X]\nMAX_JERK = 500\n[AXIS_Y]\nMAX_JERK = 600\n[AXIS_Z]\nMAX_JERK = 700\n";
-    const Imported curves = of_traj("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 400\n", jerks);
+    const ImportResult curves = of_traj("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 400\n", jerks);
     EXPECT_TRUE(curves.machine.controller.limit_jerk);
     EXPECT_EQ(curves.machine.controller.model, "linuxcnc-2.10");
     EXPECT_NEAR(curves.machine.path.max_jerk_mm_s3, 400 * 25.4, 1e-6);
     EXPECT_NEAR(curves.machine.axes.at(1).max_jerk, 600 * 25.4, 1e-6);
     EXPECT_THAT(curves.warnings, testing::Not(Contains(HasSubstr("MAX_JERK"))));
 
-    const Imported silent = of_traj("PLANNER_TYPE = 1\n");
+    const ImportResult silent = of_traj("PLANNER_TYPE = 1\n");
     EXPECT_EQ(silent.machine.path.max_jerk_mm_s3, 1e9);
     EXPECT_THAT(silent.warnings, Contains(HasSubstr("no S-curves of moves of X, Y, Z")));
     EXPECT_EQ(of_traj("").machine.controller.model, "linuxcnc-2.9");
-    const Imported pecks = of_traj("PLANNER_TYPE = 1\n[RS274NGC]\nG83_PECK_CLEARANCE = 0.05\n");
+    const ImportResult pecks = of_traj("PLANNER_TYPE = 1\n[RS274NGC]\nG83_PECK_CLEARANCE = 0.05\n");
     EXPECT_NEAR(pecks.machine.controller.peck_clearance_mm, 0.05 * 25.4, 1e-9);
 }
 
@@ -170,7 +170,7 @@ TEST(LinuxcncIni, RangesOfOverridesAreThoseOfTheDisplay) {
 }
 
 TEST(LinuxcncIni, WhatIsNotTakenOverIsNamed) {
-    const Imported imported =
+    const ImportResult imported =
         import_text("[DISPLAY]\nDISPLAY = axis\nCYCLE_TIME = 0.1\n" + mill() +
                     "[TRAJ]\nARC_BLEND_ENABLE = 0\nARC_BLEND_OPTIMIZATION_DEPTH = "
                     "80\nMAX_LINEAR_JERK = 9\n"
@@ -239,7 +239,7 @@ TEST_F(LinuxcncFiles, ItsTablesAndIncludedFilesAreRead) {
     const auto path = write("mill.ini", std::string(kMill) +
                                             "#INCLUDE limits.inc\n[RS274NGC]\nPARAMETER_FILE = mill.var\n"
                                             "[EMCIO]\nTOOL_TABLE = mill.tbl\n");
-    ASSERT_TRUE(is_control_file("", path));
+    ASSERT_TRUE(is_controller_file("", path));
     const auto imported = import_file(path);
     ASSERT_TRUE(imported) << imported.error();
     EXPECT_EQ(imported->machine.axes.size(), 3U);

@@ -11,28 +11,28 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-struct Taken {
+struct ImportedTable {
     machine::MachineData data;
-    TableNotes notes;
+    ImportNotes notes;
     std::string error;
 };
 
-Taken parameters(const std::string& text, double unit_mm = 1, std::string_view axes = "XYZ") {
-    Taken taken;
-    const auto done = take_parameters(text, "mill.var", unit_mm, axes, taken.data, taken.notes);
+ImportedTable parameters(const std::string& text, double unit_mm = 1, std::string_view axes = "XYZ") {
+    ImportedTable taken;
+    const auto done = import_parameters(text, "mill.var", unit_mm, axes, taken.data, taken.notes);
     if (!done) taken.error = done.error();
     return taken;
 }
 
-Taken tools(const std::string& text, double unit_mm = 1, std::string_view axes = "XYZ") {
-    Taken taken;
-    const auto done = take_tools(text, "mill.tbl", unit_mm, axes, taken.data, taken.notes);
+ImportedTable tools(const std::string& text, double unit_mm = 1, std::string_view axes = "XYZ") {
+    ImportedTable taken;
+    const auto done = import_tools(text, "mill.tbl", unit_mm, axes, taken.data, taken.notes);
     if (!done) taken.error = done.error();
     return taken;
 }
 
 TEST(LinuxcncParameters, SystemsPointsAndVariables) {
-    const Taken taken = parameters(
+    const ImportedTable taken = parameters(
         "31\t2.5\n5161\t10\n5183\t-4\n5210\t1\n5211\t3\n5220\t2\n5241\t-20\n5243\t7\n5250\t45\n5061\t9\n", 1);
     EXPECT_EQ(taken.error, "");
     EXPECT_EQ(
@@ -62,7 +62,8 @@ TEST(LinuxcncParameters, AWrongLineHasItsPlace) {
 }
 
 TEST(LinuxcncTools, WordsOfATool) {
-    const Taken taken = tools("; mine\nT1 P1 D0.25 Z+2.5 X-0.5 I30 J-60 Q3 ;turning\n\nT12 P12 Z1\n", 25.4);
+    const ImportedTable taken =
+        tools("; mine\nT1 P1 D0.25 Z+2.5 X-0.5 I30 J-60 Q3 ;turning\n\nT12 P12 Z1\n", 25.4);
     EXPECT_EQ(taken.error, "");
     const machine::Tool& tool = taken.data.tools.at(1);
     EXPECT_NEAR(tool.length_mm, 63.5, 1e-12);

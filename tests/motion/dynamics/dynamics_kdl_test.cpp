@@ -70,7 +70,7 @@ TEST(DynamicsAgainstKdl, IsTheSameOnRandomChains) {
         KDL::JntArray torques(6);
         const KDL::Wrenches none(theirs.getNrOfSegments(), KDL::Wrench::Zero());
         ASSERT_EQ(solver.CartToJnt(in_si(chain, q), in_si(chain, v), in_si(chain, a), none, torques), 0);
-        const Efforts efforts = Dynamics(chain, model).efforts({q, v, a, senses(v)});
+        const Efforts efforts = Dynamics(chain, model).efforts({q, v, a, motion_directions(v)});
         EXPECT_LT((efforts - torques.data).norm(), 1e-12 * efforts.norm()) << i;
     }
 }

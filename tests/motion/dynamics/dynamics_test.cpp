@@ -13,13 +13,13 @@ using Eigen::Vector3d;
 constexpr double kG = 9.80665;
 constexpr double kRelative = 1e-9;
 
-void expect_near(double value, double wanted, double scale) {
-    EXPECT_NEAR(value, wanted, kRelative * std::max(std::abs(wanted), 1e-3 * scale));
+void expect_near(double value, double expected_value, double scale) {
+    EXPECT_NEAR(value, expected_value, kRelative * std::max(std::abs(expected_value), 1e-3 * scale));
 }
 
 Dynamics::Motion motion_of(const rrs::JointPos& position, const rrs::JointPos& velocity,
                            const rrs::JointPos& acceleration) {
-    return {position, velocity, acceleration, senses(velocity)};
+    return {position, velocity, acceleration, motion_directions(velocity)};
 }
 
 /// Returns X carrying Y, and Y carrying Z; each has its own mass.
@@ -157,11 +157,11 @@ TEST(Dynamics, AtRestOnlyWeightsCount) {
         for (JointDrive& drive : model.drives) drive.counterweight = 0;
         const rrs::JointPos q = random.joints(5, 2);
         const rrs::JointPos zero = rrs::JointPos::Zero(5);
-        const Efforts held = Dynamics(chain, model).efforts(motion_of(q, zero, zero));
+        const Efforts static_efforts = Dynamics(chain, model).efforts(motion_of(q, zero, zero));
         // In a lift in free fall no weight has to be held.
         model.gravity_m_s2 *= 2;
-        EXPECT_LT((Dynamics(chain, model).efforts(motion_of(q, zero, zero)) - 2 * held).norm(),
-                  1e-12 * held.norm());
+        EXPECT_LT((Dynamics(chain, model).efforts(motion_of(q, zero, zero)) - 2 * static_efforts).norm(),
+                  1e-12 * static_efforts.norm());
         model.gravity_m_s2.setZero();
         EXPECT_EQ(Dynamics(chain, model).efforts(motion_of(q, zero, zero)).norm(), 0);
     }
@@ -176,9 +176,9 @@ TEST(Dynamics, PartOfTheAccelerationIsTheMassMatrix) {
         const rrs::JointPos v = random.joints(5, 2);
         const rrs::JointPos a = random.joints(5, 20);
         const rrs::JointPos zero = rrs::JointPos::Zero(5);
-        const Efforts whole = dynamics.efforts(motion_of(q, v, a));
-        const Efforts rest = dynamics.efforts(motion_of(q, v, zero));
-        EXPECT_LT((whole - rest - dynamics.inertial(q, a)).norm(), 1e-10 * whole.norm());
+        const Efforts full = dynamics.efforts(motion_of(q, v, a));
+        const Efforts standstill = dynamics.efforts(motion_of(q, v, zero));
+        EXPECT_LT((full - standstill - dynamics.inertial_efforts(q, a)).norm(), 1e-10 * full.norm());
         // The matrix is symmetric: the effort on one joint by another's acceleration equals that in reverse
         // (in m and rad).
         const auto si = [&](int joint, double value) {
@@ -190,7 +190,8 @@ TEST(Dynamics, PartOfTheAccelerationIsTheMassMatrix) {
                 rrs::JointPos second = zero;
                 first[m] = si(m, 1);
                 second[n] = si(n, 1);
-                EXPECT_NEAR(dynamics.inertial(q, first)[n], dynamics.inertial(q, second)[m], 1e-11);
+                EXPECT_NEAR(dynamics.inertial_efforts(q, first)[n], dynamics.inertial_efforts(q, second)[m],
+                            1e-11);
             }
         }
     }
@@ -201,7 +202,7 @@ TEST(Dynamics, ModelNeedsAllLinks) {
 }
 
 TEST(Dynamics, JointsThatStandByRoundingHaveNoSense) {
-    EXPECT_EQ(senses(joint_pos({1e-12, -0.1, 3, 0})), joint_pos({0, -1, 1, 0}));
+    EXPECT_EQ(motion_directions(joint_pos({1e-12, -0.1, 3, 0})), joint_pos({0, -1, 1, 0}));
 }
 
 }  // namespace

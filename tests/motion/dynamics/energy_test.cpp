@@ -62,28 +62,28 @@ std::vector<Placed> placed(const Chain& chain, const DynamicsModel& model, const
 }
 
 /// By differences of the frames over time, of fourth order.
-double kinetic_j(const Chain& chain, const DynamicsModel& model, const Way& way, double t_s) {
+double kinetic_j(const Chain& chain, const DynamicsModel& model, const Way& path, double t_s) {
     constexpr double kStep_s = 1e-3;
     std::array<std::vector<Placed>, 4> near;
     constexpr std::array kSteps{-2, -1, 1, 2};
     constexpr std::array kWeights{1.0 / 12, -8.0 / 12, 8.0 / 12, -1.0 / 12};
     for (std::size_t i = 0; i < near.size(); ++i)
-        near[i] = placed(chain, model, way.at(t_s + kSteps[i] * kStep_s, 0));
-    const std::vector<Placed> here = placed(chain, model, way.at(t_s, 0));
+        near[i] = placed(chain, model, path.at(t_s + kSteps[i] * kStep_s, 0));
+    const std::vector<Placed> current = placed(chain, model, path.at(t_s, 0));
     double energy = 0;
-    for (std::size_t b = 0; b < here.size(); ++b) {
+    for (std::size_t b = 0; b < current.size(); ++b) {
         Vector3d velocity = Vector3d::Zero();
         Eigen::Matrix3d turn_rate = Eigen::Matrix3d::Zero();
         for (std::size_t i = 0; i < near.size(); ++i) {
-            velocity += kWeights[i] / kStep_s * (near[i][b].frame * here[b].body->centre_m);
+            velocity += kWeights[i] / kStep_s * (near[i][b].frame * current[b].body->centre_m);
             turn_rate += kWeights[i] / kStep_s * near[i][b].frame.linear();
         }
-        const Eigen::Matrix3d spin = here[b].frame.linear().transpose() * turn_rate;
-        const Vector3d turning(spin(2, 1), spin(0, 2), spin(1, 0));  // in the body's axes
-        energy += 0.5 * here[b].body->mass_kg * velocity.squaredNorm() +
-                  0.5 * turning.dot(here[b].body->inertia_kg_m2 * turning);
+        const Eigen::Matrix3d spin = current[b].frame.linear().transpose() * turn_rate;
+        const Vector3d angular_velocity(spin(2, 1), spin(0, 2), spin(1, 0));  // in the body's axes
+        energy += 0.5 * current[b].body->mass_kg * velocity.squaredNorm() +
+                  0.5 * angular_velocity.dot(current[b].body->inertia_kg_m2 * angular_velocity);
     }
-    const rrs::JointPos rates = way.at(t_s, 1);
+    const rrs::JointPos rates = path.at(t_s, 1);
     for (int j = 0; j < rates.size(); ++j) {
         const double rate = chain.kind(j) == rrs::JointKind::prismatic ? rates[j] / 1000 : rates[j];
         energy += 0.5 * model.drives[static_cast<std::size_t>(j)].rotor * rate * rate;
@@ -91,8 +91,8 @@ double kinetic_j(const Chain& chain, const DynamicsModel& model, const Way& way,
     return energy;
 }
 
-double potential_j(const Chain& chain, const DynamicsModel& model, const Way& way, double t_s) {
-    const rrs::JointPos q = way.at(t_s, 0);
+double potential_j(const Chain& chain, const DynamicsModel& model, const Way& path, double t_s) {
+    const rrs::JointPos q = path.at(t_s, 0);
     double energy = 0;
     for (const Placed& one : placed(chain, model, q))
         energy -= one.body->mass_kg * model.gravity_m_s2.dot(one.frame * one.body->centre_m);
@@ -103,8 +103,8 @@ double potential_j(const Chain& chain, const DynamicsModel& model, const Way& wa
     for (const Hose& hose : model.hoses) {
         Eigen::Isometry3d tool = chain.tool_frames(q).back();
         tool.translation() /= 1000;
-        const double beyond_m = (tool * hose.point_m - hose.anchor_m).norm() - hose.free_length_m;
-        if (beyond_m > 0) energy += 0.5 * hose.stiffness_n_per_m * beyond_m * beyond_m;
+        const double elongation_m = (tool * hose.point_m - hose.anchor_m).norm() - hose.free_length_m;
+        if (elongation_m > 0) energy += 0.5 * hose.stiffness_n_per_m * elongation_m * elongation_m;
     }
     return energy;
 }
@@ -117,17 +117,17 @@ TEST(Energy, WorkOfTheMotorsIsWhatTheMachineHasAndWhatFrictionTakes) {
         const Chain chain = random.chain(round % 5 + 1, round % 3);
         const DynamicsModel model = random.model(chain.joint_count());
         const Dynamics dynamics(chain, model);
-        const Way way(random, chain);
+        const Way path(random, chain);
         double work = 0;
         double friction = 0;
         double through = 0;                  // total energy, in any direction
         for (int i = 0; i <= kSteps; ++i) {  // Simpson's rule
             const double t_s = kTime_s * i / kSteps;
             const double weight = (i == 0 || i == kSteps ? 1 : (i % 2 == 1 ? 4 : 2)) * kTime_s / kSteps / 3;
-            const rrs::JointPos v = way.at(t_s, 1);
+            const rrs::JointPos v = path.at(t_s, 1);
             // Coulomb's friction jumps if a joint reverses, which disturbs every rule of integration: another
             // test checks its work.
-            const Dynamics::Motion motion{way.at(t_s, 0), v, way.at(t_s, 2),
+            const Dynamics::Motion motion{path.at(t_s, 0), v, path.at(t_s, 2),
                                           rrs::JointPos::Zero(chain.joint_count())};
             const double power = dynamics.powers_w(dynamics.efforts(motion), v).sum();
             work += weight * power;
@@ -135,7 +135,7 @@ TEST(Energy, WorkOfTheMotorsIsWhatTheMachineHasAndWhatFrictionTakes) {
             friction += weight * dynamics.powers_w(dynamics.friction(v, motion.sense), v).sum();
         }
         const auto energy = [&](double t_s) {
-            return kinetic_j(chain, model, way, t_s) + potential_j(chain, model, way, t_s);
+            return kinetic_j(chain, model, path, t_s) + potential_j(chain, model, path, t_s);
         };
         EXPECT_NEAR(work, energy(kTime_s) - energy(0) + friction, 1e-8 * through) << round;
     }

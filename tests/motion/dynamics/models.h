@@ -15,13 +15,13 @@ using kinematics::Link;
 /// Returns a joint at `at` (mm) of the preceding frame that moves along or about `direction`.
 inline Link joint(int index, rrs::JointKind kind, const Eigen::Vector3d& direction,
                   const Eigen::Vector3d& at = Eigen::Vector3d::Zero()) {
-    rrs::CartPos place = rrs::CartPos::Identity();
-    place.linear() =
+    rrs::CartPos position = rrs::CartPos::Identity();
+    position.linear() =
         Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), direction).toRotationMatrix();
     rrs::CartPos back = rrs::CartPos::Identity();
-    back.linear() = place.linear().transpose();
-    place.translation() = at;
-    return {.joint = index, .kind = kind, .before = place, .after = back};
+    back.linear() = position.linear().transpose();
+    position.translation() = at;
+    return {.joint = index, .kind = kind, .before = position, .after = back};
 }
 
 inline DynamicsModel model_of(std::vector<RigidBody> links) {
@@ -43,9 +43,7 @@ class Random {
     double from(double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(engine_);
     }
-    Eigen::Vector3d vector(double greatest) {
-        return {from(-greatest, greatest), from(-greatest, greatest), from(-greatest, greatest)};
-    }
+    Eigen::Vector3d vector(double max) { return {from(-max, max), from(-max, max), from(-max, max)}; }
     Eigen::Matrix3d turn() {
         return Eigen::Quaterniond(from(-1, 1), from(-1, 1), from(-1, 1), from(-1, 1))
             .normalized()
@@ -57,9 +55,9 @@ class Random {
         pose.translation() = vector(greatest_mm);
         return pose;
     }
-    rrs::JointPos joints(int count, double greatest) {
+    rrs::JointPos joints(int count, double max) {
         rrs::JointPos values(count);
-        for (double& value : values) value = from(-greatest, greatest);
+        for (double& value : values) value = from(-max, max);
         return values;
     }
     /// Returns a box of even density in any orientation.

@@ -36,12 +36,12 @@ TEST(RigidBody, NothingJoinedWithNothingIsNothing) {
 
 TEST(RigidBody, TensorsOfBodiesAreTakenAndOthersNot) {
     Random random(1);
-    for (int i = 0; i < 1000; ++i) EXPECT_EQ(find_inertia_fault(random.body().inertia_kg_m2), std::nullopt);
+    for (int i = 0; i < 1000; ++i) EXPECT_EQ(find_inertia_error(random.body().inertia_kg_m2), std::nullopt);
     // A rod without thickness is the limit of bodies.
-    EXPECT_EQ(find_inertia_fault(Eigen::Vector3d(0, 2, 2).asDiagonal()), std::nullopt);
-    EXPECT_EQ(find_inertia_fault(Eigen::Vector3d(-0.5, 2, 2).asDiagonal()),
+    EXPECT_EQ(find_inertia_error(Eigen::Vector3d(0, 2, 2).asDiagonal()), std::nullopt);
+    EXPECT_EQ(find_inertia_error(Eigen::Vector3d(-0.5, 2, 2).asDiagonal()),
               "one of its principal moments is negative: -0.5 kg m2");
-    EXPECT_EQ(find_inertia_fault(Eigen::Vector3d(1, 2, 4).asDiagonal()),
+    EXPECT_EQ(find_inertia_error(Eigen::Vector3d(1, 2, 4).asDiagonal()),
               "its principal moment 4 kg m2 is more than the sum of the two others, 1 and 2");
 }
 

@@ -8,7 +8,7 @@
 namespace gsim::dynamics {
 namespace {
 
-Dynamics three_slides(double coulomb, double viscous) {
+Dynamics three_slide_machine(double coulomb, double viscous) {
     const Chain chain({.base = rrs::CartPos::Identity(),
                        .links = {joint(0, rrs::JointKind::prismatic, Eigen::Vector3d::UnitX()),
                                  joint(1, rrs::JointKind::prismatic, Eigen::Vector3d::UnitY()),
@@ -25,14 +25,14 @@ motion::Segment line(const rrs::JointPos& from, const rrs::JointPos& to, double 
     segment.start = from;
     segment.end = to;
     segment.length_mm = (to - from).norm();
-    segment.lead = motion::TimeLaw::fastest(segment.length_mm, speed, acceleration);
-    segment.duration_s = segment.lead.duration_s();
+    segment.master = motion::TimeLaw::fastest(segment.length_mm, speed, acceleration);
+    segment.duration_s = segment.master.duration_s();
     segment.position_joints = {0, 1, 2};
     return segment;
 }
 
 TEST(SegmentEfforts, TrapezoidOfOneSlide) {
-    const Dynamics dynamics = three_slides(40, 0);
+    const Dynamics dynamics = three_slide_machine(40, 0);
     SegmentEfforts efforts(dynamics);
     double peak = 0;
     const EffortSums sums =
@@ -41,27 +41,28 @@ TEST(SegmentEfforts, TrapezoidOfOneSlide) {
     // 0.25 s with 122 kg 2 m/s2 and 40 N, 0.75 s with 40 N, 0.25 s with 40 N less than 244 N to brake.
     EXPECT_NEAR(peak, 284, 1e-9);
     EXPECT_NEAR(sums.squares[0], 0.25 * 284 * 284 + 0.75 * 1600 + 0.25 * 204 * 204, 1e-6);
-    EXPECT_NEAR(sums.in_j[0], 284 * 0.0625 + 40 * 0.375, 1e-9);
-    EXPECT_NEAR(sums.back_j[0], 204 * 0.0625, 1e-9);
+    EXPECT_NEAR(sums.drive_j[0], 284 * 0.0625 + 40 * 0.375, 1e-9);
+    EXPECT_NEAR(sums.regenerated_j[0], 204 * 0.0625, 1e-9);
     EXPECT_NEAR(sums.friction_j[0], 40 * 0.5, 1e-9);
     EXPECT_NEAR(sums.squares[1], 0, 1e-20);
     EXPECT_NEAR(sums.squares[2], 1.25 * std::pow(12 * 9.80665, 2), 1e-6);
-    EXPECT_EQ(sums.in_j[2], 0);
+    EXPECT_EQ(sums.drive_j[2], 0);
 }
 
 TEST(SegmentEfforts, RestHoldsTheWeight) {
-    const Dynamics dynamics = three_slides(40, 3);
-    motion::Segment rest;
-    rest.start = rest.end = joint_pos({0, 0, 0});
-    rest.duration_s = 4;
-    const EffortSums sums = SegmentEfforts(dynamics).sums(rest, [](const EffortSample&) {});
+    const Dynamics dynamics = three_slide_machine(40, 3);
+    motion::Segment standstill;
+    standstill.start = standstill.end = joint_pos({0, 0, 0});
+    standstill.duration_s = 4;
+    const EffortSums sums = SegmentEfforts(dynamics).sums(standstill, [](const EffortSample&) {});
     EXPECT_NEAR(sums.squares[2], 4 * std::pow(12 * 9.80665, 2), 1e-6);
-    EXPECT_NEAR(sums.squares[0] + sums.in_j.sum() + sums.back_j.sum() + sums.friction_j.sum(), 0, 1e-20);
+    EXPECT_NEAR(sums.squares[0] + sums.drive_j.sum() + sums.regenerated_j.sum() + sums.friction_j.sum(), 0,
+                1e-20);
 }
 
 // Along a full circle at constant speed each slide reverses twice, and Coulomb's friction with it.
 TEST(SegmentEfforts, CircleAtEvenSpeed) {
-    const Dynamics dynamics = three_slides(40, 100);
+    const Dynamics dynamics = three_slide_machine(40, 100);
     constexpr double kRadius_m = 0.05;
     constexpr double kSpeed_m_s = 0.2;
     motion::Segment segment;
@@ -71,13 +72,13 @@ TEST(SegmentEfforts, CircleAtEvenSpeed) {
     segment.arc.radius_mm = segment.arc.end_radius_mm = 1000 * kRadius_m;  // from X towards Y
     segment.arc.sweep_rad = 2 * std::numbers::pi;
     segment.length_mm = 1000 * 2 * std::numbers::pi * kRadius_m;
-    segment.lead = motion::TimeLaw::fastest(segment.length_mm, 1000 * kSpeed_m_s,
-                                            std::numeric_limits<double>::infinity());
-    segment.duration_s = segment.lead.duration_s();
+    segment.master = motion::TimeLaw::fastest(segment.length_mm, 1000 * kSpeed_m_s,
+                                              std::numeric_limits<double>::infinity());
+    segment.duration_s = segment.master.duration_s();
     const EffortSums sums = SegmentEfforts(dynamics).sums(segment, [](const EffortSample&) {});
     const double time_s = 2 * std::numbers::pi * kRadius_m / kSpeed_m_s;
     EXPECT_NEAR(sums.friction_j[0], 40 * 4 * kRadius_m + 100 * kSpeed_m_s * kSpeed_m_s / 2 * time_s, 1e-7);
-    EXPECT_NEAR(sums.in_j[1] - sums.back_j[1], sums.friction_j[1], 1e-7);
+    EXPECT_NEAR(sums.drive_j[1] - sums.regenerated_j[1], sums.friction_j[1], 1e-7);
     // m a and friction are a quarter of a turn out of phase: their product is 0 in total.
     const double inertia = 122 * kSpeed_m_s * kSpeed_m_s / kRadius_m;
     const double viscous = 100 * kSpeed_m_s;

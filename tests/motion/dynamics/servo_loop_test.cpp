@@ -115,7 +115,7 @@ TEST(ServoStep, FullFeedForwardLeavesNothing) {
 
 TEST(ServoStep, InfiniteGainFollowsAtOnce) {
     EXPECT_EQ(ServoStep({}, {120, 3000, 0, 0}, {}).at(0.3).value, 0);
-    EXPECT_EQ(ServoLoop{}.behind_s(), 0);
+    EXPECT_EQ(ServoLoop{}.constant_speed_lag_s(), 0);
 }
 
 TEST(ServoLoop, SlowestPartOfAnError) {
@@ -133,7 +133,7 @@ TEST(ServoStep, WhatIsLeftOfTheStartIsBounded) {
         const ServoLoop loop{.gain_1_s = std::pow(10, 1.5 + any(random)),
                              .lag_s = i % 3 == 0 ? 0 : std::pow(10, -2 + any(random))};
         const ServoStep step(loop, {0, 0, 0, 0}, {any(random), 100 * any(random)});
-        const double bound = step.transient() * (1 + 1e-9);
+        const double bound = step.transient_bound() * (1 + 1e-9);
         for (const double t_s : {0.0, 0.001, 0.01, 0.05, 0.2}) EXPECT_LE(std::abs(step.at(t_s).value), bound);
     }
 }

@@ -12,21 +12,21 @@
 namespace gsim::dynamics {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::infinity();
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-motion::Segment way(double start_s, const rrs::JointPos& from, const rrs::JointPos& to, double speed,
-                    double acceleration) {
+motion::Segment path(double start_s, const rrs::JointPos& from, const rrs::JointPos& to, double speed,
+                     double acceleration) {
     motion::Segment segment;
     segment.kind = motion::SegmentKind::linear;
     segment.start_s = start_s;
     segment.start = from;
     segment.end = to;
-    segment.lead = motion::TimeLaw::fastest((to - from).norm(), speed, acceleration);
-    segment.duration_s = segment.lead.duration_s();
+    segment.master = motion::TimeLaw::fastest((to - from).norm(), speed, acceleration);
+    segment.duration_s = segment.master.duration_s();
     return segment;
 }
 
-motion::Segment rest(double start_s, const rrs::JointPos& at, double duration_s) {
+motion::Segment standstill(double start_s, const rrs::JointPos& at, double duration_s) {
     motion::Segment segment;
     segment.start_s = start_s;
     segment.start = segment.end = at;
@@ -34,19 +34,19 @@ motion::Segment rest(double start_s, const rrs::JointPos& at, double duration_s)
     return segment;
 }
 
-void go(ServoMotion& servos, const motion::Segment& segment, const ServoMotion::Look& look = {}) {
-    servos.enter(segment, look);
-    servos.leave(look);
+void go(ServoMotion& servos, const motion::Segment& segment, const ServoMotion::StepHandler& on_step = {}) {
+    servos.enter(segment, on_step);
+    servos.leave(on_step);
 }
 
 double error(const ServoMotion& servos, double t_s, int joint = 0) {
-    return servos.set_points(t_s)[joint] - servos.places(t_s)[joint];
+    return servos.set_points(t_s)[joint] - servos.positions(t_s)[joint];
 }
 
 TEST(ServoMotion, ConstantSpeedFromTheStart) {
     ServoMotion servos({{.gain_1_s = 20}}, {false});
     servos.begin(joint_pos({5}));
-    go(servos, way(0, joint_pos({5}), joint_pos({105}), 50, kNone));
+    go(servos, path(0, joint_pos({5}), joint_pos({105}), 50, kUnlimited));
     EXPECT_NEAR(servos.now_s(), 2, 1e-12);
     EXPECT_NEAR(error(servos, 2), 50.0 / 20 * (1 - std::exp(-40)), 1e-9);
     EXPECT_NEAR(servos.set_points(2)[0], 105, 1e-9);
@@ -56,10 +56,10 @@ TEST(ServoMotion, ConstantSpeedFromTheStart) {
 TEST(ServoMotion, GapBetweenSegmentsIsARest) {
     ServoMotion servos({{.gain_1_s = 20}}, {false});
     servos.begin(joint_pos({0}));
-    go(servos, way(0, joint_pos({0}), joint_pos({100}), 50, kNone));
+    go(servos, path(0, joint_pos({0}), joint_pos({100}), 50, kUnlimited));
     servos.go_to(2.1, {});
     EXPECT_NEAR(error(servos, 2.1), 2.5 * std::exp(-2), 1e-9);
-    go(servos, rest(2.5, joint_pos({100}), 0.5));
+    go(servos, standstill(2.5, joint_pos({100}), 0.5));
     EXPECT_NEAR(error(servos, 3), 2.5 * std::exp(-20), 1e-9);
 }
 
@@ -67,7 +67,7 @@ TEST(ServoMotion, RampOfAVelocityLoopWithALag) {
     const ServoLoop loop{.gain_1_s = 50, .velocity_share = 1, .lag_s = 0.004};
     ServoMotion servos({loop}, {false});
     servos.begin(joint_pos({0}));
-    const motion::Segment segment = way(0, joint_pos({0}), joint_pos({1000}), 400, 800);  // 0.5 s of ramp
+    const motion::Segment segment = path(0, joint_pos({0}), joint_pos({1000}), 400, 800);  // 0.5 s of ramp
     servos.enter(segment, {});
     servos.go_to(0.5, {});
     EXPECT_NEAR(error(servos, 0.5), 0.004 * 800 / 50, 1e-6);  // and no more than that of its transient
@@ -80,28 +80,28 @@ TEST(ServoMotion, DelayIsAddedInTime) {
     const ServoLoop loop{.gain_1_s = 40, .velocity_share = 0.5, .delay_s = 0.0123};
     ServoMotion servos({loop, {.gain_1_s = 40, .velocity_share = 0.5}}, {false, false});
     servos.begin(joint_pos({0, 0}));
-    const motion::Segment segment = way(0, joint_pos({0, 0}), joint_pos({300, 300}), 200, 1000);
+    const motion::Segment segment = path(0, joint_pos({0, 0}), joint_pos({300, 300}), 200, 1000);
     servos.enter(segment, {});
     for (const double t_s : {0.05, 0.1234, 0.7, 1.3}) {
         servos.go_to(t_s, {});
         servos.go_to(t_s + 0.0123, {});
-        EXPECT_NEAR(servos.places(t_s + 0.0123)[0], servos.places(t_s)[1], 1e-9) << t_s;
+        EXPECT_NEAR(servos.positions(t_s + 0.0123)[0], servos.positions(t_s)[1], 1e-9) << t_s;
     }
     servos.leave({});
     // At a constant speed: a share of v / gain, and the delay.
-    EXPECT_NEAR(loop.behind_s(), 0.5 / 40 + 0.0123, 1e-15);
+    EXPECT_NEAR(loop.constant_speed_lag_s(), 0.5 / 40 + 0.0123, 1e-15);
 }
 
 // Two motions at once, as on a belt: the lag is that of their sum.
 TEST(ServoMotion, RestOnABeltLagsByTheSpeedOfTheBelt) {
     ServoMotion servos({{.gain_1_s = 25}}, {false});
     servos.begin(joint_pos({0}));
-    motion::Segment segment = rest(0, joint_pos({0}), 4);
-    segment.beside =
-        std::make_shared<const motion::Segment>(way(0, joint_pos({0}), joint_pos({400}), 100, kNone));
+    motion::Segment segment = standstill(0, joint_pos({0}), 4);
+    segment.superimposed =
+        std::make_shared<const motion::Segment>(path(0, joint_pos({0}), joint_pos({400}), 100, kUnlimited));
     go(servos, segment);
     EXPECT_NEAR(error(servos, 4), 100.0 / 25, 1e-9);
-    go(servos, rest(4, joint_pos({400}), 1));
+    go(servos, standstill(4, joint_pos({400}), 1));
     EXPECT_NEAR(error(servos, 5), 4 * std::exp(-25), 1e-9);
 }
 
@@ -109,11 +109,11 @@ TEST(ServoMotion, RestOnABeltLagsByTheSpeedOfTheBelt) {
 TEST(ServoMotion, JumpOfTheSetPointIsAnErrorAtOnce) {
     ServoMotion servos({{.gain_1_s = 10}}, {false});
     servos.begin(joint_pos({0}));
-    motion::Segment jump = rest(0, joint_pos({0}), 0);
+    motion::Segment jump = standstill(0, joint_pos({0}), 0);
     jump.kind = motion::SegmentKind::joint;
     jump.end = joint_pos({3});
     go(servos, jump);
-    go(servos, rest(0, joint_pos({3}), 0.2));
+    go(servos, standstill(0, joint_pos({3}), 0.2));
     EXPECT_NEAR(error(servos, 0.2), 3 * std::exp(-2), 1e-12);
 }
 
@@ -128,13 +128,13 @@ TEST(ServoMotion, CircleThroughALag) {
     segment.arc.radius_mm = segment.arc.end_radius_mm = kRadius_mm;
     segment.arc.sweep_rad = 2 * std::numbers::pi * kTurns;
     segment.length_mm = segment.arc.length_mm();
-    segment.lead = motion::TimeLaw::fastest(segment.length_mm, kSpeed_mm_s, kNone);
-    segment.duration_s = segment.lead.duration_s();
+    segment.master = motion::TimeLaw::fastest(segment.length_mm, kSpeed_mm_s, kUnlimited);
+    segment.duration_s = segment.master.duration_s();
     ServoMotion servos(std::vector<ServoLoop>(3, {.gain_1_s = kGain_1_s}), {false, false, false});
     servos.begin(segment.start);
     go(servos, segment);
     const double w = kSpeed_mm_s / kRadius_mm;
-    const rrs::JointPos end = servos.places(servos.now_s());
+    const rrs::JointPos end = servos.positions(servos.now_s());
     EXPECT_NEAR(std::hypot(end[0], end[1]), kRadius_mm / std::sqrt(1 + w * w / (kGain_1_s * kGain_1_s)),
                 1e-9);
     EXPECT_NEAR(std::atan2(-end[1], end[0]), std::atan(w / kGain_1_s), 1e-9);
@@ -146,8 +146,8 @@ TEST(ServoMotion, LongMotionsTakeFewSteps) {
     servos.begin(joint_pos({0}));
     int steps = 0;
     const auto count = [&](const SetPointStep&) { ++steps; };
-    go(servos, way(0, joint_pos({0}), joint_pos({1e6}), 10, 100), count);
-    go(servos, rest(100'000.1, joint_pos({1e6}), 1e9), count);
+    go(servos, path(0, joint_pos({0}), joint_pos({1e6}), 10, 100), count);
+    go(servos, standstill(100'000.1, joint_pos({1e6}), 1e9), count);
     EXPECT_LT(steps, 6000);
     EXPECT_NEAR(error(servos, servos.now_s()), 0, 1e-9);
 }

@@ -50,9 +50,9 @@ TEST(Chain, ForwardIsTheToolSeenFromTheWork) {
         const rrs::JointPos q = random.joints(chain);
         const rrs::CartPos tool = product(chain.tool_side(), q);
         const rrs::CartPos work = product(chain.work_side(), q);
-        ASSERT_LT(apart(chain.forward(q), work.inverse() * tool), 1e-9) << q.transpose();
-        ASSERT_LT(apart(chain.tool_frames(q).back(), tool), 1e-9);
-        ASSERT_LT(apart(chain.work_frames(q).back(), work), 1e-9);
+        ASSERT_LT(pose_distance(chain.forward(q), work.inverse() * tool), 1e-9) << q.transpose();
+        ASSERT_LT(pose_distance(chain.tool_frames(q).back(), tool), 1e-9);
+        ASSERT_LT(pose_distance(chain.work_frames(q).back(), work), 1e-9);
         ASSERT_EQ(chain.tool_frames(q).size() + chain.work_frames(q).size(), 10U);
     }
 }
@@ -70,8 +70,8 @@ TEST(Chain, EachJointMovesWhatIsBehindItAlongOrAboutZOfItsFrame) {
             const rrs::CartPos step = frame * moved(chain.kind(joint), 0.5) * frame.inverse();
             const rrs::CartPos tool = chain.tool_frames(further).back();
             const rrs::CartPos work = chain.work_frames(further).back();
-            const bool carries_tool = apart(tool, step * chain.tool_frames(q).back()) < 1e-9;
-            const bool carries_work = apart(work, step * chain.work_frames(q).back()) < 1e-9;
+            const bool carries_tool = pose_distance(tool, step * chain.tool_frames(q).back()) < 1e-9;
+            const bool carries_work = pose_distance(work, step * chain.work_frames(q).back()) < 1e-9;
             ASSERT_TRUE(carries_tool != carries_work) << joint;
         }
     }
@@ -94,7 +94,7 @@ TEST(Chain, IsAProductOfExponentials) {
                 pose.translate(-screw.point);
             }
         }
-        ASSERT_LT(apart(pose * screws.tool_at_zero, chain.forward(q)), 1e-8);
+        ASSERT_LT(pose_distance(pose * screws.tool_at_zero, chain.forward(q)), 1e-8);
     }
 }
 
@@ -108,7 +108,7 @@ TEST(Chain, AnyChainIsADenavitHartenbergTable) {
         for (std::size_t row = 0; row < 6; ++row)
             by_row[static_cast<Eigen::Index>(row)] = q[table.joints[row]];
         const DhChain converted(table.base, table.rows, table.tool);
-        ASSERT_LT(apart(converted.forward(by_row), chain.forward(q)), 1e-7) << i;
+        ASSERT_LT(pose_distance(converted.forward(by_row), chain.forward(q)), 1e-7) << i;
     }
 }
 
@@ -128,7 +128,7 @@ TEST(Chain, TableOfParallelAndCommonAxes) {
     const DhChain converted(table.base, table.rows, table.tool);
     for (int i = 0; i < 1'000; ++i) {
         const rrs::JointPos q = random.joints(chain);
-        ASSERT_LT(apart(converted.forward(q), chain.forward(q)), 1e-9);
+        ASSERT_LT(pose_distance(converted.forward(q), chain.forward(q)), 1e-9);
     }
 }
 
@@ -155,7 +155,7 @@ TEST(Chain, IdleJointsMoveNothing) {
     rrs::JointPos further = q;
     further[1] += 50;
     EXPECT_EQ(chain.forward(further).matrix(), chain.forward(q).matrix());
-    EXPECT_TRUE(stance(chain, q).jacobian.col(1).isZero(0));
+    EXPECT_TRUE(configuration(chain, q).jacobian.col(1).isZero(0));
     EXPECT_TRUE(chain.joint_frames(q)[1].matrix().isIdentity(0));
     EXPECT_EQ(kinematics::moved(chain, random.pose(10)).idle_joints(), std::vector<int>{1});
     EXPECT_THROW(Chain(tool, {}, {2}), std::invalid_argument);
@@ -167,14 +167,14 @@ TEST(Jacobian, IsTheDerivativeOfThePose) {
     for (int i = 0; i < 300; ++i) {
         const Chain chain = random_chain(random);
         const rrs::JointPos q = random.joints(chain);
-        const Stance here = stance(chain, q);
+        const Configuration current = configuration(chain, q);
         for (int joint = 0; joint < 6; ++joint) {
             constexpr double kStep = 1e-6;
             rrs::JointPos further = q;
             further[joint] += kStep;
-            const Twist difference = twist_to(here, chain.forward(further)) / kStep;
-            ASSERT_LT((difference - here.jacobian.col(joint)).norm(), 1e-2) << joint;
-            ASSERT_LT((difference - here.jacobian.col(joint)).tail<3>().norm(), 1e-5) << joint;
+            const Twist difference = twist_to_pose(current, chain.forward(further)) / kStep;
+            ASSERT_LT((difference - current.jacobian.col(joint)).norm(), 1e-2) << joint;
+            ASSERT_LT((difference - current.jacobian.col(joint)).tail<3>().norm(), 1e-5) << joint;
         }
     }
 }

@@ -15,9 +15,9 @@ TEST(SolveSymmetric, GivesTheSolution) {
     std::mt19937 random(8);
     for (Eigen::Index size = 1; size <= rrs::kMaxJoints; ++size) {
         const Eigen::MatrixXd root = random_matrix(random, size, size, size);
-        const JointSquare matrix = root * root.transpose() + Eigen::MatrixXd::Identity(size, size);
-        const rrs::JointPos wanted = rrs::JointPos::LinSpaced(size, -1, 2);
-        EXPECT_LT((solve_symmetric(matrix, matrix * wanted) - wanted).norm(), 1e-9);
+        const JointMatrix matrix = root * root.transpose() + Eigen::MatrixXd::Identity(size, size);
+        const rrs::JointPos expected_value = rrs::JointPos::LinSpaced(size, -1, 2);
+        EXPECT_LT((solve_symmetric(matrix, matrix * expected_value) - expected_value).norm(), 1e-9);
     }
 }
 

@@ -17,11 +17,11 @@ using rrs::JointKind;
 
 // Returns a joint with `direction` in the world as its Z. The frames of joints before and after it are the
 // world's.
-Link joint_along(int joint, JointKind kind, const Vector3d& direction, const Vector3d& place) {
+Link joint_along(int joint, JointKind kind, const Vector3d& direction, const Vector3d& position) {
     Link link{.joint = joint, .kind = kind};
     link.before.linear() =
         Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), direction).toRotationMatrix();
-    link.before.translation() = place;
+    link.before.translation() = position;
     link.after.linear() = link.before.linear().transpose();
     return link;
 }
@@ -42,8 +42,8 @@ Chain random_machine(RandomPoses& random, int rotary) {
     for (std::size_t i = 0; i < joints.size(); ++i) {
         // A slide after rotary axes moves with them; the slides stay near the world, so that they span space.
         Branch& side = random.number(0, 1) < 0.5 ? tool : work;
-        const Vector3d place(random.number(-100, 100), random.number(-100, 100), random.number(-100, 100));
-        side.links.push_back(joint_along(static_cast<int>(i), joints[i].first, joints[i].second, place));
+        const Vector3d position(random.number(-100, 100), random.number(-100, 100), random.number(-100, 100));
+        side.links.push_back(joint_along(static_cast<int>(i), joints[i].first, joints[i].second, position));
     }
     tool.base.linear().setIdentity();
     work.base.linear().setIdentity();
@@ -63,7 +63,8 @@ TEST(FiveAxis, InverseAndForwardUndoEachOtherOnRandomMachines) {
             ASSERT_LT((*back - q).cwiseAbs().maxCoeff(), 1e-9) << machine << ": " << q.transpose();
             const auto other = (*gantry)->inverse(pose, random.joints((*gantry)->chain()));
             ASSERT_TRUE(other) << other.error();
-            ASSERT_LT(apart((*gantry)->forward(*other), pose), 1e-9) << machine << ": " << q.transpose();
+            ASSERT_LT(pose_distance((*gantry)->forward(*other), pose), 1e-9)
+                << machine << ": " << q.transpose();
         }
     }
 }
@@ -78,7 +79,7 @@ TEST(FiveAxis, AllSolutionsPointTheToolTheSameWay) {
             rrs::CartPos pose = gantry->forward(q);
             const auto exact = gantry->solutions(pose, q).value();
             ASSERT_EQ(exact.size(), 2U);
-            ASSERT_LT(apart(gantry->forward(exact[0]), pose), 1e-9);
+            ASSERT_LT(pose_distance(gantry->forward(exact[0]), pose), 1e-9);
             pose.rotate(Eigen::AngleAxisd(random.number(0.1, 3), Vector3d::UnitZ()));
             const auto spun = gantry->solutions(pose, q).value();
             ASSERT_EQ(spun.size(), 2U);

@@ -82,24 +82,25 @@ TEST(Gantry, TipStaysWhileTheRotaryAxesTurn) {
 }
 
 TEST(Gantry, RefusesMachinesOfAnotherBuild) {
-    const auto trouble = [](std::vector<DhLink> rows) {
+    const auto error_text = [](std::vector<DhLink> rows) {
         return GantryKinematics::make(DhChain(gantry_base(), rows, rrs::CartPos::Identity())).error();
     };
     auto rows = gantry_rows();
     rows[3].alpha_rad = 0;
-    EXPECT_EQ(trouble(rows), "The gantry's closed-form inverse needs two rotary axes that are not parallel.");
+    EXPECT_EQ(error_text(rows),
+              "The gantry's closed-form inverse needs two rotary axes that are not parallel.");
     rows = gantry_rows();
     rows[0].alpha_rad = 0;
-    EXPECT_EQ(trouble(rows),
+    EXPECT_EQ(error_text(rows),
               "The gantry's closed-form inverse needs three linear axes that do not lie in one plane.");
     rows = gantry_rows();
     rows.push_back(slide(0, 0));
-    EXPECT_EQ(trouble(rows),
+    EXPECT_EQ(error_text(rows),
               "The gantry's closed-form inverse is for three linear axes and at most two rotary ones; this "
               "chain has 4 linear and 2 rotary joints.");
     rows = gantry_rows();
     rows[1].d_mm = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THAT(trouble(rows), HasSubstr("not finite"));
+    EXPECT_THAT(error_text(rows), HasSubstr("not finite"));
 }
 
 TEST(Gantry, RefusesWhatIsNoPoseAndNoNearPosition) {

@@ -21,7 +21,7 @@ TEST(Kdl, ForwardOfRandomTablesIsTheSame) {
         }
         const DhChain chain(random.pose(500), rows, random.pose(200));
         const rrs::JointPos q = random.joints(chain);
-        ASSERT_LT(apart(chain.forward(q), kdl_forward(chain, q)), 1e-9) << i;
+        ASSERT_LT(pose_distance(chain.forward(q), kdl_forward(chain, q)), 1e-9) << i;
     }
 }
 
@@ -36,7 +36,7 @@ TEST(Kdl, ForwardOfJointFramesOnBothSidesIsTheSame) {
         }
         const Chain chain(tool, work);
         const rrs::JointPos q = random.joints(chain);
-        ASSERT_LT(apart(chain.forward(q), kdl_forward(chain, q)), 1e-9) << i;
+        ASSERT_LT(pose_distance(chain.forward(q), kdl_forward(chain, q)), 1e-9) << i;
     }
 }
 

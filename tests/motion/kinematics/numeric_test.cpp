@@ -38,7 +38,7 @@ TEST(Numeric, FindsJointsForRandomPoses) {
         const rrs::CartPos pose = robot->forward(q);
         const auto found = robot->inverse(pose, random.joints(robot->chain()));
         ASSERT_TRUE(found) << found.error() << " q " << q.transpose();
-        ASSERT_LT(apart(robot->forward(*found), pose), 1e-6) << q.transpose();
+        ASSERT_LT(pose_distance(robot->forward(*found), pose), 1e-6) << q.transpose();
     }
 }
 
@@ -51,7 +51,7 @@ TEST(Numeric, AllEightSolutionsOfAnArmAreFound) {
     EXPECT_EQ(all.size(), 8U);
     EXPECT_LT((all[0] - q).norm(), 1e-6);
     for (std::size_t i = 0; i < all.size(); ++i) {
-        EXPECT_LT(apart(robot->forward(all[i]), pose), 1e-6);
+        EXPECT_LT(pose_distance(robot->forward(all[i]), pose), 1e-6);
         EXPECT_LE((all[i] - q).cwiseAbs().maxCoeff(), kPi + 1e-9);
         EXPECT_GE((all[i] - q).norm(), (all[i > 0 ? i - 1 : 0] - q).norm());
     }
@@ -87,7 +87,7 @@ TEST(Numeric, TakesAnyChain) {
             for (double& value : near) value += random.number(-0.2, 0.2);
             const auto found = robot->inverse(robot->forward(q), near);
             ASSERT_TRUE(found) << found.error();
-            ASSERT_LT(apart(robot->forward(*found), robot->forward(q)), 1e-6);
+            ASSERT_LT(pose_distance(robot->forward(*found), robot->forward(q)), 1e-6);
         }
     }
 }
@@ -106,8 +106,8 @@ TEST(Numeric, OutOfReachSaysByHowMuch) {
 
 TEST(Numeric, JointsThatLineUpAreNamed) {
     const auto robot = numeric();
-    EXPECT_EQ(robot->lined_up(joint_pos({0.3, 0.8, -0.4, 0.6, 0, -1})), (std::vector{3, 5}));
-    EXPECT_EQ(robot->lined_up(joint_pos({0.3, 0.8, -0.4, 0.6, 0.5, -1})), std::vector<int>{});
+    EXPECT_EQ(robot->aligned_joints(joint_pos({0.3, 0.8, -0.4, 0.6, 0, -1})), (std::vector{3, 5}));
+    EXPECT_EQ(robot->aligned_joints(joint_pos({0.3, 0.8, -0.4, 0.6, 0.5, -1})), std::vector<int>{});
 }
 
 // The wrist straight: any share of the turn between joints 3 and 5 will do.
@@ -116,7 +116,7 @@ TEST(Numeric, SingularPosesAreReached) {
     const rrs::JointPos q = joint_pos({0.3, 0.8, -0.4, 0.6, 0, -1});
     const rrs::CartPos pose = robot->forward(q);
     const auto found = robot->inverse(pose, joint_pos({0, 0.5, 0, 0, 0.5, 0})).value();
-    EXPECT_LT(apart(robot->forward(found), pose), 1e-6);
+    EXPECT_LT(pose_distance(robot->forward(found), pose), 1e-6);
 }
 
 TEST(Numeric, RefusesWhatItCannotWorkWith) {

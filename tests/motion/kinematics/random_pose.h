@@ -46,7 +46,7 @@ class RandomPoses {
 };
 
 /// Returns the distance of two poses, the larger of mm and rad.
-inline double apart(const rrs::CartPos& a, const rrs::CartPos& b) {
+inline double pose_distance(const rrs::CartPos& a, const rrs::CartPos& b) {
     const Eigen::Quaterniond turn(a.linear().transpose() * b.linear());
     return std::max((a.translation() - b.translation()).norm(),
                     2 * std::atan2(turn.vec().norm(), std::abs(turn.w())));

@@ -14,7 +14,7 @@ namespace gsim::motion {
 /// Returns three slides without limits of their own, except Z (20 mm/s, 200 mm/s2), on a path of 100 mm/s and
 /// 1000 mm/s2. The square corner velocity is 5 mm/s, the minimum cruise ratio 0.5, chords are 1 mm.
 inline PlannerSetup klipper_setup() {
-    PlannerSetup setup = three_slides();
+    PlannerSetup setup = three_slide_machine();
     for (JointSetup& joint : setup.joints) joint.max_speed = joint.max_acceleration = kUnlimited;
     setup.joints[2].max_speed = 20;
     setup.joints[2].max_acceleration = 200;
@@ -41,20 +41,20 @@ class KlipperPath {
     explicit KlipperPath(PlannerSetup setup = klipper_setup())
         : setup_(std::move(setup)), at_(rrs::JointPos::Zero(setup_.joint_count())) {}
 
-    Planned put(const rrs::JointPos& end, double speed_mm_s = 100) {
+    PlanResult enqueue(const rrs::JointPos& end, double speed_mm_s = 100) {
         PathMove move = begin(speed_mm_s);
         move.end = end;
-        const Planned planned = model_.add(move);
+        const PlanResult planned = model_.add(move);
         if (planned) at_ = end;
         return planned;
     }
-    void line(const rrs::JointPos& end, double speed_mm_s = 100) { ASSERT_TRUE(put(end, speed_mm_s)); }
+    void line(const rrs::JointPos& end, double speed_mm_s = 100) { ASSERT_TRUE(enqueue(end, speed_mm_s)); }
     void line(double x, double y, double z = 0) {
         rrs::JointPos end = at_;
         end.head<3>() = Eigen::Vector3d(x, y, z);
         line(end);
     }
-    Planned arc(double radius_mm, double sweep_rad) {
+    PlanResult arc(double radius_mm, double sweep_rad) {
         PathMove move = begin(100);
         move.kind = SegmentKind::circular;
         move.arc.u = {1, 0, 0};
@@ -64,11 +64,11 @@ class KlipperPath {
         move.arc.sweep_rad = sweep_rad;
         move.end = at_;
         move.end.head<3>() = move.arc.at(sweep_rad);
-        const Planned planned = model_.add(move);
+        const PlanResult planned = model_.add(move);
         if (planned) at_ = move.end;
         return planned;
     }
-    void rest() { model_.come_to_rest(); }
+    void standstill() { model_.plan_to_standstill(); }
 
     rrs::PathMode mode = rrs::PathMode::continuous;
     bool rapid = false;

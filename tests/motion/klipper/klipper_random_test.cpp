@@ -99,10 +99,10 @@ class RandomPath {
 
     void go(int count) {
         for (int i = 0; i < count; ++i) step();
-        path_.rest();
+        path_.standstill();
     }
     const KlipperPath& path() const { return path_; }
-    std::vector<Speeds> wanted() {
+    std::vector<Speeds> expected_value() {
         const rrs::ControllerRules& rules = path_.setup().controller;
         return WholePath(steps_, rules.square_corner_velocity_mm_s, 1000).speeds();
     }
@@ -116,22 +116,22 @@ class RandomPath {
         if (chance(0.1)) speed_ = 200 * share() + 0.1;
         heading_ += chance(0.03) ? 2 * kPi * share() : bend_ * (share() - 0.3);
         const double length = size_ * (0.2 + share());
-        const Eigen::Vector3d way(length * std::cos(heading_), length * std::sin(heading_),
-                                  climbs_ && chance(0.3) ? length * (share() - 0.5) : 0);
+        const Eigen::Vector3d displacement(length * std::cos(heading_), length * std::sin(heading_),
+                                           climbs_ && chance(0.3) ? length * (share() - 0.5) : 0);
         const Eigen::Vector3d from = path_.position();
-        path_.line(rrs::JointPos(from + way), speed_);
+        path_.line(rrs::JointPos(from + displacement), speed_);
         const Eigen::Vector3d gone = path_.position() - rrs::JointPos(from);
         add(gone);
     }
 
-    void add(const Eigen::Vector3d& way) {
-        const double length = way.norm();
-        const double climb = std::abs(way.z()) / length;
-        Step step{way / length, length, 0, 1000, 0};
+    void add(const Eigen::Vector3d& displacement) {
+        const double length = displacement.norm();
+        const double ascent = std::abs(displacement.z()) / length;
+        Step step{displacement / length, length, 0, 1000, 0};
         double speed = std::min(speed_, 100.0);
-        if (climb > 0) {
-            speed = std::min(speed, 20 / climb);
-            step.acceleration = std::min(1000.0, 200 / climb);
+        if (ascent > 0) {
+            speed = std::min(speed, 20 / ascent);
+            step.acceleration = std::min(1000.0, 200 / ascent);
         }
         step.speed2 = speed * speed;
         step.gentle = std::min(step.acceleration, 1000 * (1 - path_.setup().controller.minimum_cruise_ratio));
@@ -150,19 +150,19 @@ TEST(KlipperRandom, SpeedsAreThoseOfTheWholePath) {
         SCOPED_TRACE(seed);
         RandomPath run(seed);
         run.go(600);
-        const std::vector<Speeds> wanted = run.wanted();
+        const std::vector<Speeds> expected_value = run.expected_value();
         const auto& segments = run.path().segments();
-        ASSERT_EQ(segments.size(), wanted.size());
+        ASSERT_EQ(segments.size(), expected_value.size());
         double time_s = 0;
-        for (std::size_t i = 0; i < wanted.size(); ++i) {
-            ASSERT_NEAR(segments[i].lead.start_speed(), wanted[i].start, 1e-6) << i;
-            ASSERT_NEAR(segments[i].lead.peak_speed(), wanted[i].cruise, 1e-6) << i;
-            ASSERT_NEAR(segments[i].lead.end_speed(), wanted[i].end, 1e-6) << i;
-            const double a = segments[i].lead_limits.acceleration;
-            const auto& [start, cruise, end] = wanted[i];
-            const double way =
+        for (std::size_t i = 0; i < expected_value.size(); ++i) {
+            ASSERT_NEAR(segments[i].master.start_speed(), expected_value[i].start, 1e-6) << i;
+            ASSERT_NEAR(segments[i].master.peak_speed(), expected_value[i].cruise, 1e-6) << i;
+            ASSERT_NEAR(segments[i].master.end_speed(), expected_value[i].end, 1e-6) << i;
+            const double a = segments[i].master_limits.acceleration;
+            const auto& [start, cruise, end] = expected_value[i];
+            const double displacement =
                 segments[i].length_mm - (2 * cruise * cruise - start * start - end * end) / 2 / a;
-            time_s += (2 * cruise - start - end) / a + way / cruise;
+            time_s += (2 * cruise - start - end) / a + displacement / cruise;
         }
         ASSERT_NEAR(run.path().time_s(), time_s, 1e-7 * time_s);
     }
@@ -174,8 +174,8 @@ TEST(KlipperRandom, HoldsNoMoreThanWhatItBrakesOn) {
     for (int i = 1; i <= 20'000; ++i) {
         const double angle = i * 0.001;
         path.line(50 * std::sin(angle), 50 * (1 - std::cos(angle)));
-        const std::size_t held = static_cast<std::size_t>(i) - path.segments().size();
-        ASSERT_LT(held, 1000u) << i;  // 10 mm to brake on at 0.05 mm each
+        const std::size_t pending = static_cast<std::size_t>(i) - path.segments().size();
+        ASSERT_LT(pending, 1000u) << i;  // 10 mm to brake on at 0.05 mm each
     }
 }
 

@@ -41,7 +41,7 @@ TEST(LinuxcncBlend, MissesACornerByTheTolerance) {
         // 2 - 1). The speed on it takes 0.866 of the acceleration.
         const double radius_mm = tolerance_mm / (std::sqrt(2.0) - 1);
         EXPECT_NEAR(blend.arc.radius_mm, radius_mm, 1e-9 * radius_mm);
-        EXPECT_NEAR(blend.lead.peak_speed(), std::min(100.0, std::sqrt(std::sqrt(0.75) * kA * radius_mm)),
+        EXPECT_NEAR(blend.master.peak_speed(), std::min(100.0, std::sqrt(std::sqrt(0.75) * kA * radius_mm)),
                     1e-6);
     }
 }
@@ -69,13 +69,13 @@ TEST(LinuxcncBlend, TouchesLinesAndArcsWithoutAKink) {
             const double x = run.next.start[0], y = run.next.start[1];
             ASSERT_TRUE(run.arc(x + 20 * number(random), y + 20 * number(random), 2 * number(random)));
         };
-        const auto go_on = [&] {
+        const auto resume = [&] {
             ASSERT_TRUE(
                 run.line(run.next.start[0] + 20 * number(random), run.next.start[1] + 20 * number(random)));
         };
         // Line and arc, arc and line, arc and arc.
-        ASSERT_NO_FATAL_FAILURE(i % 3 == 0 ? go_on() : turn());
-        ASSERT_NO_FATAL_FAILURE(i % 3 == 1 ? go_on() : turn());
+        ASSERT_NO_FATAL_FAILURE(i % 3 == 0 ? resume() : turn());
+        ASSERT_NO_FATAL_FAILURE(i % 3 == 1 ? resume() : turn());
         run.end();
         expect_chain(run);
         for (std::size_t k = 0; k + 1 < run.segments.size(); ++k) {
@@ -104,15 +104,15 @@ TEST(LinuxcncBlend, RotaryMovesBlendInParabolas) {
     expect_chain(run);
     ASSERT_EQ(run.segments.size(), 3u);
     const Segment& both = run.segments[1];
-    ASSERT_TRUE(both.beside);
+    ASSERT_TRUE(both.superimposed);
     EXPECT_EQ(both.target_id, 2);
-    EXPECT_NEAR(both.beside->duration_s, both.duration_s, 1e-12);
+    EXPECT_NEAR(both.superimposed->duration_s, both.duration_s, 1e-12);
     // Each of both moves runs from standstill to standstill, at half of the acceleration that B allows.
-    const double first_mm_s2 = std::min(kA, 100 / 0.2 * kPi / 9) / 2,
+    const double initial_mm_s2 = std::min(kA, 100 / 0.2 * kPi / 9) / 2,
                  second_mm_s2 = std::min(kA, 80 / 0.2 * kPi / 9) / 2;
     const double first_s = run.segments[0].duration_s + both.duration_s;
     const double second_s = both.duration_s + run.segments[2].duration_s;
-    EXPECT_NEAR(first_s, trapezoid_s(100, 100, first_mm_s2), 1e-9);
+    EXPECT_NEAR(first_s, trapezoid_s(100, 100, initial_mm_s2), 1e-9);
     EXPECT_NEAR(second_s, trapezoid_s(80, 100, second_mm_s2), 1e-9);
     // Speeds go on from each segment to the next, and only they: the first brakes while the second starts.
     for (std::size_t k = 0; k < 2; ++k) {
@@ -164,7 +164,7 @@ TEST(LinuxcncBlend, OverlapsStartWithAPeriod) {
     expect_chain(run);
     int overlaps = 0;
     for (const Segment& segment : run.segments) {
-        overlaps += segment.beside ? 1 : 0;
+        overlaps += segment.superimposed ? 1 : 0;
         EXPECT_NEAR(segment.duration_s / 1e-3, std::round(segment.duration_s / 1e-3), 1e-6);
     }
     EXPECT_EQ(overlaps, 19);

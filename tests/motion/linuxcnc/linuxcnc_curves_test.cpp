@@ -10,7 +10,7 @@ namespace gsim::motion::linuxcnc_curves_test {
 namespace {
 
 constexpr double kA = 1000, kV = 100, kPeriod_s = 1e-3;
-constexpr double kSame = 1 + 1e-3;  // cost of a period less at the end, for the remaining path
+constexpr double kEqualTolerance = 1 + 1e-3;  // cost of a period less at the end, for the remaining path
 
 double ramp_s(double speed, double jerk) {
     return speed < kA * kA / jerk ? 2 * std::sqrt(speed / jerk) : speed / kA + kA / jerk;
@@ -45,9 +45,9 @@ TEST_P(LinuxcncCurves, ALineFromRestToRestTakesWholePeriods) {
         LinuxcncRun run(router_2_10(jerk()));
         ASSERT_TRUE(run.line(length_mm, 0));
         const double duration_s = run.end();
-        const double least_s = rest_to_rest_s(length_mm, jerk());
-        EXPECT_GT(duration_s, least_s - creep_s) << length_mm;
-        EXPECT_LT(duration_s, least_s + kPeriod_s) << length_mm;
+        const double min_s = rest_to_rest_s(length_mm, jerk());
+        EXPECT_GT(duration_s, min_s - creep_s) << length_mm;
+        EXPECT_LT(duration_s, min_s + kPeriod_s) << length_mm;
         EXPECT_NEAR(std::remainder(duration_s, kPeriod_s), 0, 1e-9);
     }
 }
@@ -60,13 +60,13 @@ TEST_P(LinuxcncCurves, JointsOfChordsAreNoFasterThanAChordAlone) {
     run.end();
     ASSERT_EQ(run.segments.size(), 60u);
     for (std::size_t i = 0; i + 1 < run.segments.size(); ++i) {
-        const TimeLaw& law = run.segments[i].lead;
-        EXPECT_LE(law.end_speed(), peak(kLength_mm, jerk()) * kSame);
+        const TimeLaw& law = run.segments[i].master;
+        EXPECT_LE(law.end_speed(), peak(kLength_mm, jerk()) * kEqualTolerance);
         if (i + 2 < run.segments.size()) {
             EXPECT_NEAR(law.at(law.duration_s()).a, 0, 1e-3);
         }
     }
-    EXPECT_NEAR(run.segments[30].lead.end_speed(), peak(kLength_mm, jerk()), 1e-6);
+    EXPECT_NEAR(run.segments[30].master.end_speed(), peak(kLength_mm, jerk()), 1e-6);
 }
 
 TEST_P(LinuxcncCurves, TheLastLineIsMetAtWhatItCanBrake) {
@@ -77,7 +77,7 @@ TEST_P(LinuxcncCurves, TheLastLineIsMetAtWhatItCanBrake) {
         ASSERT_TRUE(run.line(50, 0));
         ASSERT_TRUE(run.line(54, 0));
         run.end();
-        const double speed = run.segments[0].lead.end_speed();
+        const double speed = run.segments[0].master.end_speed();
         const double ramp = speed < share * share * kA * kA / jerk()
                                 ? 2 * std::sqrt(speed / jerk())
                                 : speed / (share * kA) + share * kA / jerk();
@@ -103,12 +103,12 @@ TEST_P(LinuxcncCurves, LimitsAreKeptAlongLines) {
         expect_chain(run);
         double speed = 0;
         for (const Segment& segment : run.segments) {
-            EXPECT_NEAR(segment.lead.start_speed(), speed, 1e-4);
-            speed = segment.lead.end_speed();
-            EXPECT_LE(segment.lead.peak_speed(), segment.lead_limits.max_speed * kSame);
-            EXPECT_LE(segment.lead.peak_acceleration(), kA * kSame);
-            for (const LawPiece& piece : segment.lead.pieces())
-                EXPECT_LE(std::abs(piece.jerk), jerk() * kSame);
+            EXPECT_NEAR(segment.master.start_speed(), speed, 1e-4);
+            speed = segment.master.end_speed();
+            EXPECT_LE(segment.master.peak_speed(), segment.master_limits.max_speed * kEqualTolerance);
+            EXPECT_LE(segment.master.peak_acceleration(), kA * kEqualTolerance);
+            for (const LawSection& sub_segment : segment.master.sections())
+                EXPECT_LE(std::abs(sub_segment.jerk), jerk() * kEqualTolerance);
         }
         EXPECT_NEAR(speed, 0, 1e-6);
     }
@@ -216,8 +216,9 @@ TEST(LinuxcncCurvesAndOverrides, AHoldIsACurve) {
     EXPECT_NEAR(speed_at(1.0 + ramp + kPeriod_s), 0, 1e-6);
     EXPECT_NEAR(speed_at(3.0 + ramp + kPeriod_s), kV, 1e-6);
     for (const Segment& segment : run.segments) {
-        EXPECT_LE(segment.lead.peak_acceleration(), kA * kSame);
-        for (const LawPiece& piece : segment.lead.pieces()) EXPECT_LE(std::abs(piece.jerk), 20000 * kSame);
+        EXPECT_LE(segment.master.peak_acceleration(), kA * kEqualTolerance);
+        for (const LawSection& sub_segment : segment.master.sections())
+            EXPECT_LE(std::abs(sub_segment.jerk), 20000 * kEqualTolerance);
     }
 }
 

@@ -16,7 +16,7 @@ TEST(LinuxcncLimits, RefusesMovesWithoutASpeed) {
     for (const double speed : {0.0, -1.0, kNan}) {
         LinuxcncRun run(fast_machine());
         run.next.rules.programmed_speed_mm_s = speed;
-        const Planned planned = run.line(10, 0);
+        const PlanResult planned = run.line(10, 0);
         ASSERT_FALSE(planned);
         EXPECT_EQ(planned.error().status, rrs::Status::RRS_ZERO_SPEED);
         EXPECT_EQ(run.end(), 0);
@@ -29,12 +29,12 @@ TEST(LinuxcncLimits, RefusesMovesWithoutASpeed) {
 TEST(LinuxcncLimits, RefusesPositionsAndTimesBeyondAllNumbers) {
     LinuxcncRun run(fast_machine());
     for (const double x : {kNan, kInf, -kInf, 1e300}) {
-        const Planned planned = run.line(x, 0);
+        const PlanResult planned = run.line(x, 0);
         ASSERT_FALSE(planned) << x;
         EXPECT_EQ(planned.error().status, rrs::Status::RRS_INVALID_PARAMETER);
     }
     run.next.rules.programmed_speed_mm_s = 1e-12;
-    const Planned slow = run.line(100, 0);
+    const PlanResult slow = run.line(100, 0);
     ASSERT_FALSE(slow);
     EXPECT_EQ(slow.error().status, rrs::Status::RRS_INVALID_PARAMETER);
     EXPECT_EQ(run.end(), 0);
@@ -61,12 +61,12 @@ TEST(LinuxcncLimits, MovesThatGoNowhereAreNotThere) {
     ASSERT_TRUE(run.line(200, 0));
     run.end();
     ASSERT_EQ(run.segments.size(), 2u);
-    EXPECT_GT(run.segments[0].lead.end_speed(), 0);
+    EXPECT_GT(run.segments[0].master.end_speed(), 0);
 }
 
 TEST(LinuxcncLimits, ClearForgetsAndRestPutsOut) {
     LinuxcncRun run(fast_machine());
-    run.model.come_to_rest();
+    run.model.plan_to_standstill();
     ASSERT_TRUE(run.line(10, 0));
     EXPECT_TRUE(run.segments.empty());
     run.model.clear();

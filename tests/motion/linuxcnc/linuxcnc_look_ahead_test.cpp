@@ -11,7 +11,7 @@ constexpr double kA = 490.3;
 
 double top_speed(const LinuxcncRun& run) {
     double top = 0;
-    for (const Segment& segment : run.segments) top = std::max(top, segment.lead.peak_speed());
+    for (const Segment& segment : run.segments) top = std::max(top, segment.master.peak_speed());
     return top;
 }
 
@@ -26,9 +26,9 @@ TEST(LinuxcncLookAhead, TheLastLineCouldHaveToStopByHalf) {
     straight_run(run, 2, 100);
     run.end();
     ASSERT_EQ(run.segments.size(), 2u);
-    EXPECT_NEAR(run.segments[0].lead.end_speed(), std::sqrt(kA * 100), 1e-6);
-    EXPECT_NEAR(run.segments[1].lead.start_speed(), std::sqrt(kA * 100), 1e-6);
-    EXPECT_LE(run.segments[1].lead.end_speed(), 1e-6);
+    EXPECT_NEAR(run.segments[0].master.end_speed(), std::sqrt(kA * 100), 1e-6);
+    EXPECT_NEAR(run.segments[1].master.start_speed(), std::sqrt(kA * 100), 1e-6);
+    EXPECT_LE(run.segments[1].master.end_speed(), 1e-6);
 }
 
 TEST(LinuxcncLookAhead, TheSpeedOfALongRunIsThatOfItsDepth) {
@@ -57,7 +57,7 @@ TEST(LinuxcncLookAhead, CanAlwaysStopAtTheEnd) {
     run.end();
     double left_mm = 600;
     for (const Segment& segment : run.segments) {
-        ASSERT_LE(segment.lead.start_speed(), std::sqrt(2 * kA * left_mm) * (1 + 1e-9));
+        ASSERT_LE(segment.master.start_speed(), std::sqrt(2 * kA * left_mm) * (1 + 1e-9));
         left_mm -= segment.length_mm;
     }
     EXPECT_NEAR(left_mm, 0, 1e-6);
@@ -80,10 +80,10 @@ TEST(LinuxcncLookAhead, AKinkIsPassedAtATenthOfTheAcceleration) {
     ASSERT_TRUE(run.line(200, 100 * 2e-4));
     ASSERT_TRUE(run.line(200, 100));
     run.end();
-    EXPECT_NEAR(run.segments[0].lead.end_speed(), 100, 1e-6);
-    EXPECT_NEAR(run.segments[1].lead.end_speed(), 0, 1e-6);
-    EXPECT_LT(run.segments[0].lead.peak_acceleration(), kA);
-    EXPECT_GT(run.segments[0].lead.peak_acceleration(), 0.9 * kA);
+    EXPECT_NEAR(run.segments[0].master.end_speed(), 100, 1e-6);
+    EXPECT_NEAR(run.segments[1].master.end_speed(), 0, 1e-6);
+    EXPECT_LT(run.segments[0].master.peak_acceleration(), kA);
+    EXPECT_GT(run.segments[0].master.peak_acceleration(), 0.9 * kA);
 }
 
 TEST(LinuxcncLookAhead, ASlowerFeedIsReachedWhereItHolds) {
@@ -94,9 +94,9 @@ TEST(LinuxcncLookAhead, ASlowerFeedIsReachedWhereItHolds) {
     run.next.rules.programmed_speed_mm_s = 50;
     ASSERT_TRUE(run.line(400, 0));
     run.end();
-    EXPECT_NEAR(run.segments[0].lead.peak_speed(), 200, 1e-6);
-    EXPECT_NEAR(run.segments[0].lead.end_speed(), 50, 1e-6);
-    EXPECT_NEAR(run.segments[1].lead.peak_speed(), 50, 1e-6);
+    EXPECT_NEAR(run.segments[0].master.peak_speed(), 200, 1e-6);
+    EXPECT_NEAR(run.segments[0].master.end_speed(), 50, 1e-6);
+    EXPECT_NEAR(run.segments[1].master.peak_speed(), 50, 1e-6);
 }
 
 TEST(LinuxcncLookAhead, HoldsBackNoMoreThanItNeeds) {
@@ -105,13 +105,13 @@ TEST(LinuxcncLookAhead, HoldsBackNoMoreThanItNeeds) {
         LinuxcncRun run(fast_machine());
         run.next.mode = mode;
         run.next.tolerance_mm = 0.01;
-        rrs::TargetId held = 0;
+        rrs::TargetId pending = 0;
         for (int i = 1; i <= 3000; ++i) {
             ASSERT_TRUE(run.line(0.5 * i, 5 * std::sin(0.02 * i)));
             const rrs::TargetId out = run.segments.empty() ? 0 : run.segments.back().target_id;
-            held = std::max(held, run.last_id - out);
+            pending = std::max(pending, run.last_id - out);
         }
-        EXPECT_LE(held, 60);
+        EXPECT_LE(pending, 60);
         run.end();
         expect_chain(run);
         EXPECT_EQ(run.segments.back().target_id, 3000);
@@ -122,16 +122,16 @@ TEST(LinuxcncLookAhead, HoldsBackLittleOfParabolicBlends) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::continuous;
     rrs::JointPos joints = run.next.start;
-    rrs::TargetId held = 0;
+    rrs::TargetId pending = 0;
     for (int i = 1; i <= 3000; ++i) {
         joints[0] = 0.2 * i;
         joints[1] = std::sin(i);
         joints[3] = i % 5 == 0 ? joints[3] : 0.05 * std::cos(i);
         ASSERT_TRUE(run.go(joints));
         const rrs::TargetId out = run.segments.empty() ? 0 : run.segments.back().target_id;
-        held = std::max(held, run.last_id - out);
+        pending = std::max(pending, run.last_id - out);
     }
-    EXPECT_LE(held, 10);
+    EXPECT_LE(pending, 10);
     run.end();
     expect_chain(run);
 }

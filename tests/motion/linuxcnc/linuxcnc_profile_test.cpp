@@ -20,15 +20,15 @@ Stretch random_stretch(std::mt19937& random) {
 
 // Returns the time period by period, as fast as the limits and the remaining path allow. One more period at
 // the new speed v and then braking takes (v_old + v) dt / 2 + v^2 / 2a.
-double stepped_s(const Stretch& stretch, double dt) {
-    const double step = stretch.acceleration * dt;
-    double speed = 0, left = stretch.length, time_s = 0;
-    while (left > 1e-11 * stretch.length) {
+double stepped_s(const Stretch& section, double dt) {
+    const double step = section.acceleration * dt;
+    double speed = 0, remaining = section.length, time_s = 0;
+    while (remaining > 1e-11 * section.length) {
         const double half = step / 2;
-        const double square = half * half + 2 * stretch.acceleration * left - step * speed;
+        const double square = half * half + 2 * section.acceleration * remaining - step * speed;
         const double brake = square > 0 ? std::sqrt(square) - half : 0;
-        const double next = std::max(0.0, std::min({speed + step, stretch.top_speed, brake}));
-        left -= (speed + next) * dt / 2;
+        const double next = std::max(0.0, std::min({speed + step, section.top_speed, brake}));
+        remaining -= (speed + next) * dt / 2;
         speed = next;
         time_s += dt;
     }
@@ -39,9 +39,9 @@ TEST(LinuxcncProfile, CountsThePeriodsThatASteppedControllerTakes) {
     std::mt19937 random(11);
     int off = 0;
     for (int i = 0; i < 500; ++i) {
-        const Stretch stretch = random_stretch(random);
-        const double counted_s = rest_to_rest(stretch, kMillisecond).law.duration_s();
-        const double expected_s = stepped_s(stretch, 1e-3);
+        const Stretch section = random_stretch(random);
+        const double counted_s = rest_to_rest(section, kMillisecond).law.duration_s();
+        const double expected_s = stepped_s(section, 1e-3);
         ASSERT_NEAR(counted_s, expected_s, 1.001e-3) << "case " << i;
         if (std::abs(counted_s - expected_s) > 1e-6) ++off;
     }
@@ -51,30 +51,30 @@ TEST(LinuxcncProfile, CountsThePeriodsThatASteppedControllerTakes) {
 TEST(LinuxcncProfile, IsTheTrapezoidAndLessThanThreePeriods) {
     std::mt19937 random(12);
     for (int i = 0; i < 2000; ++i) {
-        const Stretch stretch = random_stretch(random);
-        const double least_s = trapezoid_s(stretch.length, stretch.top_speed, stretch.acceleration);
-        const Law counted = rest_to_rest(stretch, kMillisecond).law;
-        ASSERT_GE(counted.duration_s(), least_s - 1e-9);
-        ASSERT_LT(counted.duration_s(), least_s + 3e-3) << "case " << i;
+        const Stretch section = random_stretch(random);
+        const double min_s = trapezoid_s(section.length, section.top_speed, section.acceleration);
+        const Law counted = rest_to_rest(section, kMillisecond).law;
+        ASSERT_GE(counted.duration_s(), min_s - 1e-9);
+        ASSERT_LT(counted.duration_s(), min_s + 3e-3) << "case " << i;
         const double periods = counted.duration_s() / 1e-3;
         ASSERT_NEAR(periods, std::round(periods), 1e-6);
-        ASSERT_NEAR(rest_to_rest(stretch, kContinuous).law.duration_s(), least_s, 1e-9 * least_s);
+        ASSERT_NEAR(rest_to_rest(section, kContinuous).law.duration_s(), min_s, 1e-9 * min_s);
     }
 }
 
 TEST(LinuxcncProfile, KeepsTheLimitsAndEndsAtRestInPlace) {
     std::mt19937 random(13);
     for (int i = 0; i < 500; ++i) {
-        const Stretch stretch = random_stretch(random);
-        const TimeLaw law = rest_to_rest(stretch, kMillisecond).law.scaled(1);
-        ASSERT_NEAR(law.length(), stretch.length, 1e-9 * stretch.length) << "case " << i;
-        ASSERT_NEAR(law.end_speed(), 0, 1e-6 * stretch.top_speed);
-        ASSERT_LE(law.peak_speed(), stretch.top_speed * (1 + 1e-6));
-        ASSERT_LE(law.peak_acceleration(), stretch.acceleration * (1 + 1e-6));
+        const Stretch section = random_stretch(random);
+        const TimeLaw law = rest_to_rest(section, kMillisecond).law.scaled(1);
+        ASSERT_NEAR(law.length(), section.length, 1e-9 * section.length) << "case " << i;
+        ASSERT_NEAR(law.end_speed(), 0, 1e-6 * section.top_speed);
+        ASSERT_LE(law.peak_speed(), section.top_speed * (1 + 1e-6));
+        ASSERT_LE(law.peak_acceleration(), section.acceleration * (1 + 1e-6));
         double speed = 0;
-        for (const LawPiece& piece : law.pieces()) {
-            ASSERT_NEAR(piece.v0, speed, 1e-6 * stretch.top_speed) << "case " << i;
-            speed = piece.v0 + piece.a0 * piece.duration_s;
+        for (const LawSection& sub_segment : law.sections()) {
+            ASSERT_NEAR(sub_segment.v0, speed, 1e-6 * section.top_speed) << "case " << i;
+            speed = sub_segment.v0 + sub_segment.a0 * sub_segment.duration_s;
         }
     }
 }
@@ -106,10 +106,10 @@ TEST(LinuxcncProfile, PartsOfALawJoin) {
     for (int i = 0; i < 500; ++i) {
         const Law law = rest_to_rest(random_stretch(random), kMillisecond).law;
         const double at_s = share(random) * law.duration_s();
-        const Law begin = law.part(0, at_s), rest = law.part(at_s, law.duration_s());
+        const Law begin = law.part(0, at_s), remainder = law.part(at_s, law.duration_s());
         ASSERT_NEAR(begin.length(), law.at(at_s), 1e-9 * law.length());
-        ASSERT_NEAR(begin.length() + rest.length(), law.length(), 1e-9 * law.length());
-        ASSERT_NEAR(begin.duration_s() + rest.duration_s(), law.duration_s(), 1e-12);
+        ASSERT_NEAR(begin.length() + remainder.length(), law.length(), 1e-9 * law.length());
+        ASSERT_NEAR(begin.duration_s() + remainder.duration_s(), law.duration_s(), 1e-12);
         const double length = share(random) * law.length();
         ASSERT_NEAR(law.at(law.time_at(length)), length, 1e-9 * law.length());
     }

@@ -62,7 +62,7 @@ void expect_no_jumps(const LinuxcncRun& run) {
 
 void expect_speed(const LinuxcncRun& run, double path_mm_s) {
     for (const Segment& segment : run.segments) {
-        if (segment.beside) continue;  // two motions add up
+        if (segment.superimposed) continue;  // two motions add up
         for (int i = 0; i <= 4; ++i) {
             ASSERT_LE(segment.path_speed_mm_s(segment.duration_s * i / 4), path_mm_s * (1 + 1e-6));
         }

@@ -41,7 +41,7 @@ TEST(LinuxcncRelease, TheLookAheadStillPlansWithHalfInContinuousMode) {
         ASSERT_TRUE(run.line(20, 0));
         ASSERT_TRUE(run.line(24, 0));
         run.end();
-        EXPECT_NEAR(run.segments[0].lead.end_speed(), std::sqrt(share * kA * 4), 1e-6);
+        EXPECT_NEAR(run.segments[0].master.end_speed(), std::sqrt(share * kA * 4), 1e-6);
     }
 }
 

@@ -17,7 +17,7 @@ class LinuxcncRun final : public SegmentOutput {
   public:
     explicit LinuxcncRun(const PlannerSetup& machine, double servo_period_s = 1e-3,
                          std::size_t look_ahead = 50)
-        : setup(machine), model(setup, rules_of(machine, servo_period_s, look_ahead), *this) {
+        : setup(machine), model(setup, make_rules(machine, servo_period_s, look_ahead), *this) {
         next.start = rrs::JointPos::Zero(setup.joint_count());
         next.rules.programmed_speed_mm_s = 100;
         next.rules.orientation_speed_rad_s = 1;
@@ -38,20 +38,20 @@ class LinuxcncRun final : public SegmentOutput {
     double time_s() const override { return end_s; }
 
     /// Plans the move that `next` describes from the end of the last one to `joints`.
-    Planned go(const rrs::JointPos& joints) {
+    PlanResult go(const rrs::JointPos& joints) {
         next.kind = SegmentKind::linear;
         next.end = joints;
         return add();
     }
     /// X and Y; the other joints stay.
-    Planned line(double x, double y) {
+    PlanResult line(double x, double y) {
         rrs::JointPos joints = next.start;
         joints[setup.position_joints[0]] = x;
         joints[setup.position_joints[1]] = y;
         return go(joints);
     }
     /// Plans an arc counter-clockwise in XY by `sweep_rad`, or clockwise if it is negative.
-    Planned arc(double center_x, double center_y, double sweep_rad) {
+    PlanResult arc(double center_x, double center_y, double sweep_rad) {
         const int x = setup.position_joints[0], y = setup.position_joints[1];
         const int up = setup.position_joints[2];
         const Eigen::Vector3d start(next.start[x], next.start[y], next.start[up]);
@@ -70,7 +70,7 @@ class LinuxcncRun final : public SegmentOutput {
     }
     /// Ends the program and returns its time.
     double end() {
-        model.come_to_rest();
+        model.plan_to_standstill();
         return end_s;
     }
 
@@ -89,17 +89,17 @@ class LinuxcncRun final : public SegmentOutput {
     rrs::TargetId last_id = 0;
 
   private:
-    Planned add() {
+    PlanResult add() {
         next.target_id = last_id + 1;
-        Planned planned = model.add(next);
+        PlanResult planned = model.add(next);
         if (planned) {
             ++last_id;
             next.start = next.end;
         }
         return planned;
     }
-    static rrs::ControllerRules rules_of(const PlannerSetup& machine, double servo_period_s,
-                                         std::size_t look_ahead) {
+    static rrs::ControllerRules make_rules(const PlannerSetup& machine, double servo_period_s,
+                                           std::size_t look_ahead) {
         rrs::ControllerRules rules = machine.controller;
         rules.look_ahead_blocks = look_ahead;
         rules.servo_period_s = servo_period_s;
@@ -148,7 +148,7 @@ inline void expect_chain(const LinuxcncRun& run) {
     rrs::TargetId id = 0;
     for (const Segment& segment : run.segments) {
         ASSERT_LT((segment.start - at).cwiseAbs().maxCoeff(), 1e-9) << "target " << segment.target_id;
-        ASSERT_NEAR(segment.lead.duration_s(), segment.duration_s, 1e-9);
+        ASSERT_NEAR(segment.master.duration_s(), segment.duration_s, 1e-9);
         ASSERT_GE(segment.target_id, id);
         id = segment.target_id;
         at = segment.end_position();

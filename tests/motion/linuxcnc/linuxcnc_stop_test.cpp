@@ -3,7 +3,7 @@
 
 #include "tests/motion/linuxcnc/linuxcnc_run.h"
 #include "tests/motion/motion_checks.h"
-#include "tests/motion/stop_way.h"
+#include "tests/motion/stop_path.h"
 
 namespace gsim::motion::linuxcnc_stop_test {
 namespace {
@@ -51,7 +51,7 @@ Program random_program(std::mt19937& random, bool turns) {
     return program;
 }
 
-void put(const Program& program, ReadyPlanner& ready) {
+void enqueue(const Program& program, ReadyPlanner& ready) {
     ready.planner.SelectMotionType(rrs::MotionType::linear);
     ready.planner.SetCartesianPositionSpeed(program.speed_mm_s);
     ready.planner.SetPathMode(rrs::PathMode::continuous, program.tolerance_mm, 0);
@@ -66,7 +66,7 @@ void put(const Program& program, ReadyPlanner& ready) {
 
 std::vector<Segment> planned(const Program& program, const PlannerSetup& setup) {
     ReadyPlanner ready(setup, rrs::JointPos::Zero(5));
-    put(program, ready);
+    enqueue(program, ready);
     ready.planner.flush();
     return ready.collector.segments;
 }
@@ -76,20 +76,20 @@ void stop_and_go(std::mt19937& random, const Program& program, const PlannerSetu
     const std::vector<Segment> plan = planned(program, setup);
     ReadyPlanner ready(setup, rrs::JointPos::Zero(5));
     DefaultPlanner& planner = ready.planner;
-    put(program, ready);
+    enqueue(program, ready);
     planner.SetInterpolationTime(std::max(plan.back().end_s() / 200, 0.0005));
     for (int stops = 0; stops < 3; ++stops) {
         const int steps = std::uniform_int_distribution<int>(0, 120)(random);
-        for (int i = 0; i < steps; ++i) take_step(planner);
+        for (int i = 0; i < steps; ++i) advance_step(planner);
         ASSERT_EQ(planner.StopMotion(), Status::RRS_SUCCESS);
         const rrs::JointPos stands = run_to_rest(planner);
-        ASSERT_EQ(take_step(planner).joints, stands);
+        ASSERT_EQ(advance_step(planner).joints, stands);
         ASSERT_EQ(planner.ContinueMotion(), Status::RRS_SUCCESS);
     }
     ASSERT_LT((run_to_rest(planner) - program.end()).norm(), 1e-9);
 
     const std::vector<Segment>& segments = ready.collector.segments;
-    for (const Segment& segment : segments) blends += segment.beside != nullptr;
+    for (const Segment& segment : segments) blends += segment.superimposed != nullptr;
     expect_planned_way(segments, plan, setup);
 }
 
@@ -109,15 +109,15 @@ TEST(LinuxcncStop, KeepsWayAndLimitsAtAnyInstant) {
 TEST(LinuxcncStop, InABlendItStandsAtOnce) {
     PlannerSetup setup = linuxcnc_setup();
     ReadyPlanner ready(setup, rrs::JointPos::Zero(5));
-    put({.targets = {joint_pos({100, 0, 0, 0.1, 0}), joint_pos({100, 100, 0, 0.2, 0})}}, ready);
+    enqueue({.targets = {joint_pos({100, 0, 0, 0.1, 0}), joint_pos({100, 100, 0, 0.2, 0})}}, ready);
     ready.planner.SetInterpolationTime(0.001);
     double speed = 0;
     rrs::JointPos before = rrs::JointPos::Zero(5);
-    for (rrs::JointPos at = before; at[1] < 1; before = std::exchange(at, take_step(ready.planner).joints))
+    for (rrs::JointPos at = before; at[1] < 1; before = std::exchange(at, advance_step(ready.planner).joints))
         speed = (at - before).norm() / 0.001;
     ASSERT_EQ(ready.planner.StopMotion(), Status::RRS_SUCCESS);
     ready.planner.SetInterpolationTime(10);
-    const TakenStep stopped = take_step(ready.planner);
+    const TakenStep stopped = advance_step(ready.planner);
     EXPECT_LT(stopped.elapsed_s, 2 * speed / 245);
     EXPECT_LT(stopped.joints[1], 50);
     EXPECT_LT(stopped.joints[0], 100);

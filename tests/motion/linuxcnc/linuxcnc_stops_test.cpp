@@ -95,7 +95,7 @@ TEST(LinuxcncStops, RapidAndFeedDoNotMix) {
     ASSERT_TRUE(run.line(300, 0));
     run.end();
     ASSERT_EQ(run.segments.size(), 3u);
-    for (const Segment& segment : run.segments) EXPECT_NEAR(segment.lead.end_speed(), 0, 1e-6);
+    for (const Segment& segment : run.segments) EXPECT_NEAR(segment.master.end_speed(), 0, 1e-6);
     // The moves have no blend: the acceleration is full, except for the last move.
     expect_moves(run.segments[0].duration_s, trapezoid_s(100, 100, kA), 1);
     expect_moves(run.segments[1].duration_s, trapezoid_s(100, 508, kA), 1);
@@ -134,7 +134,7 @@ TEST(LinuxcncStops, RotaryJointsAloneAndBeside) {
 TEST(LinuxcncStops, InverseTimeIsASpeedAndTheRampsComeOnTop) {
     LinuxcncRun run(fast_machine());
     run.next.mode = rrs::PathMode::exact_path;
-    run.next.rules.least_duration_s = 2;
+    run.next.rules.min_duration_s = 2;
     run.next.rules.programmed_speed_mm_s = 0;
     ASSERT_TRUE(run.line(100, 0));
     expect_moves(run.end(), 2 + 50 / kA, 1);

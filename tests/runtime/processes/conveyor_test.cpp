@@ -18,11 +18,11 @@ TEST(Conveyor, TravelIsTheSumOfSpeedTimesTime) {
 
 TEST(Conveyor, TellsWhenItComesThere) {
     Conveyor belt("belt", Eigen::Vector3d::UnitX(), 10);
-    EXPECT_DOUBLE_EQ(belt.reaches_s(50, 1), 5);
-    EXPECT_DOUBLE_EQ(belt.reaches_s(5, 1), 1);  // it is past it
+    EXPECT_DOUBLE_EQ(belt.arrival_time_s(50, 1), 5);
+    EXPECT_DOUBLE_EQ(belt.arrival_time_s(5, 1), 1);  // it is past it
     belt.set_speed(0, 1);
-    EXPECT_DOUBLE_EQ(belt.reaches_s(10, 1), 1);
-    EXPECT_TRUE(std::isinf(belt.reaches_s(50, 1)));
+    EXPECT_DOUBLE_EQ(belt.arrival_time_s(10, 1), 1);
+    EXPECT_TRUE(std::isinf(belt.arrival_time_s(50, 1)));
 }
 
 }  // namespace

@@ -12,13 +12,13 @@ TEST(Schedule, TheLeastTimeGoesNextAndTheFirstOfEquals) {
     const ProcessId a = schedule.add("a", false, 2, {});
     const ProcessId b = schedule.add("b", false, 1, {});
     const ProcessId c = schedule.add("c", false, 1, {});
-    EXPECT_EQ(schedule.take_next(), b);
+    EXPECT_EQ(schedule.activate_next(), b);
     schedule.finish(b);
-    EXPECT_EQ(schedule.take_next(), c);
-    EXPECT_TRUE(schedule.goes_on(c));
+    EXPECT_EQ(schedule.activate_next(), c);
+    EXPECT_TRUE(schedule.continues(c));
     schedule.process(c).time_s = 2;
-    EXPECT_FALSE(schedule.goes_on(c));
-    EXPECT_EQ(schedule.take_next(), a);
+    EXPECT_FALSE(schedule.continues(c));
+    EXPECT_EQ(schedule.activate_next(), a);
 }
 
 TEST(Schedule, AChangeWakesAtItsTimeThoseThatItIsFor) {
@@ -29,10 +29,10 @@ TEST(Schedule, AChangeWakesAtItsTimeThoseThatItIsFor) {
     schedule.wait(on, {.kind = WaitKind::on, .signal = "s"});
     schedule.wait(five, {.kind = WaitKind::equals, .signal = "s", .value = 5.0});
     schedule.wait(falls, {.kind = WaitKind::falls, .signal = "s"});
-    EXPECT_FALSE(schedule.take_next());
-    EXPECT_TRUE(schedule.unfinished());
+    EXPECT_FALSE(schedule.activate_next());
+    EXPECT_TRUE(schedule.has_unfinished());
     schedule.changed("other", false, true, 1);
-    EXPECT_FALSE(schedule.take_next());
+    EXPECT_FALSE(schedule.activate_next());
     schedule.changed("s", false, 5.0, 3);
     EXPECT_EQ(schedule.process(on).state, ProcessState::ready);
     EXPECT_EQ(schedule.process(five).state, ProcessState::ready);
@@ -47,7 +47,7 @@ TEST(Schedule, AWaitGivesUpAtItsTime) {
     Schedule schedule;
     const ProcessId a = schedule.add("a", false, 0, {});
     schedule.wait(a, {.kind = WaitKind::on, .signal = "s", .until_s = 2.5});
-    ASSERT_EQ(schedule.take_next(), a);
+    ASSERT_EQ(schedule.activate_next(), a);
     EXPECT_TRUE(schedule.process(a).timed_out);
     EXPECT_DOUBLE_EQ(schedule.process(a).time_s, 2.5);
 }
@@ -55,8 +55,8 @@ TEST(Schedule, AWaitGivesUpAtItsTime) {
 TEST(Schedule, TheRunDoesNotWaitForDevices) {
     Schedule schedule;
     schedule.add("device", true, 0, {});
-    EXPECT_FALSE(schedule.unfinished());
-    EXPECT_FALSE(schedule.take_next());
+    EXPECT_FALSE(schedule.has_unfinished());
+    EXPECT_FALSE(schedule.activate_next());
 }
 
 TEST(Schedule, WaitsAreToldWithPlaceAndWish) {
@@ -75,7 +75,7 @@ TEST(Signals, NumbersAndSwitchesCompare) {
     EXPECT_TRUE(board.set("s", true));
     EXPECT_FALSE(board.set("s", 1.0));
     EXPECT_TRUE(board.set("s", 2.0));
-    EXPECT_EQ(text_of(board.get("s")), "2");
+    EXPECT_EQ(value_text(board.get("s")), "2");
 }
 
 }  // namespace

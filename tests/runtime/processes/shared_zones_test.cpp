@@ -34,7 +34,7 @@ TEST(SharedZones, OneHasItAndOthersWaitInTheirOrder) {
     EXPECT_EQ(zones.leave(schedule, 0), std::nullopt);
     ASSERT_EQ(zones.uses().size(), 3U);
     EXPECT_EQ(zones.uses()[1].process, "c");
-    EXPECT_EQ(zones.uses()[1].asked_s, 0.5);
+    EXPECT_EQ(zones.uses()[1].requested_s, 0.5);
     EXPECT_EQ(zones.uses()[1].from_s, 3);
     EXPECT_EQ(zones.uses()[1].to_s, 5);
 }
@@ -46,10 +46,10 @@ TEST(SharedZones, ARingOfThoseThatWaitIsFound) {
     for (const char* name : {"a", "b", "c"}) ids.push_back(schedule.add(name, false, 0, {}));
     for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(zones.enter(schedule, i, ids[i]));
     EXPECT_FALSE(zones.enter(schedule, 1, ids[0]));
-    EXPECT_TRUE(schedule.stuck_from(ids[0]).empty());
+    EXPECT_TRUE(schedule.deadlocked_from(ids[0]).empty());
     EXPECT_FALSE(zones.enter(schedule, 2, ids[1]));
     EXPECT_FALSE(zones.enter(schedule, 0, ids[2]));
-    const std::vector<ProcessId> ring = schedule.stuck_from(ids[2]);
+    const std::vector<ProcessId> ring = schedule.deadlocked_from(ids[2]);
     EXPECT_EQ(
         schedule.waits({}, ring),
         "'c' waits for the zone 'x', which 'a' has, 'a' waits for the zone 'y', which 'b' has, 'b' waits "
@@ -64,13 +64,13 @@ TEST(SharedZones, WhoHasEndedLetsNothingGo) {
     zones.enter(schedule, 0, ids[0]);
     zones.enter(schedule, 1, ids[1]);
     zones.enter(schedule, 0, ids[1]);
-    EXPECT_TRUE(schedule.stuck_from(ids[1]).empty()) << "a may still let it go";
-    EXPECT_EQ(schedule.waits_for_zone_of(ids[0]), ids[1]);
-    EXPECT_EQ(schedule.waits_for_zone_of(ids[1]), std::nullopt);
+    EXPECT_TRUE(schedule.deadlocked_from(ids[1]).empty()) << "a may still let it go";
+    EXPECT_EQ(schedule.find_zone_waiter(ids[0]), ids[1]);
+    EXPECT_EQ(schedule.find_zone_waiter(ids[1]), std::nullopt);
     schedule.finish(ids[0]);
-    EXPECT_EQ(schedule.stuck_from(ids[1]), std::vector<ProcessId>{ids[1]});
+    EXPECT_EQ(schedule.deadlocked_from(ids[1]), std::vector<ProcessId>{ids[1]});
     zones.enter(schedule, 1, ids[2]);
-    EXPECT_EQ(schedule.stuck_from(ids[2]), (std::vector<ProcessId>{ids[2], ids[1]})) << "through b";
+    EXPECT_EQ(schedule.deadlocked_from(ids[2]), (std::vector<ProcessId>{ids[2], ids[1]})) << "through b";
 }
 
 }  // namespace

@@ -40,15 +40,14 @@ machine::Machine sample(const std::string& name) {
 
 class MovesMade : public simulation::RunOutput {
   public:
-    using RunOutput::take;
-    void take(const RecordedMove& move) override { moves.push_back(move); }
+    void on_move(const RecordedMove& move) override { moves.push_back(move); }
     std::vector<RecordedMove> moves;
 };
 
 struct RunOf {
     explicit RunOf(const machine::Machine& machine)
-        : simulator(machine, {}), recorder(simulator.machine()), place(simulator.machine()) {
-        simulator.add_output(made);
+        : simulator(machine, {}), recorder(simulator.machine()), location(simulator.machine()) {
+        simulator.add_output(recorded_moves);
         simulator.set_observer(recorder);
     }
     std::vector<Point> points() {
@@ -73,9 +72,9 @@ struct RunOf {
     }
 
     Simulator simulator;
-    MovesMade made;
+    MovesMade recorded_moves;
     PathRecorder recorder;
-    ToolPlace place;
+    ToolPosition location;
 };
 
 double length_mm(const path::Vector& from, const Point& to) {
@@ -85,7 +84,7 @@ double length_mm(const path::Vector& from, const Point& to) {
     return std::hypot(arc.radius_mm() * arc.turn_rad, arc.rise_mm);
 }
 
-AxisVector axes_of(const machine::Machine& machine, const rrs::JointPos& joints) {
+AxisVector solve_axes(const machine::Machine& machine, const rrs::JointPos& joints) {
     AxisVector axes(joints.size());
     for (Eigen::Index i = 0; i < axes.size(); ++i) {
         axes[i] = machine::axis_value(machine.axes[static_cast<std::size_t>(i)], joints[i]);
@@ -110,9 +109,9 @@ TEST(PathRecorder, PassesTheEndsOfRandomMovesInTheirOrderBySameLengths) {
         }
         double made_mm = 0;
         auto point = points.begin();
-        for (const RecordedMove& move : run.made.moves) {
+        for (const RecordedMove& move : run.recorded_moves.moves) {
             made_mm += move.length_mm;
-            const Vector3d end = run.place.tip(axes_of(run.simulator.machine(), move.end));
+            const Vector3d end = run.location.tcp(solve_axes(run.simulator.machine(), move.end));
             point = std::find_if(point, points.end(), [&](const Point& each) {
                 return distance_mm(each.position_mm, end) < 1e-8;
             });
@@ -123,7 +122,7 @@ TEST(PathRecorder, PassesTheEndsOfRandomMovesInTheirOrderBySameLengths) {
 }
 
 // The point of the helix after a share of an arc, by the definition of ArcMove: Rodrigues' formula.
-AxisVector on_arc(const AxisVector& start, const ArcMove& move, double rise_mm, double share) {
+AxisVector is_on_arc(const AxisVector& start, const ArcMove& move, double rise_mm, double share) {
     const double angle = (move.kind == MoveKind::arc_ccw ? 1 : -1) * share * move.sweep_rad;
     const Vector3d from = start.head<3>() - move.center_mm;
     const Vector3d turned = std::cos(angle) * from + std::sin(angle) * move.normal.cross(from) +
@@ -135,8 +134,8 @@ AxisVector on_arc(const AxisVector& start, const ArcMove& move, double rise_mm, 
 
 Vector3d random_normal(std::mt19937& random) {
     switch (random() % 4) {
-        case 0: return simulation::normal_of(static_cast<Plane>(random() % 3));
-        default: return simulation::told_normal(simulation::random_direction(random));
+        case 0: return simulation::plane_normal(static_cast<Plane>(random() % 3));
+        default: return simulation::canonical_normal(simulation::random_direction(random));
     }
 }
 
@@ -154,11 +153,11 @@ TEST(PathRecorder, ArcsUnderAnyPositionOfTheRotaryAxesAreExact) {
             move.kind = random() % 2 == 0 ? MoveKind::arc_cw : MoveKind::arc_ccw;
             move.sweep_rad = simulation::between(random, 0.1, 12);
             const double radius_mm = simulation::between(random, 1, 40);
-            const Vector3d aside = simulation::random_direction(random).cross(move.normal).normalized();
-            move.center_mm = start.head<3>() + radius_mm * aside;
+            const Vector3d lateral = simulation::random_direction(random).cross(move.normal).normalized();
+            move.center_mm = start.head<3>() + radius_mm * lateral;
             move.center_mm += simulation::between(random, -40, 40) * move.normal;
             const double rise_mm = simulation::between(random, -20, 20);
-            move.target = on_arc(start, move, rise_mm, 1);
+            move.target = is_on_arc(start, move, rise_mm, 1);
             move.feed.linear_mm_min = 1000;
             ASSERT_TRUE(run.simulator.move(move));
             const std::vector<Point> points = run.points();
@@ -166,8 +165,8 @@ TEST(PathRecorder, ArcsUnderAnyPositionOfTheRotaryAxesAreExact) {
             ASSERT_TRUE(std::holds_alternative<CenterArc>(arc.arc)) << name;
             const path::ArcShape shape = path::arc_shape(points[points.size() - 2].position_mm, arc).value();
             for (const double share : {0.1, 0.5, 0.8, 1.0}) {
-                const Vector3d tip = run.place.tip(on_arc(start, move, rise_mm, share));
-                EXPECT_LT((shape.at(share) - tip).norm(), 1e-6) << name << " " << share;
+                const Vector3d tcp = run.location.tcp(is_on_arc(start, move, rise_mm, share));
+                EXPECT_LT((shape.at(share) - tcp).norm(), 1e-6) << name << " " << share;
             }
         }
     }
@@ -185,7 +184,7 @@ TEST(PathRecorder, WhereTurningMovesTheTipALineBecomesLinesInItsTime) {
     run.line(target, 600);
     const std::vector<Point> points = run.points();
     ASSERT_GT(points.size(), 20U);
-    EXPECT_EQ(points[0].position_mm, run.place.position(start));
+    EXPECT_EQ(points[0].position_mm, run.location.position(start));
     EXPECT_EQ(points[0].motion, MotionType::none);
     std::vector<double> lasts_s{0};
     double feed_mm_min = 0;
@@ -194,17 +193,17 @@ TEST(PathRecorder, WhereTurningMovesTheTipALineBecomesLinesInItsTime) {
         feed_mm_min = points[i].feed_mm_min.value_or(feed_mm_min);
         lasts_s.push_back(length_mm(points[i - 1].position_mm, points[i]) / feed_mm_min * 60);
     }
-    const double whole_s = std::accumulate(lasts_s.begin(), lasts_s.end(), 0.0);
-    EXPECT_NEAR(whole_s, std::hypot(100, 30) / 10, 1e-6);
+    const double total_s = std::accumulate(lasts_s.begin(), lasts_s.end(), 0.0);
+    EXPECT_NEAR(total_s, std::hypot(100, 30) / 10, 1e-6);
     double time_s = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
         const double middle_s = time_s + lasts_s[i] / 2;
         time_s += lasts_s[i];
         const Vector3d middle =
             (path::to_eigen(points[i - 1].position_mm) + path::to_eigen(points[i].position_mm)) / 2;
-        EXPECT_LT((middle - run.place.tip(start + middle_s / whole_s * (target - start))).norm(), 0.0006);
+        EXPECT_LT((middle - run.location.tcp(start + middle_s / total_s * (target - start))).norm(), 0.0006);
     }
-    EXPECT_EQ(points.back().position_mm, run.place.position(target));
+    EXPECT_EQ(points.back().position_mm, run.location.position(target));
 }
 
 // Paths allow 0.01 mm, controllers 0.05 mm.
@@ -305,7 +304,7 @@ TEST(PathRecorder, RestIsSaidWhereNothingElseSaysIt) {
     run.simulator.event("jet_on", "", {});
     run.simulator.wait();
     run.line(run.axes({30, 0, 0, 0, 0}));
-    run.simulator.event("message", "hello", {}, Simulator::When::in_passing);
+    run.simulator.event("message", "hello", {}, Simulator::EventTiming::in_passing);
     run.simulator.wait();
     run.line(run.axes({40, 0, 0, 0, 0}));
     const std::vector<Point> points = run.points();
@@ -322,7 +321,7 @@ TEST(PathRecorder, RestIsSaidBehindADwellAndAtTheEnd) {
     run.simulator.wait();
     run.simulator.dwell(0.5, {});
     run.simulator.wait();
-    run.simulator.event("message", "hello", {}, Simulator::When::in_passing);
+    run.simulator.event("message", "hello", {}, Simulator::EventTiming::in_passing);
     run.line(run.axes({20, 0, 0, 0, 0}));
     run.simulator.wait();
     const std::vector<Point> points = run.points();
@@ -350,7 +349,7 @@ TEST(PathRecorder, FeedsAndLeadsByTheTurnAreKept) {
 
 TEST(PathRecorder, ToolCentrePointControlIsRefused) {
     RunOf run(sample("mill-head-table"));
-    run.simulator.set_tip_control(Eigen::Vector3d(0, 0, 50), {});
+    run.simulator.set_tcp_control(Eigen::Vector3d(0, 0, 50), {});
     EXPECT_EQ(run.recorder.finish("p").error(),
               "tool-centre-point control (G43.4) moves the tip, not the axes");
 }
@@ -363,7 +362,7 @@ TEST(PathRecorder, AMachineWithoutXYZGivesPoses) {
     run.line(target);
     const std::vector<Point> points = run.points();
     EXPECT_TRUE(std::holds_alternative<path::RollPitchYaw>(points.back().orientation.value()));
-    EXPECT_LT(distance_mm(points.back().position_mm, run.place.tip(target)), 1e-8);
+    EXPECT_LT(distance_mm(points.back().position_mm, run.location.tcp(target)), 1e-8);
 }
 
 TEST(PathRecorder, CornersAreThoseOfTheProgramThoughAControllerRoundsThem) {
@@ -382,7 +381,7 @@ TEST(PathRecorder, CornersAreThoseOfTheProgramThoughAControllerRoundsThem) {
 TEST(PathRecorder, MotionByServicesIsRefused) {
     RunOf run(sample("af5"));
     run.line(run.axes({10, 0, 0, 0, 0}));
-    run.recorder.untold_motion("the script moves by services (SetNextTarget)");
+    run.recorder.on_unrecordable_motion("the script moves by services (SetNextTarget)");
     EXPECT_THAT(run.recorder.finish("p").error(), testing::HasSubstr("SetNextTarget"));
 }
 

@@ -17,8 +17,8 @@
 namespace gsim::record::round_trip_test {
 namespace {
 
+using apps::contains;
 using apps::Ended;
-using apps::holds;
 using nlohmann::json;
 
 constexpr double kHalfDigit = 0.00051;  // of the third decimal
@@ -95,14 +95,14 @@ class Record : public apps::Apps {
         const Ended first = gsim_run({part, "--dialect", dialect, "--machine", machine, "--quiet", "--moves",
                                       "first.jsonl", "--record", "first.path.json"});
         ASSERT_EQ(first.status, 0) << first.err;
-        for (const Way& way : ways) {
+        for (const Way& write_mode : ways) {
             const Ended written = path2gcode({"first.path.json", "--machine", machine, "--rotary", "as-given",
-                                              "--dialect", way.post, "-o", "again.nc"});
+                                              "--dialect", write_mode.post, "-o", "again.nc"});
             ASSERT_EQ(written.status, 0) << written.err;
-            const Ended again = gsim_run({"again.nc", "--dialect", way.dialect, "--machine", machine,
-                                          "--quiet", "--moves", "again.jsonl"});
-            ASSERT_EQ(again.status, 0) << way.post << again.err;
-            SCOPED_TRACE(way.post);
+            const Ended relist = gsim_run({"again.nc", "--dialect", write_mode.dialect, "--machine", machine,
+                                           "--quiet", "--moves", "again.jsonl"});
+            ASSERT_EQ(relist.status, 0) << write_mode.post << relist.err;
+            SCOPED_TRACE(write_mode.post);
             expect_same_moves("first.jsonl", "again.jsonl", kHalfDigit);
         }
     }
@@ -190,18 +190,18 @@ TEST_F(Record, AnObliqueArcComesBackAsOneBlock) {
     for (int round = 0; round < 4; ++round) {
         const std::string text = oblique_part(random);
         expect_way_round(write("part.nc", text), "ab9", {{"ab9", "ab9"}}, machine);
-        const std::vector<json> first = moves("first.jsonl"), again = moves("again.jsonl");
+        const std::vector<json> first = moves("first.jsonl"), relist = moves("again.jsonl");
         int oblique = 0;
-        for (std::size_t i = 0; i < first.size() && i < again.size(); ++i) {
+        for (std::size_t i = 0; i < first.size() && i < relist.size(); ++i) {
             if (!first[i].contains("normal") || !first[i]["plane"].is_null()) continue;
             ++oblique;
             for (const char* letter : {"X", "Y", "Z"}) {
                 EXPECT_NEAR(first[i]["center"][letter].get<double>(),
-                            again[i]["center"][letter].get<double>(), 0.02)
-                    << first[i] << again[i];
+                            relist[i]["center"][letter].get<double>(), 0.02)
+                    << first[i] << relist[i];
                 EXPECT_NEAR(first[i]["normal"][letter].get<double>(),
-                            again[i]["normal"][letter].get<double>(), 1e-3)
-                    << first[i] << again[i];
+                            relist[i]["normal"][letter].get<double>(), 1e-3)
+                    << first[i] << relist[i];
             }
         }
         EXPECT_EQ(oblique, 20) << text;
@@ -225,17 +225,17 @@ TEST_F(Record, AnObliqueArcIsLinesOrRefusedWhereThePostSaysSo) {
     };
     const Ended lines = written("");
     EXPECT_EQ(lines.status, 0) << lines.err;
-    EXPECT_TRUE(holds(lines.out, "(an arc outside the planes of the axes by lines within 0.01 mm)"))
+    EXPECT_TRUE(contains(lines.out, "(an arc outside the planes of the axes by lines within 0.01 mm)"))
         << lines.out;
-    const Ended refused = written("oblique = \"refuse\"\n");
-    EXPECT_EQ(refused.status, 1);
+    const Ended rejected = written("oblique = \"refuse\"\n");
+    EXPECT_EQ(rejected.status, 1);
     EXPECT_TRUE(
-        holds(refused.err,
-              "this arc lies outside the planes of X, Y and Z, and the post refuses such arcs ([arcs], "
-              "oblique)"))
-        << refused.err;
+        contains(rejected.err,
+                 "this arc lies outside the planes of X, Y and Z, and the post refuses such arcs ([arcs], "
+                 "oblique)"))
+        << rejected.err;
     const Ended through = written("through_point = [\"G2.4\", \"I\", \"J\", \"K\"]\n");
-    EXPECT_TRUE(holds(through.out, "G2.4 X120 I110 J8 K6 F1000\n")) << through.out;
+    EXPECT_TRUE(contains(through.out, "G2.4 X120 I110 J8 K6 F1000\n")) << through.out;
 }
 
 TEST_F(Record, RandomProgramsMoveTheSameWrittenInEachDialect) {
@@ -274,20 +274,20 @@ TEST_F(Record, ErrorsOfShortMovesDoNotAddUp) {
     const Ended first = gsim_run(
         {part, "--dialect", "ab9", "--quiet", "--moves", "first.jsonl", "--record", "first.path.json"});
     ASSERT_EQ(first.status, 0) << first.err;
-    const apps::Ends wanted = apps::ends_of_moves(read("first.jsonl"));
-    for (const Way& way : kAllAxes) {
-        SCOPED_TRACE(way.post);
-        ASSERT_EQ(path2gcode({"first.path.json", "--dialect", way.post, "-o", "again.nc"}).status, 0);
-        const Ended again =
-            gsim_run({"again.nc", "--dialect", way.dialect, "--quiet", "--moves", "again.jsonl"});
-        ASSERT_EQ(again.status, 0) << again.err;
+    const apps::Ends expected_value = apps::ends_of_moves(read("first.jsonl"));
+    for (const Way& write_mode : kAllAxes) {
+        SCOPED_TRACE(write_mode.post);
+        ASSERT_EQ(path2gcode({"first.path.json", "--dialect", write_mode.post, "-o", "again.nc"}).status, 0);
+        const Ended relist =
+            gsim_run({"again.nc", "--dialect", write_mode.dialect, "--quiet", "--moves", "again.jsonl"});
+        ASSERT_EQ(relist.status, 0) << relist.err;
         const apps::Ends found = apps::ends_of_moves(read("again.jsonl"));
-        EXPECT_LE(found.size(), wanted.size());
+        EXPECT_LE(found.size(), expected_value.size());
         const auto near = [](const std::array<double, 5>& a, const std::array<double, 5>& b) {
             return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < std::sqrt(2) * kHalfDigit;
         };
         std::size_t at = 0;
-        for (const auto& end : wanted) {
+        for (const auto& end : expected_value) {
             if (at + 1 < found.size() && near(found[at + 1], end)) ++at;
             ASSERT_TRUE(near(found[at], end)) << at;
         }
@@ -315,18 +315,19 @@ TEST_F(Record, RandomPathsComeBackAsTheyWereWritten) {
         const path::Program program =
             path::random_program(random, {.tilted_arcs = false, .extras = false, .sub_paths = round % 4});
         write("random.path.json", path::to_json(program));
-        for (const Way& way : kAllAxes) {
-            SCOPED_TRACE(way.post);
+        for (const Way& write_mode : kAllAxes) {
+            SCOPED_TRACE(write_mode.post);
             // Numbers of the machine, as in a path that no run has recorded.
             const auto write_by_post = [&](const std::string& path) {
-                std::vector<std::string> arguments{path,        "--machine", machine, "--rotary", "as-given",
-                                                   "--dialect", way.post,    "-o",    "random.nc"};
+                std::vector<std::string> arguments{path,       "--machine", machine,         "--rotary",
+                                                   "as-given", "--dialect", write_mode.post, "-o",
+                                                   "random.nc"};
                 if (path == "again.path.json") arguments.insert(arguments.end(), {"--offsets", "none"});
                 const Ended e = path2gcode(arguments);
                 ASSERT_EQ(e.status, 0) << e.err;
             };
             const auto run = [&](const std::string& moves, const std::string& path) {
-                const Ended e = gsim_run({"random.nc", "--dialect", way.dialect, "--machine", machine,
+                const Ended e = gsim_run({"random.nc", "--dialect", write_mode.dialect, "--machine", machine,
                                           "--quiet", "--moves", moves, "--record", path});
                 ASSERT_EQ(e.status, 0) << e.err;
             };
@@ -360,10 +361,10 @@ TEST_F(Record, StandardOutputIsThePathAlone) {
     EXPECT_EQ(e.status, 0);
     EXPECT_EQ(text::parse_json<json>(e.out)["paths"][0]["targets"].size(), 2U)
         << "where it stands, and the move";
-    EXPECT_TRUE(holds(e.err, "part.nc")) << "the report goes to standard error";
+    EXPECT_TRUE(contains(e.err, "part.nc")) << "the report goes to standard error";
     const Ended written = path2gcode({"--dialect", "rs274ngc", "-"}, e.out);
     EXPECT_EQ(written.status, 0) << written.err;
-    EXPECT_TRUE(holds(written.out, "\nG01 X10 F600\n")) << written.out;
+    EXPECT_TRUE(contains(written.out, "\nG01 X10 F600\n")) << written.out;
     EXPECT_EQ(gsim_run({part, "--record", "-", "--json"}).status, 2);
 }
 
@@ -379,7 +380,7 @@ TEST_F(Record, WithoutAPathThereIsNoFile) {
     write("old.path.json", "old");
     const Ended e = gsim_run({write("empty.nc", "M2\n"), "--quiet", "--record", "old.path.json"});
     EXPECT_EQ(e.status, 1);
-    EXPECT_TRUE(holds(e.err, "no path is recorded")) << e.err;
+    EXPECT_TRUE(contains(e.err, "no path is recorded")) << e.err;
     EXPECT_EQ(read("old.path.json"), "old");
     EXPECT_EQ(gsim_run({write("part.nc", "G0 X1\n"), "--record", "none/a.path.json"}).status, 2);
 }

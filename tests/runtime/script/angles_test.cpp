@@ -18,9 +18,9 @@ constexpr int kAngles = 20'000;
 /// Returns angles in thousandths of a degree, up to the given size.
 std::vector<double> angles(double most_deg) {
     std::mt19937 random(7);
-    std::uniform_real_distribution<double> even(-most_deg, most_deg);
+    std::uniform_real_distribution<double> uniform(-most_deg, most_deg);
     std::vector<double> angles;
-    for (int i = 0; i < kAngles; ++i) angles.push_back(std::round(even(random) * 1000) / 1000);
+    for (int i = 0; i < kAngles; ++i) angles.push_back(std::round(uniform(random) * 1000) / 1000);
     return angles;
 }
 

@@ -44,8 +44,8 @@ class Random {
     }
 
   private:
-    double number(double least, double most) {
-        return std::uniform_real_distribution<double>(least, most)(engine_);
+    double number(double min, double max) {
+        return std::uniform_real_distribution<double>(min, max)(engine_);
     }
     std::mt19937 engine_{7};
 };
@@ -120,14 +120,14 @@ TEST(ArcSolution, ARadiusThatIsALittleShortIsHalfACircle) {
 TEST(ArcSolution, TurnsAreWholeNumbersWithinTheTolerance) {
     const ArcRules exact;
     const ArcRules near{.turns_tolerance = 1e-4};
-    EXPECT_DOUBLE_EQ(*further_turns_rad(1, exact), 0);
-    EXPECT_DOUBLE_EQ(*further_turns_rad(3, exact), 4 * kPi);
-    EXPECT_DOUBLE_EQ(*further_turns_rad(2.00009, near), 2 * kPi);
-    EXPECT_DOUBLE_EQ(*further_turns_rad(1.99991, near), 2 * kPi);
+    EXPECT_DOUBLE_EQ(*additional_turns_rad(1, exact), 0);
+    EXPECT_DOUBLE_EQ(*additional_turns_rad(3, exact), 4 * kPi);
+    EXPECT_DOUBLE_EQ(*additional_turns_rad(2.00009, near), 2 * kPi);
+    EXPECT_DOUBLE_EQ(*additional_turns_rad(1.99991, near), 2 * kPi);
     for (const double turns :
          {0.0, -1.0, 1.5, 2.00001, std::nan(""), std::numeric_limits<double>::infinity()})
-        EXPECT_FALSE(further_turns_rad(turns, exact)) << turns;
-    EXPECT_FALSE(further_turns_rad(1.5, near));
+        EXPECT_FALSE(additional_turns_rad(turns, exact)) << turns;
+    EXPECT_FALSE(additional_turns_rad(1.5, near));
 }
 
 TEST(ArcSolution, AnglesAreAboveNoneAndUpToATurn) {

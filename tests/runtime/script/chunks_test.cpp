@@ -37,7 +37,7 @@ void expect_same(const Outcome& a, const Outcome& b) {
     for (std::size_t i = 0; i < a.moves.size(); ++i) {
         EXPECT_EQ(a.moves[i].end, b.moves[i].end);
         EXPECT_EQ(a.moves[i].end_s, b.moves[i].end_s);
-        EXPECT_EQ(a.moves[i].info.place.line, b.moves[i].info.place.line);
+        EXPECT_EQ(a.moves[i].info.location.line, b.moves[i].info.location.line);
     }
 }
 
@@ -46,12 +46,12 @@ const char* const kProgram =
     "G91 X1\nX1\nM9\nG90 G4 P.5\nG0 X0 Y0\n";
 
 TEST(Chunks, OfAnySizeGiveTheWholeRun) {
-    const Outcome whole = run(kProgram);
-    ASSERT_TRUE(whole.completed()) << whole.message();
-    ASSERT_GT(whole.moves.size(), 7U);
+    const Outcome full = run(kProgram);
+    ASSERT_TRUE(full.completed()) << full.message();
+    ASSERT_GT(full.moves.size(), 7U);
     for (std::size_t lines = 1; lines <= 14; ++lines) {
         SCOPED_TRACE(lines);
-        expect_same(whole, run_script(in_pieces(kProgram, lines), {}));
+        expect_same(full, run_script(in_pieces(kProgram, lines), {}));
     }
 }
 
@@ -81,7 +81,7 @@ TEST(Chunks, SubprogramsAreCalledAgain) {
     script.functions.push_back({"program(2, ", {{sub, script.size, 3}}});
     const Outcome r = run_script(std::move(script), {});
     expect_end(r, 40, 0, 0);
-    EXPECT_EQ(r.moves[0].info.place.line, 3U);
+    EXPECT_EQ(r.moves[0].info.location.line, 3U);
 }
 
 TEST(Chunks, LinesThatAreRunWithoutLuaCountAsSteps) {
@@ -104,9 +104,9 @@ TEST(Chunks, AWordThatThePieceItselfMakesIsFound) {
     ScriptFunction program{"program(1, ", {}};
     std::uint64_t at = 0;
     std::uint32_t line = 1;
-    for (const std::string& piece : {first, second, third, fourth}) {
-        program.chunks.push_back({at, at + piece.size(), line++});
-        at += piece.size();
+    for (const std::string& gcode_part : {first, second, third, fourth}) {
+        program.chunks.push_back({at, at + gcode_part.size(), line++});
+        at += gcode_part.size();
     }
     script.functions.push_back(std::move(program));
     const Outcome r = run_script(std::move(script), {});
@@ -115,7 +115,7 @@ TEST(Chunks, AWordThatThePieceItselfMakesIsFound) {
     std::vector<std::uint32_t> lines;
     for (std::size_t i = 0; i < r.moves.size(); ++i) {
         to.push_back(r.to(i, 'X'));
-        lines.push_back(r.moves[i].info.place.line);
+        lines.push_back(r.moves[i].info.location.line);
     }
     EXPECT_EQ(to, (std::vector<double>{10, 35, 20, 30, 40, 50, 60, 20, 30}));
     EXPECT_EQ(lines, (std::vector<std::uint32_t>{1, 3, 2, 2, 3, 4, 4, 2, 2}));
@@ -136,26 +136,26 @@ TEST(Chunks, OthersRunBetweenLines) {
         "process('a', function() for i = 1, 5 do wait(0.5) signal('x') end end)", "setup.lua", 0);
     std::string gcode = "G21 G90 F3000\n";
     for (int i = 1; i <= 40; ++i) gcode += "G1 X" + std::to_string(5 * i) + "\nG4 P.1\n";
-    const Outcome whole = run(gcode, conditions);
-    ASSERT_TRUE(whole.completed()) << whole.message();
+    const Outcome full = run(gcode, conditions);
+    ASSERT_TRUE(full.completed()) << full.message();
     for (const std::size_t lines : {1U, 7U, 81U}) {
-        const Outcome pieces = run_script(in_pieces(gcode, lines), conditions);
-        expect_same(whole, pieces);
-        EXPECT_EQ(whole.report.processes.size(), pieces.report.processes.size());
-        EXPECT_EQ(whole.report.signals.size(), pieces.report.signals.size());
+        const Outcome in_parts = run_script(in_pieces(gcode, lines), conditions);
+        expect_same(full, in_parts);
+        EXPECT_EQ(full.report.processes.size(), in_parts.report.processes.size());
+        EXPECT_EQ(full.report.signals.size(), in_parts.report.signals.size());
     }
 }
 
 TEST(Chunks, ProgressIsTold) {
     Conditions conditions;
-    std::vector<std::uint64_t> told;
+    std::vector<std::uint64_t> reported;
     conditions.options.progress = [&](std::uint64_t done, std::uint64_t total) {
         EXPECT_LE(done, total);
-        told.push_back(done);
+        reported.push_back(done);
     };
     EXPECT_TRUE(run_script(in_pieces(kProgram, 2), conditions).completed());
-    EXPECT_GE(told.size(), 5U);
-    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_GE(reported.size(), 5U);
+    EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
 }
 
 }  // namespace

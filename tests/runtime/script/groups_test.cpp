@@ -51,14 +51,14 @@ class GroupRun {
         return segment.at(t_s - segment.start_s);
     }
     /// Returns the TCP on the work.
-    Vector3d tip(const rrs::JointPos& joints) const { return kinematics->forward(joints).translation(); }
+    Vector3d tcp(const rrs::JointPos& joints) const { return kinematics->forward(joints).translation(); }
     /// Returns the TCP in the world.
     Vector3d tip_in_world(const rrs::JointPos& joints) const {
         return kinematics->chain().tool_frames(joints).back().translation();
     }
     /// Calls `look` with the state at a thousand times of a move.
-    template <typename Look>
-    void in_move(std::size_t n, const Look& look) const {
+    template <typename Visitor>
+    void in_move(std::size_t n, const Visitor& look) const {
         const auto& move = run.moves.at(n);
         for (int i = 0; i <= 1000; ++i) look(at(move.start_s + (move.end_s - move.start_s) * i / 1000));
     }
@@ -68,12 +68,12 @@ class GroupRun {
 };
 
 double off_line(const Vector3d& point, const Vector3d& from, const Vector3d& to) {
-    const Vector3d way = (to - from).normalized();
-    return (point - from - way * way.dot(point - from)).norm();
+    const Vector3d displacement = (to - from).normalized();
+    return (point - from - displacement * displacement.dot(point - from)).norm();
 }
 
 void expect_limits_held(const GroupRun& r) {
-    const motion::PlannerSetup setup = simulation::setup_of_machine(r.run.machine);
+    const motion::PlannerSetup setup = simulation::make_planner_setup(r.run.machine);
     constexpr double kWindow_s = 0.01;
     const double end_s = r.run.segments.back().end_s();
     for (double t = 0; t + kWindow_s < end_s; t += end_s / 2000) {
@@ -104,7 +104,7 @@ TEST(Groups, ATableTurnsUnderAToolThatStands) {
         r.in_move(1, [&](const motion::JointState& state) {
             for (Eigen::Index joint = 0; joint < kTable; ++joint)
                 EXPECT_NEAR(state.position[joint], stand[joint], 1e-8) << joint;
-            const Vector3d under = r.tip(state.position);
+            const Vector3d under = r.tcp(state.position);
             EXPECT_NEAR(std::hypot(under.x(), under.y()), 200, kOffWay_mm);
         });
         const auto& move = r.run.moves[1];
@@ -122,12 +122,12 @@ TEST(Groups, ACoordinatedLineIsStraightOnTheTable) {
         const Vector3d from(200, 0, 10), to(120, 80, 10);
         EXPECT_NEAR(r.run.moves[1].length_mm, (to - from).norm(), 1e-6);
         r.in_move(1, [&](const motion::JointState& state) {
-            const Vector3d tip = r.tip(state.position);
-            EXPECT_LT(off_line(tip, from, to), kOffWay_mm);
-            const double share = (tip - from).norm() / (to - from).norm();
+            const Vector3d tcp = r.tcp(state.position);
+            EXPECT_LT(off_line(tcp, from, to), kOffWay_mm);
+            const double share = (tcp - from).norm() / (to - from).norm();
             EXPECT_NEAR(state.position[kTable] / kRadPerDeg, -60 * share, 1e-2);
         });
-        EXPECT_LT((r.tip(r.run.moves[1].end) - to).norm(), 1e-6);
+        EXPECT_LT((r.tcp(r.run.moves[1].end) - to).norm(), 1e-6);
         EXPECT_NEAR(r.run.to(1, 'Z'), -60, 1e-9);
         expect_limits_held(r);
     }
@@ -144,11 +144,11 @@ TEST(Groups, ASynchronousLineIsStraightInTheWorld) {
     const Vector3d to = kTableAxis_mm + Eigen::AngleAxisd(kPi / 3, Vector3d::UnitZ()) * Vector3d(120, 80, 10);
     EXPECT_NEAR(r.run.moves[1].length_mm, (to - from).norm(), 1e-6) << "of the tool's own way";
     r.in_move(1, [&](const motion::JointState& state) {
-        const Vector3d tip = r.tip_in_world(state.position);
-        EXPECT_LT(off_line(tip, from, to), kOffWay_mm);
-        EXPECT_NEAR(state.position[kTable] / kRadPerDeg, 60 * (tip - from).norm() / (to - from).norm(), 1e-2);
+        const Vector3d tcp = r.tip_in_world(state.position);
+        EXPECT_LT(off_line(tcp, from, to), kOffWay_mm);
+        EXPECT_NEAR(state.position[kTable] / kRadPerDeg, 60 * (tcp - from).norm() / (to - from).norm(), 1e-2);
     });
-    EXPECT_LT((r.tip(r.run.moves[1].end) - Vector3d(120, 80, 10)).norm(), 1e-6);
+    EXPECT_LT((r.tcp(r.run.moves[1].end) - Vector3d(120, 80, 10)).norm(), 1e-6);
     expect_limits_held(r);
 }
 
@@ -158,7 +158,7 @@ TEST(Groups, ATrackGoesBelowATipThatStands) {
     ASSERT_TRUE(r.run.completed()) << r.run.message();
     EXPECT_NEAR(r.run.to(1, 'X'), 300, 1e-9);
     r.in_move(1, [&](const motion::JointState& state) {
-        EXPECT_LT((r.tip(state.position) - Vector3d(200, 0, 10)).norm(), kOffWay_mm);
+        EXPECT_LT((r.tcp(state.position) - Vector3d(200, 0, 10)).norm(), kOffWay_mm);
     });
     EXPECT_GE(r.run.seconds(1), 300 / 10.0 + 10 / kTrackAcceleration_mm_s2 - 1e-9);
     EXPECT_LE(r.run.seconds(1), 300 / 10.0 + 0.1);
@@ -185,7 +185,7 @@ TEST(Groups, ASynchronousTrackLeavesTheArmItsOwnLine) {
         return Vector3d(r.tip_in_world(joints) - joints[kTrack] * Vector3d::UnitX());
     };
     const Vector3d from = on_base(r.run.moves[0].end), to = on_base(r.run.moves[1].end);
-    EXPECT_LT((r.tip(r.run.moves[1].end) - Vector3d(150, 60, 60)).norm(), 1e-6);
+    EXPECT_LT((r.tcp(r.run.moves[1].end) - Vector3d(150, 60, 60)).norm(), 1e-6);
     r.in_move(1, [&](const motion::JointState& state) {
         EXPECT_LT(off_line(on_base(state.position), from, to), kOffWay_mm);
     });
@@ -215,7 +215,7 @@ TEST(Groups, PosesLeaveThemWhereTheyAre) {
         "MoveJoint{x=150, y=20, z=40, yaw=180, track={x=100}, turntable={z=30}}\n"
         "F(3000) MoveLinear{x=100, y=20, z=60, yaw=180}\nMoveJoint{x=200, y=0, z=20, yaw=170}\n");
     ASSERT_TRUE(r.run.completed()) << r.run.message();
-    EXPECT_LT((r.tip(r.run.moves[1].end) - Vector3d(150, 20, 40)).norm(), 1e-6);
+    EXPECT_LT((r.tcp(r.run.moves[1].end) - Vector3d(150, 20, 40)).norm(), 1e-6);
     for (const std::size_t move : {1, 2, 3}) {
         EXPECT_NEAR(r.run.to(move, 'X'), 100, 1e-12) << move;
         EXPECT_NEAR(r.run.to(move, 'Z'), 30, 1e-12) << move;
@@ -225,7 +225,7 @@ TEST(Groups, PosesLeaveThemWhereTheyAre) {
 
 TEST(Groups, TheInverseHoldsThem) {
     const auto kinematics = machine::make_kinematics(in_the_cell().machine);
-    EXPECT_EQ(kinematics->held_joints(), (std::vector<int>{kTrack, kTable}));
+    EXPECT_EQ(kinematics->fixed_joints(), (std::vector<int>{kTrack, kTable}));
     const rrs::JointPos home = machine::home_position(in_the_cell().machine);
     for (int i = 0; i < 20; ++i) {
         rrs::JointPos joints = home;
@@ -246,9 +246,9 @@ TEST(Groups, TheInverseHoldsThem) {
 
 // Returns the position of an independently moving table after a time, at 120 deg/s and 200 deg/s2.
 double table_deg_after(double t_s, double way_deg) {
-    const double ramp_s = 120.0 / 200, whole_s = way_deg / 120 + ramp_s;
-    if (t_s >= whole_s) return way_deg;
-    if (t_s > whole_s / 2) return way_deg - table_deg_after(whole_s - t_s, way_deg);
+    const double ramp_s = 120.0 / 200, total_s = way_deg / 120 + ramp_s;
+    if (t_s >= total_s) return way_deg;
+    if (t_s > total_s / 2) return way_deg - table_deg_after(total_s - t_s, way_deg);
     return t_s < ramp_s ? 100 * t_s * t_s : 120 * (t_s - ramp_s / 2);
 }
 

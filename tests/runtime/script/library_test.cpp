@@ -35,18 +35,18 @@ TEST_F(LibraryFolder, AnArcOfTheUsersOwnStaysWhateverShapesThePath) {
 
 TEST_F(LibraryFolder, ABrokenOneSaysWhatAndWhere) {
     write("common/feed.lua", "word(\"F\", function(value)\n\nthis is no Lua\n");
-    EXPECT_NE(trouble().find("lua_lib/common/feed.lua:3:"), std::string::npos) << trouble();
+    EXPECT_NE(error_text().find("lua_lib/common/feed.lua:3:"), std::string::npos) << error_text();
     write("common/feed.lua", "local x = nil\nx.y = 5\n");
-    EXPECT_NE(trouble().find("lua_lib/common/feed.lua:2:"), std::string::npos) << trouble();
+    EXPECT_NE(error_text().find("lua_lib/common/feed.lua:2:"), std::string::npos) << error_text();
     write("common/feed.lua", "while true do end\n");
-    EXPECT_NE(trouble(), "none");
+    EXPECT_NE(error_text(), "none");
 }
 
 TEST_F(LibraryFolder, AMissingFileIsNamed) {
     erase("common/arcs.lua");
-    EXPECT_NE(trouble().find("arcs.lua"), std::string::npos) << trouble();
+    EXPECT_NE(error_text().find("arcs.lua"), std::string::npos) << error_text();
     erase("init.lua");
-    EXPECT_NE(trouble().find("init.lua"), std::string::npos) << trouble();
+    EXPECT_NE(error_text().find("init.lua"), std::string::npos) << error_text();
 }
 
 TEST_F(LibraryFolder, AMistakeInAWordIsAnErrorOfTheRun) {

@@ -21,11 +21,11 @@ rrs::CartPos pose_after(const Outcome& r, std::size_t n) {
 }
 
 // Compares with x, y, z in mm and roll, pitch, yaw in deg.
-void expect_pose(const rrs::CartPos& got, std::array<double, 6> wanted) {
-    kinematics::Rpy rpy{wanted[0], wanted[1], wanted[2]};
-    rpy.roll_rad = wanted[3] * kRadPerDeg;
-    rpy.pitch_rad = wanted[4] * kRadPerDeg;
-    rpy.yaw_rad = wanted[5] * kRadPerDeg;
+void expect_pose(const rrs::CartPos& got, std::array<double, 6> expected_value) {
+    kinematics::Rpy rpy{expected_value[0], expected_value[1], expected_value[2]};
+    rpy.roll_rad = expected_value[3] * kRadPerDeg;
+    rpy.pitch_rad = expected_value[4] * kRadPerDeg;
+    rpy.yaw_rad = expected_value[5] * kRadPerDeg;
     const rrs::CartPos pose = kinematics::pose_from_rpy(rpy);
     EXPECT_LT((got.matrix() - pose.matrix()).cwiseAbs().maxCoeff(), 1e-6) << got.matrix() << "\nwanted\n"
                                                                           << pose.matrix();
@@ -65,7 +65,7 @@ TEST(Neutral, LinearMovesReachTheirPose) {
         r.seconds(0),
         std::max(trapezoid_s(std::sqrt(100 * 100 + 200 * 200 + 50 * 50), 100, kAcceleration_mm_s2), 0.0),
         1e-6);
-    EXPECT_EQ(r.moves[1].info.place.line, 3U);
+    EXPECT_EQ(r.moves[1].info.location.line, 3U);
 }
 
 TEST(Neutral, JointMovesMoveAllJointsTogether) {

@@ -31,7 +31,7 @@ TEST(PathScript, BuildsPointsAndSubPathsInLoops) {
     EXPECT_EQ(away.motion, path::MotionType::rapid);
     EXPECT_EQ(std::get<path::RotaryAxes>(*away.orientation), (path::RotaryAxes{{'B', 1}, {'C', 2}}));
     EXPECT_EQ(std::get<path::SubPath>(program.paths[1].targets[2]), (path::SubPath{0, 4}));
-    EXPECT_EQ(file->located({0, 2}, "x"), "f.lua:4: x");
+    EXPECT_EQ(file->with_location({0, 2}, "x"), "f.lua:4: x");
 }
 
 TEST(PathScript, PathsAndUsesHaveFramesAndTools) {
@@ -68,7 +68,7 @@ TEST(PathScript, MachinePointsAndTouches) {
     EXPECT_EQ(touches[0], (path::Touch{'Z', {1, 2, 9}, -1, 0.5, 60, 0, {}}));
     EXPECT_EQ(touches[1], (path::Touch{'X', {-9, 2, 1}, 1, 0, 60, 2, {}}));
     const auto& left = std::get<path::MachinePoint>(program.paths[1].targets[1]);
-    EXPECT_EQ(left.called, "CLAMP1");
+    EXPECT_EQ(left.alias, "CLAMP1");
     EXPECT_EQ(left.name, "left");
     EXPECT_EQ(left.dwell_s, 2);
     EXPECT_EQ(left.actions, (std::vector<std::string>{"clamp"}));
@@ -139,14 +139,14 @@ TEST(PathScript, ErrorsNameTheLine) {
 // The data that a script receives before it begins takes memory, too.
 TEST(PathScript, HoweverLittleMemoryThereIsIsAnErrorAndNoEnd) {
     const std::string script = "return path{name = 'a', point{position_mm = {1, 2, 3}}}";
-    int refused = 0, made = 0;
+    int rejected = 0, made = 0;
     for (std::size_t bytes = 8'000; bytes < 100'000; bytes += 200) {
         try {
-            ++(run_path_script(script, "f.lua", {.memory_bytes = bytes}) ? made : refused);
+            ++(run_path_script(script, "f.lua", {.memory_bytes = bytes}) ? made : rejected);
         } catch (const std::bad_alloc&) {  // not even a state
         }
     }
-    EXPECT_GT(refused, 10);
+    EXPECT_GT(rejected, 10);
     EXPECT_GT(made, 10);
 }
 

@@ -16,12 +16,12 @@ struct Closer {
     void operator()(lua_State* lua) const { lua_close(lua); }
 };
 
-std::string told(const PlainCall::Number& number) {
+std::string reported(const PlainCall::Number& number) {
     if (const auto* integer = std::get_if<lua_Integer>(&number)) return fmt::format("integer {}", *integer);
     return fmt::format("float {:a}", std::get<lua_Number>(number));
 }
 
-std::string told(lua_State* lua, int index) {
+std::string reported(lua_State* lua, int index) {
     if (lua_isinteger(lua, index) != 0) return fmt::format("integer {}", lua_tointeger(lua, index));
     return fmt::format("float {:a}", lua_tonumber(lua, index));
 }
@@ -33,11 +33,11 @@ int note(lua_State* lua) {
     if (lua_istable(lua, 1)) {
         for (const char* key : {"a", "b", "x", "y", "rate"}) {
             lua_getfield(lua, 1, key);
-            if (!lua_isnil(lua, -1)) notes += fmt::format(" {}={}", key, told(lua, -1));
+            if (!lua_isnil(lua, -1)) notes += fmt::format(" {}={}", key, reported(lua, -1));
             lua_pop(lua, 1);
         }
     } else if (lua_gettop(lua) > 0) {
-        notes += " " + told(lua, 1);
+        notes += " " + reported(lua, 1);
     }
     notes += ";";
     return 0;
@@ -72,12 +72,12 @@ std::string as_read(const std::string& line) {
     std::string notes;
     for (const PlainCall& call : reader.calls()) {
         notes += call.word;
-        if (call.argument) notes += " " + told(*call.argument);
+        if (call.argument) notes += " " + reported(*call.argument);
         for (const std::string_view key : {"a", "b", "x", "y", "rate"}) {
             const PlainCall::Field* found = nullptr;  // of one key twice the last one counts
             for (const PlainCall::Field& field : call.fields())
                 if (field.key == key) found = &field;
-            if (found != nullptr) notes += fmt::format(" {}={}", key, told(found->value));
+            if (found != nullptr) notes += fmt::format(" {}={}", key, reported(found->value));
         }
         notes += ";";
     }

@@ -105,7 +105,7 @@ assert(rrs.SetNextNamedTarget({100, 50, 0, 0, 0}, "corner") == 0)
 )");
     ASSERT_EQ(r.moves.size(), 2U);
     EXPECT_NEAR(r.seconds(0), trapezoid_s(100, 100, kAcceleration_mm_s2), 1e-9);
-    EXPECT_EQ(r.moves[0].info.place.line, 5U);
+    EXPECT_EQ(r.moves[0].info.location.line, 5U);
     expect_end(r, 100, 50, 0);
 }
 

@@ -9,7 +9,7 @@
 
 #include "collision/cell/cell_file.h"
 #include "engine/src/run/word_table.h"
-#include "runtime/monitors/cell_watch.h"
+#include "runtime/monitors/cell_monitor.h"
 #include "runtime/report/report.h"
 #include "tests/lua_lib/run.h"
 
@@ -48,9 +48,9 @@ const std::array<Part, 2> kParts{
          "for i = 1, 60 do G1{x=i, y=10 + 3 * i} G3{x=i, y=10 + 3 * i, i=4, j=0} wait(0.1) end\n"}};
 
 /// `pause` is called at each block that gets read.
-std::string report_of(const Part& part, const std::function<void()>& pause) {
+std::string part_report(const Part& part, const std::function<void()>& pause) {
     const machine::Machine machine = built_in_machine();
-    simulation::CellWatch cell(
+    simulation::CellMonitor cell(
         cell::read_cell(fmt::format(fmt::runtime(kCell), part.post_x_mm), "cell.toml", machine).value(),
         machine);
     simulation::Simulator simulator(machine, {});
@@ -58,7 +58,7 @@ std::string report_of(const Part& part, const std::function<void()>& pause) {
     class Pauses final : public simulation::RunOutput {
       public:
         explicit Pauses(const std::function<void()>& pause) : pause_(pause) {}
-        void take(const simulation::RecordedMove& /*move*/) override { pause_(); }
+        void on_move(const simulation::RecordedMove& /*move*/) override { pause_(); }
 
       private:
         const std::function<void()>& pause_;
@@ -66,7 +66,7 @@ std::string report_of(const Part& part, const std::function<void()>& pause) {
     simulator.add_output(pauses);
     Engine::Options options;
     options.dialect = part.dialect;
-    options.codes = engine::word_table(*grammar::dialect_named(part.dialect));
+    options.codes = engine::word_table(*grammar::find_dialect(part.dialect));
     Script script = Script::from_text(part.lua, "part.lua", 0);
     script.dialect = part.dialect;
     Engine engine(simulator, options);
@@ -79,7 +79,7 @@ std::string report_of(const Part& part, const std::function<void()>& pause) {
 /// Lets two threads go on in turns, until one of them is done.
 class Turns {
   public:
-    void take(int which) {
+    void on_move(int which) {
         std::unique_lock lock(mutex_);
         whose_ = 1 - which;
         changed_.notify_all();
@@ -104,7 +104,7 @@ std::array<std::string, 2> both(const std::function<void(int)>& pause, const std
     for (const int which : {0, 1}) {
         const auto index = static_cast<std::size_t>(which);
         threads[index] = std::thread([&, which, index] {
-            reports[index] = report_of(kParts[index], [&, which] { pause(which); });
+            reports[index] = part_report(kParts[index], [&, which] { pause(which); });
             finish();
         });
     }
@@ -113,14 +113,14 @@ std::array<std::string, 2> both(const std::function<void(int)>& pause, const std
 }
 
 TEST(TwoRuns, GiveTheReportsThatEachGivesAlone) {
-    const std::string first = report_of(kParts[0], [] {});
-    const std::string second = report_of(kParts[1], [] {});
+    const std::string first = part_report(kParts[0], [] {});
+    const std::string second = part_report(kParts[1], [] {});
     EXPECT_NE(first.find("\"collisions\": [\n"), std::string::npos);
     EXPECT_NE(second.find("\"collisions\": [\n"), std::string::npos);
     EXPECT_EQ(first.find("\"alarm\": {"), std::string::npos) << first;
     EXPECT_EQ(second.find("\"alarm\": {"), std::string::npos) << second;
     Turns turns;
-    const auto in_turns = both([&](int which) { turns.take(which); }, [&] { turns.finish(); });
+    const auto in_turns = both([&](int which) { turns.on_move(which); }, [&] { turns.finish(); });
     EXPECT_EQ(in_turns[0], first);
     EXPECT_EQ(in_turns[1], second);
     const auto at_once = both([](int) {}, [] {});

@@ -19,17 +19,17 @@ void draw(DxfWriter& writer, int moves) {
         segment.duration_s = 1;
         segment.start = joints(i % 2 == 0 ? 0 : 10, 0);
         segment.end = joints(i % 2 == 0 ? 10 : 0, 0);
-        writer.take(segment, {.target_id = i + 1, .kind = MoveKind::linear});
+        writer.on_segment(segment, {.target_id = i + 1, .kind = MoveKind::linear});
     }
     writer.end(moves);
 }
 
 TEST(DxfWriter, TooManyPointsAreCutShort) {
-    for (const std::uint64_t most : {4U, 5U}) {
+    for (const std::uint64_t max : {4U, 5U}) {
         StringStream stream;
-        DxfWriter writer(stream.out(), af5(), most);
+        DxfWriter writer(stream.out(), af5(), max);
         draw(writer, 5);
-        EXPECT_EQ(writer.cut_short(), most == 4);
+        EXPECT_EQ(writer.is_truncated(), max == 4);
     }
 }
 

@@ -47,10 +47,10 @@ struct Friction : RunOutput {
     explicit Friction(const machine::Machine& of) : machine(of) {}
 
     void begin(const rrs::JointPos& at) override { start = end_at = at; }
-    void take(const motion::Segment& segment, const MoveInfo&) override {
+    void on_segment(const motion::Segment& segment, const MoveInfo&) override {
         constexpr int kSteps = 4000;
         end_at = segment.end_position();
-        if (segment.kind == motion::SegmentKind::rest && !segment.beside) return;
+        if (segment.kind == motion::SegmentKind::rest && !segment.superimposed) return;
         rrs::JointPos from = segment.start;
         const double step_s = segment.duration_s / kSteps;
         for (int i = 1; i <= kSteps; ++i) {
@@ -60,9 +60,9 @@ struct Friction : RunOutput {
                 const auto joint = static_cast<Eigen::Index>(axis);
                 const bool linear = machine.axes[axis].kind == machine::AxisKind::linear;
                 const machine::Drive& drive = machine.axes[axis].drive;
-                const double way = std::abs(to[joint] - from[joint]) * (linear ? 1e-3 : 1);
+                const double distance = std::abs(to[joint] - from[joint]) * (linear ? 1e-3 : 1);
                 const double speed = axis_speed(linear, v[joint]);
-                work_j += drive.coulomb * way;
+                work_j += drive.coulomb * distance;
                 work_j += drive.viscous * speed * std::abs(v[joint]) * (linear ? 1e-3 : 1) * step_s;
             }
             from = to;
@@ -95,9 +95,9 @@ double potential_j(const machine::Machine& machine, const rrs::JointPos& q) {
         energy -= machine.axes[axis].drive.counterweight * scale * q[static_cast<Eigen::Index>(axis)];
     }
     const machine::HoseTable& hose = table.hoses.front();
-    const double beyond_mm =
+    const double excess_mm =
         (frames.back() * vector(hose.point_mm) - vector(hose.anchor_mm)).norm() - hose.free_length_mm;
-    if (beyond_mm > 0) energy += 0.5e-3 * hose.stiffness_n_per_mm * beyond_mm * beyond_mm;
+    if (excess_mm > 0) energy += 0.5e-3 * hose.stiffness_n_per_mm * excess_mm * excess_mm;
     return energy;
 }
 
@@ -115,15 +115,16 @@ TEST(EffortsBalance, OfRandomProgramsUnderEachController) {
         ASSERT_TRUE(report.efforts);
         const EffortReport& efforts = *report.efforts;
         jumps += efforts.jumps;
-        const double through_j = efforts.in_j + efforts.back_j;
+        const double through_j = efforts.drive_j + efforts.regenerated_j;
         const double gained_j = potential_j(machine, friction.end_at) - potential_j(machine, friction.start);
-        EXPECT_NEAR(efforts.in_j - efforts.back_j, gained_j + efforts.friction_j, kRelative * through_j)
+        EXPECT_NEAR(efforts.drive_j - efforts.regenerated_j, gained_j + efforts.friction_j,
+                    kRelative * through_j)
             << program << ' ' << machine.controller.model;
         EXPECT_NEAR(efforts.friction_j, friction.work_j, 1e-5 * friction.work_j)
             << program << ' ' << machine.controller.model;
         double of_programs = 0;
-        for (const ProgramEnergy& one : efforts.programs) of_programs += one.in_j;
-        EXPECT_NEAR(of_programs, efforts.in_j, 1e-9 * through_j);
+        for (const ProgramEnergy& one : efforts.programs) of_programs += one.drive_j;
+        EXPECT_NEAR(of_programs, efforts.drive_j, 1e-9 * through_j);
     }
     EXPECT_GT(jumps, 100U);
 }

@@ -17,7 +17,7 @@ inline void feed(Simulator& simulator, double x, double y, std::uint32_t line,
     LineMove move{.kind = kind,
                   .target = simulator.position(),
                   .feed = {.linear_mm_min = kFed_mm_s * 60},
-                  .place = {0, line}};
+                  .location = {0, line}};
     move.target[0] = x;
     move.target[1] = y;
     ASSERT_TRUE(simulator.move(move));

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "machine/file/controller_file.h"
-#include "runtime/monitors/following_watch.h"
+#include "runtime/monitors/following_monitor.h"
 #include "runtime/simulator/simulator.h"
 #include "tests/runtime/simulator/fed_lines.h"
 #include "tests/runtime/simulator/random_program.h"
@@ -31,35 +31,35 @@ machine::Machine random_servos(std::mt19937& random, std::size_t program) {
 }
 
 /// Steps of half the time change no relevant value, neither of an axis nor of the TCP.
-TEST(FollowingWatch, HalfTheStepChangesNothing) {
+TEST(FollowingMonitor, HalfTheStepChangesNothing) {
     constexpr std::size_t kPrograms = 10;
-    double greatest = 0;
+    double max = 0;
     for (std::size_t program = 0; program < kPrograms; ++program) {
         std::mt19937 random(static_cast<unsigned>(program));
         const machine::Machine machine = random_servos(random, program);
         Simulator simulator(machine, {});
-        FollowingWatch half(simulator.following_setup().value(), dynamics::ServoMotion::kStep_s / 2);
+        FollowingMonitor half(simulator.following_setup().value(), dynamics::ServoMotion::kStep_s / 2);
         simulator.add_output(half);
         RandomMoves(random, simulator).make(12);
         const Report report = simulator.finish("random");
-        const FollowingReport& whole = report.following.value();
+        const FollowingReport& full = report.following.value();
         for (std::size_t axis = 0; axis < machine.axes.size(); ++axis) {
             // If both sides have equal peaks, the step may decide which of them counts.
-            EXPECT_NEAR(std::abs(whole.axes[axis].peak), std::abs(half.report().axes[axis].peak), 1e-6)
+            EXPECT_NEAR(std::abs(full.axes[axis].peak), std::abs(half.report().axes[axis].peak), 1e-6)
                 << program;
-            EXPECT_NEAR(whole.axes[axis].rms, half.report().axes[axis].rms, 1e-6) << program;
-            EXPECT_NEAR(whole.axes[axis].end, half.report().axes[axis].end, 1e-6) << program;
+            EXPECT_NEAR(full.axes[axis].rms, half.report().axes[axis].rms, 1e-6) << program;
+            EXPECT_NEAR(full.axes[axis].end, half.report().axes[axis].end, 1e-6) << program;
         }
-        EXPECT_NEAR(whole.feed.error_mm, half.report().feed.error_mm, 1e-6) << program;
-        EXPECT_NEAR(whole.rapid.error_mm, half.report().rapid.error_mm, 1e-6) << program;
-        greatest = std::max(greatest, whole.feed.error_mm);
+        EXPECT_NEAR(full.feed.error_mm, half.report().feed.error_mm, 1e-6) << program;
+        EXPECT_NEAR(full.rapid.error_mm, half.report().rapid.error_mm, 1e-6) << program;
+        max = std::max(max, full.feed.error_mm);
     }
-    EXPECT_GT(greatest, 0.1);
+    EXPECT_GT(max, 0.1);
 }
 
 // The TCP is no farther from the program than the sum of two distances: from the path of the set points, and
 // of this path from the program.
-TEST(FollowingWatch, FromTheProgramItIsNoFartherThanBothTogether) {
+TEST(FollowingMonitor, FromTheProgramItIsNoFartherThanBothTogether) {
     constexpr std::array kModels{"blend", "linuxcnc-2.9"};
     double rounded = 0;
     for (std::size_t program = 0; program < 16; ++program) {
@@ -87,7 +87,7 @@ struct Witness : RunOutput {
     Witness(const machine::Servo& of, int of_joint) : servo(of), joint(of_joint) {}
 
     void begin(const rrs::JointPos& start) override { at = {start[joint], 0}; }
-    void take(const motion::Segment& segment, const MoveInfo&) override {
+    void on_segment(const motion::Segment& segment, const MoveInfo&) override {
         const int steps = static_cast<int>(std::ceil(segment.duration_s / kStep_s));
         const double h = segment.duration_s / steps;
         for (int i = 0; i < steps; ++i) {
@@ -122,7 +122,7 @@ struct Witness : RunOutput {
     double set_speed = 0, error = 0;
 };
 
-TEST(FollowingWatch, RandomProgramsAgainstFineSteps) {
+TEST(FollowingMonitor, RandomProgramsAgainstFineSteps) {
     constexpr std::size_t kWitnessed = 10 / kFewerBy;
     for (std::size_t program = 0; program < kWitnessed; ++program) {
         std::mt19937 random(static_cast<unsigned>(100 + program));

@@ -34,19 +34,19 @@ struct Excess {
 
 /// Joint velocities each kPeriod_s, and whether the joints are on an arc; the times and their sums.
 struct Samples : RunOutput {
-    void take(const motion::Segment& segment, const MoveInfo&) override {
+    void on_segment(const motion::Segment& segment, const MoveInfo&) override {
         EXPECT_NEAR(segment.start_s, end_s, 1e-9);
         for (; next_s < segment.end_s(); next_s += kPeriod_s) {
             velocities.push_back(segment.at(next_s - segment.start_s).velocity);
-            on_arc.push_back(segment.kind == motion::SegmentKind::circular);
+            is_on_arc.push_back(segment.kind == motion::SegmentKind::circular);
         }
         end_s = segment.end_s();
         segments_s += segment.duration_s;
     }
-    void take(const RecordedMove& move) override { moves_s += move.end_s - move.start_s; }
+    void on_move(const RecordedMove& move) override { moves_s += move.end_s - move.start_s; }
 
     std::vector<rrs::JointPos> velocities;
-    std::vector<bool> on_arc;
+    std::vector<bool> is_on_arc;
     double next_s = 0;
     double end_s = 0;
     double segments_s = 0;
@@ -55,7 +55,7 @@ struct Samples : RunOutput {
 
 class KeptLimits : public testing::TestWithParam<Excess> {
   protected:
-    static machine::Machine machine_of(std::mt19937& random) {
+    static machine::Machine make_machine(std::mt19937& random) {
         machine::Machine machine = random_machine(random, af5());
         for (machine::Axis& axis : machine.axes)
             axis.max_speed_step = std::numeric_limits<double>::infinity();
@@ -63,7 +63,7 @@ class KeptLimits : public testing::TestWithParam<Excess> {
         return machine;
     }
 
-    static void look_at(const Samples& samples, const motion::PlannerSetup& setup) {
+    static void check_samples(const Samples& samples, const motion::PlannerSetup& setup) {
         for (int joint = 0; joint < setup.joint_count(); ++joint) {
             const motion::JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
             expect_speed(samples, joint, GetParam().speed * limits.max_speed);
@@ -74,52 +74,52 @@ class KeptLimits : public testing::TestWithParam<Excess> {
 
   private:
     static void expect_speed(const Samples& samples, int joint, double limit) {
-        double most = 0;
+        double max = 0;
         for (const rrs::JointPos& velocity : samples.velocities)
-            most = std::max(most, std::abs(velocity[joint]));
-        EXPECT_LE(most, limit * (1 + kRounding)) << joint;
+            max = std::max(max, std::abs(velocity[joint]));
+        EXPECT_LE(max, limit * (1 + kRounding)) << joint;
     }
 
     static void expect_acceleration(const Samples& samples, int joint, double limit, std::size_t window) {
         const Excess& excess = GetParam();
-        double most = 0;
+        double max = 0;
         std::size_t last_arc = 0;  // the newest position on an arc, counted from 1
         for (std::size_t i = 0; i < samples.velocities.size(); ++i) {
-            if (samples.on_arc[i]) last_arc = i + 1;
+            if (samples.is_on_arc[i]) last_arc = i + 1;
             if (i < window || (!excess.on_arcs && last_arc + window > i)) continue;
             const double change = samples.velocities[i][joint] - samples.velocities[i - window][joint];
-            most = std::max(most, std::abs(change));
+            max = std::max(max, std::abs(change));
         }
         const double time_s = static_cast<double>(window) * kPeriod_s;
         // v^2 = a r with a turn by t about r = 8 d / t^2, for small t and less for others: the jump is v t.
         const double jump = limit * excess.step_s + std::sqrt(8 * limit * excess.deviation_mm);
-        EXPECT_LE(most, (jump + limit * excess.acceleration * time_s) * (1 + kRounding))
+        EXPECT_LE(max, (jump + limit * excess.acceleration * time_s) * (1 + kRounding))
             << "joint " << joint << " over " << time_s << " s";
     }
 };
 
 /// Expects that the times of the moves and the dwells add up to the cycle time, except for the controller's
 /// time at its stops.
-void expect_sums(const Samples& samples, const Report& report, double rest_s) {
+void expect_sums(const Samples& samples, const Report& report, double standstill_s) {
     const double rounding_s = 1e-6 + 1e-9 * report.cycle_time_s;
     EXPECT_NEAR(report.rapid_s + report.feed_s + report.dwell_s, report.cycle_time_s, rounding_s);
     EXPECT_LE(samples.moves_s, report.cycle_time_s + rounding_s);
-    EXPECT_GE(samples.moves_s, report.cycle_time_s - kMoves * rest_s - rounding_s);
+    EXPECT_GE(samples.moves_s, report.cycle_time_s - kMoves * standstill_s - rounding_s);
 }
 
 TEST_P(KeptLimits, AtEachInstantAndOverWindows) {
     for (unsigned seed = 0; seed < kPrograms; ++seed) {
         SCOPED_TRACE(seed);
         std::mt19937 random(seed);
-        Simulator simulator(machine_of(random), {});
+        Simulator simulator(make_machine(random), {});
         Samples samples;
         simulator.add_output(samples);
         RandomMoves(random, simulator).make(kMoves);
         const Report report = simulator.finish("p");
         ASSERT_FALSE(report.alarm) << report.alarm->message;
         EXPECT_NEAR(samples.segments_s, report.cycle_time_s, 1e-6 + 1e-9 * report.cycle_time_s);
-        expect_sums(samples, report, simulator.machine().controller.rest_s);
-        look_at(samples, setup_of_machine(simulator.machine()));
+        expect_sums(samples, report, simulator.machine().controller.dwell_s);
+        check_samples(samples, make_planner_setup(simulator.machine()));
     }
 }
 

@@ -19,9 +19,9 @@ constexpr double kG = 9.80665;
 std::shared_ptr<const Dynamics> dynamics_of(const std::string& toml) {
     const auto machine = machine::read_machine(toml, "m.toml");
     EXPECT_TRUE(machine) << machine.error();
-    const auto made = make_dynamics(machine.value());
-    EXPECT_TRUE(made) << made.error();
-    return made.value();
+    const auto dynamics_result = make_dynamics(machine.value());
+    EXPECT_TRUE(dynamics_result) << dynamics_result.error();
+    return dynamics_result.value();
 }
 
 Dynamics::Motion motion(std::initializer_list<double> q, std::initializer_list<double> v,
@@ -31,7 +31,7 @@ Dynamics::Motion motion(std::initializer_list<double> q, std::initializer_list<d
         std::copy(values.begin(), values.end(), list.begin());
         return list;
     };
-    return {joints(q), joints(v), joints(a), dynamics::senses(joints(v))};
+    return {joints(q), joints(v), joints(a), dynamics::motion_directions(joints(v))};
 }
 
 TEST(MachineDynamics, NoneWithoutTheTable) {
@@ -121,12 +121,12 @@ on = "X"
 shape = { mesh = "sheet.obj" }
 density_kg_m3 = 7850
 )",
-                              "m.toml", os::GivenFiles([](const std::string&) { return "v 0 0 0\n"; }));
+                              "m.toml", os::CallbackFiles([](const std::string&) { return "v 0 0 0\n"; }));
     ASSERT_TRUE(machine) << machine.error();
-    const os::GivenFiles sheet([](const std::string&) { return "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"; });
-    const auto made = make_dynamics(*machine, {.files = sheet});
-    ASSERT_FALSE(made);
-    EXPECT_EQ(made.error(),
+    const os::CallbackFiles sheet([](const std::string&) { return "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"; });
+    const auto dynamics_result = make_dynamics(*machine, {.files = sheet});
+    ASSERT_FALSE(dynamics_result);
+    EXPECT_EQ(dynamics_result.error(),
               "the shape 'sheet' of the machine has no mass: sheet.obj: the surface is not closed, so "
               "that it encloses no mass: an edge at 0 0 0 has a triangle on one side alone");
 }

@@ -16,7 +16,7 @@ using rrs::JointPos;
 using rrs::Status;
 using testing::HasSubstr;
 
-const CartPos kLonger = pose_from_rpy({.x_mm = 12, .y_mm = -7, .z_mm = -45, .roll_rad = 0.3});
+const CartPos kDistanceFactors = pose_from_rpy({.x_mm = 12, .y_mm = -7, .z_mm = -45, .roll_rad = 0.3});
 const CartPos kElsewhere = pose_from_rpy({.x_mm = 80, .y_mm = -60, .z_mm = 25, .roll_rad = 0.5});
 
 const kinematics::Chain& chain(const Posed& robot) {
@@ -56,22 +56,24 @@ INSTANTIATE_TEST_SUITE_P(Machines, MachineFrames, testing::Values("af5", "mill-h
 TEST_P(MachineFrames, AnotherToolReachesTargetsWithItsOwnTip) {
     Posed robot(GetParam());
     robot.start();
-    const JointPos wanted = other_joints(robot);
-    const CartPos target = robot.setup.kinematics->forward(wanted) * kLonger;
-    ASSERT_EQ(robot.planner.ModifyCellFrame("tool", file_tool(robot) * kLonger), Status::RRS_SUCCESS)
+    const JointPos expected_value = other_joints(robot);
+    const CartPos target = robot.setup.kinematics->forward(expected_value) * kDistanceFactors;
+    ASSERT_EQ(robot.planner.ModifyCellFrame("tool", file_tool(robot) * kDistanceFactors), Status::RRS_SUCCESS)
         << robot.message();
     const CartPos from = robot.step().pose;
-    EXPECT_TRUE(from.isApprox(robot.setup.kinematics->forward(robot.planner.position()) * kLonger, 1e-9));
+    EXPECT_TRUE(
+        from.isApprox(robot.setup.kinematics->forward(robot.planner.position()) * kDistanceFactors, 1e-9));
     ASSERT_EQ(robot.to(target), Status::RRS_SUCCESS) << robot.message();
-    const Vector3d way = (target.translation() - from.translation()).normalized();
+    const Vector3d displacement = (target.translation() - from.translation()).normalized();
     Posed::Step step;
     for (step = robot.step(); step.status == Status::RRS_SUCCESS; step = robot.step()) {
-        const Vector3d tip = (robot.setup.kinematics->forward(step.joints) * kLonger).translation();
-        ASSERT_LT((step.pose.translation() - tip).norm(), 1e-9);
-        const Vector3d gone = tip - from.translation();
-        ASSERT_LT((gone - way * way.dot(gone)).norm(), robot.setup.controller.tcp_tolerance_mm);
+        const Vector3d tcp = (robot.setup.kinematics->forward(step.joints) * kDistanceFactors).translation();
+        ASSERT_LT((step.pose.translation() - tcp).norm(), 1e-9);
+        const Vector3d gone = tcp - from.translation();
+        ASSERT_LT((gone - displacement * displacement.dot(gone)).norm(),
+                  robot.setup.controller.tcp_tolerance_mm);
     }
-    EXPECT_TRUE(tool_in_world(robot, step.joints).isApprox(tool_in_world(robot, wanted), 1e-6));
+    EXPECT_TRUE(tool_in_world(robot, step.joints).isApprox(tool_in_world(robot, expected_value), 1e-6));
 }
 
 // A work frame that no axes carry stays in the world: the tool in the world, by the displaced chain, is at
@@ -79,15 +81,16 @@ TEST_P(MachineFrames, AnotherToolReachesTargetsWithItsOwnTip) {
 TEST_P(MachineFrames, AMovedBaseReachesTargetsFromWhereItStands) {
     Posed robot(GetParam());
     robot.start();
-    const bool carried = !chain(robot).work_side().links.empty();
-    const JointPos wanted = other_joints(robot);
+    const bool work_is_moved = !chain(robot).work_side().links.empty();
+    const JointPos expected_value = other_joints(robot);
     const CartPos moved = kElsewhere * file_base(robot);
     const CartPos work = chain(robot).work_side().base * chain(robot).work_side().end;
-    const CartPos target = carried ? robot.setup.kinematics->forward(wanted)
-                                   : work.inverse() * kElsewhere * tool_in_world(robot, wanted);
+    const CartPos target = work_is_moved ? robot.setup.kinematics->forward(expected_value)
+                                         : work.inverse() * kElsewhere * tool_in_world(robot, expected_value);
     ASSERT_EQ(robot.planner.ModifyCellFrame("base", moved), Status::RRS_SUCCESS) << robot.message();
     ASSERT_EQ(robot.to(target), Status::RRS_SUCCESS) << robot.message();
-    EXPECT_TRUE(tool_in_world(robot, robot.planner.position()).isApprox(tool_in_world(robot, wanted), 1e-6));
+    EXPECT_TRUE(
+        tool_in_world(robot, robot.planner.position()).isApprox(tool_in_world(robot, expected_value), 1e-6));
     Posed::Step step = robot.step();
     while (step.status == Status::RRS_SUCCESS) step = robot.step();
     EXPECT_TRUE(step.pose.isApprox(target, 1e-6));
@@ -101,16 +104,20 @@ TEST(MachineFrames, BaseToolAndFixtureAreOneChain) {
     Posed robot("arm6");
     robot.start();
     ASSERT_EQ(robot.planner.SelectWorkFrames("tool", "fixture 1"), Status::RRS_SUCCESS);
-    const JointPos wanted = other_joints(robot);
+    const JointPos expected_value = other_joints(robot);
     ASSERT_EQ(robot.planner.ModifyCellFrame("base", kElsewhere * file_base(robot)), Status::RRS_SUCCESS);
-    ASSERT_EQ(robot.planner.ModifyCellFrame("tool", file_tool(robot) * kLonger), Status::RRS_SUCCESS);
-    const CartPos fixture = robot.cell.cell().frames.in_link(*robot.cell.cell().frames.find("fixture 1"));
-    const CartPos target = fixture.inverse() * kElsewhere * tool_in_world(robot, wanted) * kLonger;
+    ASSERT_EQ(robot.planner.ModifyCellFrame("tool", file_tool(robot) * kDistanceFactors),
+              Status::RRS_SUCCESS);
+    const CartPos fixture =
+        robot.cell.cell().frames.pose_in_link(*robot.cell.cell().frames.find("fixture 1"));
+    const CartPos target =
+        fixture.inverse() * kElsewhere * tool_in_world(robot, expected_value) * kDistanceFactors;
     ASSERT_EQ(robot.to(target), Status::RRS_SUCCESS) << robot.message();
-    EXPECT_TRUE(tool_in_world(robot, robot.planner.position()).isApprox(tool_in_world(robot, wanted), 1e-6));
-    CartPos told;
-    ASSERT_EQ(robot.planner.GetForwardKinematics(wanted, told), Status::RRS_SUCCESS);
-    EXPECT_TRUE(told.isApprox(target, 1e-9));
+    EXPECT_TRUE(
+        tool_in_world(robot, robot.planner.position()).isApprox(tool_in_world(robot, expected_value), 1e-6));
+    CartPos reported;
+    ASSERT_EQ(robot.planner.GetForwardKinematics(expected_value, reported), Status::RRS_SUCCESS);
+    EXPECT_TRUE(reported.isApprox(target, 1e-9));
 }
 
 // Frames attached to the base move along: seen from the machine they are unchanged.
@@ -126,11 +133,12 @@ TEST(MachineFrames, TargetsInTheFrameOfTheBaseGoAlong) {
 TEST(MachineFrames, WhatWaitsIsDrivenAndToldAsItWasPlanned) {
     Posed robot("af5");
     robot.start();
-    const CartPos here = robot.setup.kinematics->forward(robot.planner.position());
-    CartPos target = here;
+    const CartPos current = robot.setup.kinematics->forward(robot.planner.position());
+    CartPos target = current;
     target.translation().x() += 50;
     ASSERT_EQ(robot.to(target), Status::RRS_SUCCESS);
-    ASSERT_EQ(robot.planner.ModifyCellFrame("tool", file_tool(robot) * kLonger), Status::RRS_SUCCESS);
+    ASSERT_EQ(robot.planner.ModifyCellFrame("tool", file_tool(robot) * kDistanceFactors),
+              Status::RRS_SUCCESS);
     ASSERT_EQ(robot.planner.ModifyCellFrame("base", kElsewhere * file_base(robot)), Status::RRS_SUCCESS);
     Posed::Step step = robot.step();
     for (; step.status == Status::RRS_SUCCESS; step = robot.step())
@@ -140,7 +148,7 @@ TEST(MachineFrames, WhatWaitsIsDrivenAndToldAsItWasPlanned) {
     step = robot.step();
     EXPECT_EQ(step.status, Status::RRS_NEED_MORE_DATA);
     const CartPos work = chain(robot).work_side().base * chain(robot).work_side().end;
-    const CartPos moved = work.inverse() * kElsewhere * tool_in_world(robot, step.joints) * kLonger;
+    const CartPos moved = work.inverse() * kElsewhere * tool_in_world(robot, step.joints) * kDistanceFactors;
     EXPECT_TRUE(step.pose.isApprox(moved, 1e-9));
 }
 
@@ -148,10 +156,11 @@ TEST(MachineFrames, OthersOfTheMachineAndWhatIsNoPoseAreRefused) {
     Posed robot("af5");
     robot.start();
     for (const char* name : {"X", "world", "work"}) {
-        EXPECT_EQ(robot.planner.ModifyCellFrame(name, kLonger), Status::RRS_INVALID_PARAMETER) << name;
+        EXPECT_EQ(robot.planner.ModifyCellFrame(name, kDistanceFactors), Status::RRS_INVALID_PARAMETER)
+            << name;
         EXPECT_THAT(robot.message(), HasSubstr("'tool' and 'base' alone"));
     }
-    CartPos bent = kLonger;
+    CartPos bent = kDistanceFactors;
     bent.linear()(0, 0) += 0.1;
     for (const char* name : {"tool", "base"})
         EXPECT_EQ(robot.planner.ModifyCellFrame(name, bent), Status::RRS_INVALID_PARAMETER) << name;
@@ -201,10 +210,10 @@ TEST(MachineFrames, AConveyorIsFollowedFromAMovedBase) {
     const JointPos from = robot.planner.position();
     ASSERT_EQ(robot.planner.SetNextRest(2, 2), Status::RRS_SUCCESS) << robot.message();
     robot.planner.SelectTracking(1, false);
-    const auto tip = [&](const JointPos& joints) -> Vector3d {
+    const auto tcp = [&](const JointPos& joints) -> Vector3d {
         return robot.setup.kinematics->forward(joints).translation();
     };
-    const Vector3d gone = turned.linear() * (tip(robot.planner.position()) - tip(from));
+    const Vector3d gone = turned.linear() * (tcp(robot.planner.position()) - tcp(from));
     EXPECT_GT(gone.x(), 20);
     EXPECT_NEAR(gone.y(), 0, 1e-9);
 }
@@ -213,7 +222,7 @@ TEST(MachineFrames, AConveyorIsFollowedFromAMovedBase) {
 TEST(MachineFrames, TipControlIsOfTheChangedTip) {
     const machine::Machine machine = sample("af5");
     Simulator simulator(machine, {});
-    CellWatch cell(cell::read_cell(kFrames, "frames.toml", machine).value(), machine);
+    CellMonitor cell(cell::read_cell(kFrames, "frames.toml", machine).value(), machine);
     simulator.set_cell(cell);
     const auto kinematics = machine::make_kinematics(machine);
     LineMove move;
@@ -221,7 +230,7 @@ TEST(MachineFrames, TipControlIsOfTheChangedTip) {
     move.target = simulator.position();
     move.target.head(3) += Vector3d(600, 600, 300);
     ASSERT_TRUE(simulator.move(move));
-    ASSERT_TRUE(simulator.set_tip_control(Vector3d(0, 0, 0), {}));
+    ASSERT_TRUE(simulator.set_tcp_control(Vector3d(0, 0, 0), {}));
     const CartPos shift = pose_from_rpy({.z_mm = -60});
     ASSERT_EQ(simulator.modify_cell_frame("tool", kinematics->chain().tool_side().end * shift),
               Status::RRS_SUCCESS);

@@ -23,12 +23,12 @@ using testing::StartsWith;
 
 constexpr double kStep_s = 0.001;
 
-using rrs::Place;
+using rrs::HostProcess;
 
-rrs::RcsModule module_of(Place place, const std::string& path, const machine::Machine& machine) {
-    const rcs::RcsMachine described(setup_of_machine(machine));
-    if (place == Place::own_process)
-        return rrs::begin_rcs_process(tests::program_path("gsim-rcs-host"), path, described.get()).value();
+rrs::RcsModule module_of(HostProcess location, const std::string& path, const machine::Machine& machine) {
+    const rcs::RcsMachine described(make_planner_setup(machine));
+    if (location == HostProcess::separate_process)
+        return rrs::start_rcs_process(tests::program_path("gsim-rcs-host"), path, described.get()).value();
     auto library = rrs::RcsLibrary::load(path, described.get());
     if (!library) throw std::runtime_error(library.error());
     return rrs::RcsModule::create(*library, described.get()).value();
@@ -43,8 +43,8 @@ machine::Machine fast_machine() {
     return machine;
 }
 
-rrs::RcsModule test_module(Place place, const std::string& name) {
-    return module_of(place, rrs::module_path(name), fast_machine());
+rrs::RcsModule test_module(HostProcess location, const std::string& name) {
+    return module_of(location, rrs::module_path(name), fast_machine());
 }
 
 LineMove line_to(double x, double y, MoveKind kind = MoveKind::linear, double feed_mm_min = 6000) {
@@ -59,12 +59,11 @@ LineMove line_to(double x, double y, MoveKind kind = MoveKind::linear, double fe
 
 class MoveList : public RunOutput {
   public:
-    using RunOutput::take;
-    void take(const RecordedMove& move) override { moves.push_back(move); }
+    void on_move(const RecordedMove& move) override { moves.push_back(move); }
     std::vector<RecordedMove> moves;
 };
 
-class SmallModule : public testing::TestWithParam<Place> {
+class SmallModule : public testing::TestWithParam<HostProcess> {
   protected:
     SmallModule() : simulator(fast_machine(), {}, test_module(GetParam(), "small_module")) {
         simulator.add_output(list);
@@ -127,7 +126,7 @@ TEST_P(SmallModule, PathModesItLacksAreAWarning) {
 
 INSTANTIATE_TEST_SUITE_P(Places, SmallModule, rrs::both_places(), rrs::place_name);
 
-class Modules : public testing::TestWithParam<Place> {
+class Modules : public testing::TestWithParam<HostProcess> {
   protected:
     static rrs::RcsModule test_module(const std::string& name) {
         return module_motion_test::test_module(GetParam(), name);
@@ -136,7 +135,7 @@ class Modules : public testing::TestWithParam<Place> {
 
 INSTANTIATE_TEST_SUITE_P(Places, Modules, rrs::both_places(), rrs::place_name);
 
-std::string alarm_of(rrs::RcsModule module, RunLimits limits = {}) {
+std::string to_alarm(rrs::RcsModule module, RunLimits limits = {}) {
     Simulator simulator(fast_machine(), limits, std::move(module));
     simulator.move(line_to(10, 0));
     simulator.finish("p");
@@ -144,33 +143,33 @@ std::string alarm_of(rrs::RcsModule module, RunLimits limits = {}) {
 }
 
 TEST_P(Modules, FaultsEndTheRunAndNameModuleAndService) {
-    EXPECT_THAT(alarm_of(test_module("nan_answer")),
+    EXPECT_THAT(to_alarm(test_module("nan_answer")),
                 StartsWith("The controller module nan_answer.so answered GetNextStep with the value nan"));
-    EXPECT_THAT(alarm_of(test_module("backwards")), HasSubstr("a time that runs backwards"));
-    EXPECT_EQ(alarm_of(test_module("jump")),
+    EXPECT_THAT(to_alarm(test_module("backwards")), HasSubstr("a time that runs backwards"));
+    EXPECT_EQ(to_alarm(test_module("jump")),
               "The controller module jump.so answered GetNextStep with a jump: a joint moved in no time.");
-    EXPECT_THAT(alarm_of(test_module("never_arrives")),
+    EXPECT_THAT(to_alarm(test_module("never_arrives")),
                 StartsWith("The controller module never_arrives.so has not moved for 600"));
-    EXPECT_EQ(alarm_of(test_module("small_module")), "");
+    EXPECT_EQ(to_alarm(test_module("small_module")), "");
 }
 
 // Motion before the crash is in the report, and the alarm is at the block that was read last.
 TEST(ModuleProcess, ACrashEndsTheRunWithWhatWasMovedBefore) {
-    Simulator simulator(fast_machine(), {}, test_module(Place::own_process, "crashes"));
+    Simulator simulator(fast_machine(), {}, test_module(HostProcess::separate_process, "crashes"));
     MoveList list;
     simulator.add_output(list);
     constexpr int kStepsBefore = 50;  // of hostile_module.c
-    bool goes_on = true;
-    for (std::uint32_t line = 1; line <= 50 && goes_on; ++line) {
+    bool continues = true;
+    for (std::uint32_t line = 1; line <= 50 && continues; ++line) {
         LineMove move = line_to(line, 0);  // 1 mm at 100 mm/s
-        move.place.line = line;
-        goes_on = simulator.move(move);
+        move.location.line = line;
+        continues = simulator.move(move);
     }
-    EXPECT_FALSE(goes_on);
+    EXPECT_FALSE(continues);
     const Report report = simulator.finish("p");
     EXPECT_EQ(report.status, RunStatus::alarm);
     EXPECT_EQ(report.alarm->message, "The controller module crashes.so crashed in GetNextStep (signal 11).");
-    EXPECT_EQ(report.alarm->place.line, 14U) << "five moves are made, and eight wait";
+    EXPECT_EQ(report.alarm->location.line, 14U) << "five moves are made, and eight wait";
     EXPECT_NEAR(report.cycle_time_s, kStepsBefore * kStep_s, 1e-9);
     EXPECT_NEAR(report.bounds[0].max, 5, 1e-9);
     EXPECT_GE(list.moves.size(), 5U);
@@ -178,11 +177,12 @@ TEST(ModuleProcess, ACrashEndsTheRunWithWhatWasMovedBefore) {
 
 TEST(ModuleProcess, WhatTheModuleSpendsIsTimeOfTheRun) {
     os::CpuLimit cpu(0.5);
-    Simulator simulator(fast_machine(), {.cpu = &cpu}, test_module(Place::own_process, "spends_time"));
-    bool goes_on = true;
-    for (int i = 1; i <= 1000 && goes_on; ++i)
-        goes_on = simulator.count_block({}) && simulator.move(line_to(i, 0));
-    EXPECT_FALSE(goes_on);
+    Simulator simulator(fast_machine(), {.cpu = &cpu},
+                        test_module(HostProcess::separate_process, "spends_time"));
+    bool continues = true;
+    for (int i = 1; i <= 1000 && continues; ++i)
+        continues = simulator.count_block({}) && simulator.move(line_to(i, 0));
+    EXPECT_FALSE(continues);
     EXPECT_THAT(simulator.finish("p").alarm->message, HasSubstr("of processor time is reached"));
 }
 
@@ -190,14 +190,14 @@ TEST(ModuleProcess, WhatTheModuleSpendsIsTimeOfTheRun) {
 TEST_P(Modules, AStepPastARangeIsAViolation) {
     Simulator simulator(fast_machine(), {}, test_module("overshoots"));
     LineMove move = line_to(10, 0);
-    move.place.line = 7;
+    move.location.line = 7;
     EXPECT_TRUE(simulator.move(move));
     const Report report = simulator.finish("p");
     EXPECT_EQ(report.status, RunStatus::violations);
     ASSERT_EQ(report.violations.list.size(), 1U);
     const Violation& violation = report.violations.list.front();
     EXPECT_EQ(violation.axis, 'X');
-    EXPECT_EQ(violation.place.line, 7U);
+    EXPECT_EQ(violation.location.line, 7U);
     EXPECT_NEAR(violation.value, report.bounds[0].max, 1e-9) << "the farthest";
     EXPECT_GT(violation.value, 9000);
     EXPECT_EQ(violation.limit, fast_machine().axes[0].max);
@@ -208,9 +208,9 @@ TEST_P(Modules, AStepPastARangeIsAViolation) {
 
 TEST_P(Modules, AStepPastARangeIsAnAlarmWhereTheFirstOneEndsTheRun) {
     Simulator simulator(fast_machine(), {.stop_at_first = true}, test_module("overshoots"));
-    bool goes_on = true;
-    for (int i = 1; i <= 50 && goes_on; ++i) goes_on = simulator.move(line_to(10.0 * i, 0));
-    EXPECT_FALSE(goes_on) << "as soon as it is known";
+    bool continues = true;
+    for (int i = 1; i <= 50 && continues; ++i) continues = simulator.move(line_to(10.0 * i, 0));
+    EXPECT_FALSE(continues) << "as soon as it is known";
     const Report report = simulator.finish("p");
     EXPECT_EQ(report.status, RunStatus::alarm);
     EXPECT_EQ(report.alarm->kind, text::DiagnosticKind::axis_limit);
@@ -219,13 +219,13 @@ TEST_P(Modules, AStepPastARangeIsAnAlarmWhereTheFirstOneEndsTheRun) {
 
 // This module has no ranges and moves anywhere.
 TEST_P(Modules, ATargetPastARangeIsFoundWhateverTheModuleDoes) {
-    const double beyond_mm = fast_machine().axes[0].max + 10;
+    const double excess_mm = fast_machine().axes[0].max + 10;
     Simulator stops(fast_machine(), {.stop_at_first = true}, test_module("small_module"));
-    EXPECT_FALSE(stops.move(line_to(beyond_mm, 0)));
+    EXPECT_FALSE(stops.move(line_to(excess_mm, 0)));
     EXPECT_EQ(stops.finish("p").status, RunStatus::alarm);
-    Simulator goes_on(fast_machine(), {}, test_module("small_module"));
-    EXPECT_TRUE(goes_on.move(line_to(beyond_mm, 0)));
-    const Report report = goes_on.finish("p");
+    Simulator continues(fast_machine(), {}, test_module("small_module"));
+    EXPECT_TRUE(continues.move(line_to(excess_mm, 0)));
+    const Report report = continues.finish("p");
     EXPECT_EQ(report.status, RunStatus::violations);
     EXPECT_EQ(report.violations.count, 1U) << "the target says it, so that its steps need not";
 }
@@ -246,7 +246,7 @@ TEST_P(Modules, LimitOfMachineTimeHolds) {
 }
 
 // Our own planner, in process and as a module, under each kind of controller.
-class DefaultModule : public testing::TestWithParam<std::tuple<rrs::PlannerKind, Place>> {};
+class DefaultModule : public testing::TestWithParam<std::tuple<rrs::PlannerKind, HostProcess>> {};
 
 void put_program(Simulator& simulator) {
     simulator.set_path_mode(rrs::PathMode::continuous, 0.05, 0);
@@ -267,25 +267,25 @@ void put_program(Simulator& simulator) {
 
 TEST_P(DefaultModule, ReportsWhatItReportsInProcessToWithinSteps) {
     machine::Machine machine = af5();
-    const auto& [kind, place] = GetParam();
+    const auto& [kind, location] = GetParam();
     machine.controller.planner = kind;
-    machine.controller.rest_s = 0.01;
+    machine.controller.dwell_s = 0.01;
     Simulator in_process(machine, {});
-    Simulator stepped(machine, {}, module_of(place, tests::default_module_path(), machine));
+    Simulator stepped(machine, {}, module_of(location, tests::default_module_path(), machine));
     put_program(in_process);
     put_program(stepped);
     const Report exact = in_process.finish("p");
-    const Report sampled = stepped.finish("p");
-    ASSERT_EQ(sampled.status, RunStatus::completed) << sampled.alarm->message;
-    EXPECT_NEAR(sampled.cycle_time_s, exact.cycle_time_s, 1e-6);
-    EXPECT_NEAR(sampled.feed_s, exact.feed_s, 5 * kStep_s);
-    EXPECT_NEAR(sampled.rapid_s, exact.rapid_s, 5 * kStep_s);
-    EXPECT_NEAR(sampled.dwell_s, exact.dwell_s, 5 * kStep_s);
-    EXPECT_NEAR(sampled.feed_mm, exact.feed_mm, 0.5);
-    EXPECT_EQ(sampled.moves, exact.moves);
-    EXPECT_NEAR(sampled.events[0].t_s, exact.events[0].t_s, 1e-6);
+    const Report is_sampled = stepped.finish("p");
+    ASSERT_EQ(is_sampled.status, RunStatus::completed) << is_sampled.alarm->message;
+    EXPECT_NEAR(is_sampled.cycle_time_s, exact.cycle_time_s, 1e-6);
+    EXPECT_NEAR(is_sampled.feed_s, exact.feed_s, 5 * kStep_s);
+    EXPECT_NEAR(is_sampled.rapid_s, exact.rapid_s, 5 * kStep_s);
+    EXPECT_NEAR(is_sampled.dwell_s, exact.dwell_s, 5 * kStep_s);
+    EXPECT_NEAR(is_sampled.feed_mm, exact.feed_mm, 0.5);
+    EXPECT_EQ(is_sampled.moves, exact.moves);
+    EXPECT_NEAR(is_sampled.events[0].t_s, exact.events[0].t_s, 1e-6);
     for (std::size_t axis = 0; axis < exact.bounds.size(); ++axis)
-        EXPECT_NEAR(sampled.bounds[axis].max, exact.bounds[axis].max, 0.01);
+        EXPECT_NEAR(is_sampled.bounds[axis].max, exact.bounds[axis].max, 0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, DefaultModule,

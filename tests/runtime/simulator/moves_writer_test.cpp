@@ -14,7 +14,7 @@ namespace {
 class MovesWriterTest : public testing::Test {
   protected:
     std::string written(const RecordedMove& move) {
-        writer.take(move);
+        writer.on_move(move);
         return stream.text();
     }
 
@@ -28,7 +28,7 @@ RecordedMove move(MoveKind kind) {
     RecordedMove move;
     move.n = 3;
     move.info.kind = kind;
-    move.info.place = {0, 12};
+    move.info.location = {0, 12};
     move.info.feed_per_min = 6350;
     move.start_s = 1.5;
     move.end_s = 4;
@@ -54,7 +54,7 @@ TEST_F(MovesWriterTest, ARoundedCornerHasItsDeviation) {
 TEST_F(MovesWriterTest, RapidAndDwellHaveNoFeed) {
     for (const MoveKind kind : {MoveKind::rapid, MoveKind::dwell}) {
         StringStream other;
-        MovesWriter(other.out(), machine, files).take(move(kind));
+        MovesWriter(other.out(), machine, files).on_move(move(kind));
         EXPECT_EQ(text::parse_json<nlohmann::json>(other.text())["feed"], nullptr);
     }
 }
@@ -68,7 +68,7 @@ TEST_F(MovesWriterTest, NothingLimitsADwell) {
 TEST_F(MovesWriterTest, ArcHasItsCentreInMachineCoordinates) {
     machine.axes[1].zero = 50;
     RecordedMove recorded = move(MoveKind::arc_cw);
-    recorded.info.normal = normal_of(Plane::zx);
+    recorded.info.normal = plane_normal(Plane::zx);
     recorded.info.turns = 2;
     const motion::Segment segment = arc(1, 0, 500, 600, 100, 0, 90);
     recorded.arc = segment.arc;
@@ -98,23 +98,23 @@ TEST(ArcNormal, IsToldWithItsGreatestPartAboveZero) {
     EXPECT_EQ(info.kind, MoveKind::arc_cw);
     EXPECT_LT((info.normal - Eigen::Vector3d(0.8, -0.6, 0)).norm(), 1e-12);
     // If parts are equal, the last one counts, whatever rounding makes of them.
-    const Eigen::Vector3d even = Eigen::Vector3d(-1 - 1e-12, 1, 0).normalized();
-    EXPECT_GT(told_normal(even)[1], 0);
-    EXPECT_GT(told_normal(-even)[1], 0);
+    const Eigen::Vector3d uniform = Eigen::Vector3d(-1 - 1e-12, 1, 0).normalized();
+    EXPECT_GT(canonical_normal(uniform)[1], 0);
+    EXPECT_GT(canonical_normal(-uniform)[1], 0);
     EXPECT_EQ(main_plane(Eigen::Vector3d(0, -1, 1e-12)), Plane::zx);
     EXPECT_EQ(main_plane(Eigen::Vector3d(0, 1, 1e-6).normalized()), std::nullopt);
 }
 
 TEST_F(MovesWriterTest, FilesThatAppearLaterAndNamesWithOddCharacters) {
     RecordedMove recorded = move(MoveKind::linear);
-    recorded.info.place.file = 1;
+    recorded.info.location.file = 1;
     files.push_back("a\"\\\n\xff\xc3\xbc.nc");
     EXPECT_EQ(text::parse_json<nlohmann::json>(written(recorded))["file"], "a\"\\\n\ufffd\u00fc.nc");
 }
 
 TEST_F(MovesWriterTest, UnknownFileIsNull) {
     RecordedMove recorded = move(MoveKind::linear);
-    recorded.info.place.file = 7;
+    recorded.info.location.file = 7;
     EXPECT_EQ(text::parse_json<nlohmann::json>(written(recorded))["file"], nullptr);
 }
 

@@ -59,7 +59,7 @@ AxisVector at(double x, double y, double z = 0, double b = 0, double c = 0) {
 }
 
 LineMove to(const AxisVector& target, double feed_mm_min, MoveKind kind = MoveKind::linear) {
-    return {.kind = kind, .target = target, .feed = {feed_mm_min, feed_mm_min, {}}, .place = {}};
+    return {.kind = kind, .target = target, .feed = {feed_mm_min, feed_mm_min, {}}, .location = {}};
 }
 
 ArcMove circle(double radius_mm, double feed_mm_min) {
@@ -68,7 +68,7 @@ ArcMove circle(double radius_mm, double feed_mm_min) {
             .sweep_rad = 2 * kPi,
             .target = at(0, 0),
             .feed = {feed_mm_min, 0, {}},
-            .place = {}};
+            .location = {}};
 }
 
 TEST(PathBound, ALineFromRestToRestTakesItsBound) {
@@ -142,7 +142,7 @@ TEST(PathBound, AProgrammedTimeIsNoLimit) {
 // 10 mm and 90 deg: the rotary axis, which moves by its own law, takes 4.24 s.
 TEST(PathBound, AJointWithALawOfItsOwnDoesNotCount) {
     machine::Machine machine = af5();
-    machine.controller.own_ramps = true;
+    machine.controller.independent_ramps = true;
     const Times times = run(machine, [](Simulator& s) { s.move(to(at(10, 0, 0, 90), 6000)); });
     EXPECT_NEAR(times.bound_s, trapezoid_s(10, 100, kAcceleration), 1e-9);
     EXPECT_GT(times.cycle_s, 4);
@@ -160,15 +160,15 @@ TEST(PathBound, JointsInProportionCount) {
 TEST(PathBound, AnArcWithinTheLimitsCountsByItsShape) {
     constexpr double kRadius_mm = 20;
     const double fastest = std::sqrt(std::sqrt(2.0) * kAcceleration * kRadius_mm);
-    const double least_s = 2 * kPi * kRadius_mm / fastest;
+    const double min_s = 2 * kPi * kRadius_mm / fastest;
     const auto machine = looking_ahead(wide_af5(), rrs::CornerRule::stop);
     const auto program = [](Simulator& s) { s.move(circle(kRadius_mm, 60 * kMaxFeed)); };
     const Times kept = run(machine, program);
-    EXPECT_GT(kept.bound_s, least_s);
+    EXPECT_GT(kept.bound_s, min_s);
     EXPECT_LT(kept.bound_s, kept.cycle_s);
     EXPECT_GT(kept.bound_s, 0.8 * kept.cycle_s);
     const Times passed = run(wide_af5(), program);  // its planner does not slow down for curves
-    EXPECT_LT(passed.cycle_s, least_s);
+    EXPECT_LT(passed.cycle_s, min_s);
     EXPECT_LE(passed.bound_s, passed.cycle_s);
     EXPECT_GE(passed.bound_s, 2 * kPi * kRadius_mm / kMaxFeed);
 }
@@ -179,11 +179,12 @@ TEST(PathBound, TwoMotionsAtOnceCountNothing) {
     const auto bound_s = [&](bool with_blend) {
         PathBound bound(machine);
         motion::Segment first = line(1, 0, joints(0, 0), joints(100, 0));
-        bound.take(first, info);
+        bound.on_segment(first, info);
         if (with_blend) {
             motion::Segment blend = line(1, 2.5, joints(100, 0), joints(200, 0));
-            blend.beside = std::make_shared<motion::Segment>(line(2, 2.5, joints(0, 0), joints(0, 100)));
-            bound.take(blend, info);
+            blend.superimposed =
+                std::make_shared<motion::Segment>(line(2, 2.5, joints(0, 0), joints(0, 100)));
+            bound.on_segment(blend, info);
         }
         return bound.bound_s();
     };
@@ -203,8 +204,8 @@ TEST(PathBound, AnOverrideOfTheFeedCounts) {
 }
 
 TEST(PathBound, AMachineWithoutLimitsAndNoMotion) {
-    const Times nothing = run(af5(), [](Simulator&) {});
-    EXPECT_EQ(nothing.bound_s, 0);
+    const Times none = run(af5(), [](Simulator&) {});
+    EXPECT_EQ(none.bound_s, 0);
     machine::Machine machine = unlimited(af5());
     const Times times = run(machine, [](Simulator& s) {
         s.move(to(at(100, 0), 6000));

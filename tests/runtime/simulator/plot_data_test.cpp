@@ -21,11 +21,11 @@ double distance_to_piece(const Vector2d& p, const Vector2d& a, const Vector2d& b
 }
 
 double distance_to_polyline(const Vector2d& p, const std::vector<PathPoint>& line) {
-    double least = (line.at(0).at_mm - p).norm();
+    double min = (line.at(0).at_mm - p).norm();
     for (std::size_t i = 1; i < line.size(); ++i) {
-        least = std::min(least, distance_to_piece(p, line[i - 1].at_mm, line[i].at_mm));
+        min = std::min(min, distance_to_piece(p, line[i - 1].at_mm, line[i].at_mm));
     }
-    return least;
+    return min;
 }
 
 TEST(PathThinner, KeepsCornersAndNoMore) {
@@ -57,11 +57,11 @@ TEST(PlotData, JointsThatGoApartAreDrawnAsTheyGo) {
     motion::Segment segment = line(1, 0, joints(0, 0), joints(100, 0));
     segment.end = joints(100, 50);
     segment.add_follower(1, 1, motion::TimeLaw::fastest(50, kSpeed_mm_s, kAcceleration_mm_s2));
-    segment.apart = motion::kApart | 3U;
+    segment.uncoordinated = motion::kApart | 3U;
     const machine::Machine machine = af5();
     PlotData data(machine);
     data.begin(segment.start);
-    data.take(segment, {});
+    data.on_segment(segment, {});
     const std::vector<PathPoint> drawn = data.path();
     for (int i = 0; i <= 50; ++i) {
         const rrs::JointPos at = segment.position_at(segment.duration_s * i / 50);
@@ -107,22 +107,22 @@ TEST(TimeBuckets, EveryPeakSurvives) {
     }
     const auto points = buckets.points();
     EXPECT_LE(points.size(), 6 * TimeBuckets::kMaxBuckets);
-    double greatest = 0, least = 100;
+    double max = 0, min = 100;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        greatest = std::max(greatest, points[i].value);
-        least = std::min(least, points[i].value);
+        max = std::max(max, points[i].value);
+        min = std::min(min, points[i].value);
         EXPECT_EQ(points[i].style == PathStyle::jet, points[i].t_s >= 5000) << points[i].t_s;
         EXPECT_GE(points[i].t_s, points[i > 0 ? i - 1 : 0].t_s);
     }
-    EXPECT_EQ(greatest, 99);
-    EXPECT_EQ(least, 10);
+    EXPECT_EQ(max, 99);
+    EXPECT_EQ(min, 10);
 }
 
 TEST(PlotData, SeesArcsAsArcsAndSpeedAsItIs) {
     const machine::Machine machine = af5();
     PlotData data(machine);
     data.begin(joints(600, 600));
-    data.take(arc(1, 0, 500, 600, 100, 0, 360), {.kind = MoveKind::arc_ccw, .jet_on = true});
+    data.on_segment(arc(1, 0, 500, 600, 100, 0, 360), {.kind = MoveKind::arc_ccw, .process_on = true});
     EXPECT_EQ(data.labels()[0], "X (mm)");
     EXPECT_EQ(data.labels()[1], "Y (mm)");
     const auto path = data.path();
@@ -143,8 +143,8 @@ TEST(PlotData, AccelerationIsThatOfTheLaw) {
     const machine::Machine machine = af5();
     PlotData data(machine);
     data.begin(joints(0, 0));
-    data.take(line(1, 0, joints(0, 0), joints(100, 0)), {.kind = MoveKind::linear});
-    data.take(rest(2, 2.5, joints(100, 0), 1), {.kind = MoveKind::dwell});
+    data.on_segment(line(1, 0, joints(0, 0), joints(100, 0)), {.kind = MoveKind::linear});
+    data.on_segment(standstill(2, 2.5, joints(100, 0), 1), {.kind = MoveKind::dwell});
     EXPECT_EQ(data.acceleration().back().t_s, 3.5);
     for (const TimePoint& point : data.acceleration()) {
         const bool at_jump = point.t_s == 0.5 || point.t_s == 2 || point.t_s == 2.5;
@@ -161,9 +161,9 @@ TEST(PlotData, ALongCruiseIsNotHiddenByItsRamps) {
     data.begin(joints(0, 0));
     for (int i = 0; i < 100; ++i) {
         motion::Segment segment = line(i, 100.0 * i, joints(0, 0), joints(100, 0));
-        segment.lead = motion::TimeLaw::fastest(100, 1, 1000);  // ramps of 1 ms
-        segment.duration_s = segment.lead.duration_s();
-        data.take(segment, {.kind = MoveKind::linear});
+        segment.master = motion::TimeLaw::fastest(100, 1, 1000);  // ramps of 1 ms
+        segment.duration_s = segment.master.duration_s();
+        data.on_segment(segment, {.kind = MoveKind::linear});
     }
     const auto points = data.acceleration();
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -177,13 +177,13 @@ TEST(PlotData, TheFeedIsThatOfMovesThatHaveOneInMmPerMinute) {
     PlotData data(machine);
     data.begin(joints(0, 0));
     const motion::Segment segment = line(1, 0, joints(0, 0), joints(100, 0));
-    data.take(segment, {.kind = MoveKind::rapid, .feed_per_min = 3000});
-    data.take(segment, {.kind = MoveKind::linear, .feed_per_min = 3000, .timed = true});
+    data.on_segment(segment, {.kind = MoveKind::rapid, .feed_per_min = 3000});
+    data.on_segment(segment, {.kind = MoveKind::linear, .feed_per_min = 3000, .timed = true});
     motion::Segment turn = segment;
     turn.length_mm = 0;
-    data.take(turn, {.kind = MoveKind::linear, .feed_per_min = 3000});
+    data.on_segment(turn, {.kind = MoveKind::linear, .feed_per_min = 3000});
     EXPECT_TRUE(data.feed().empty());
-    data.take(segment, {.kind = MoveKind::linear, .feed_per_min = 3000});
+    data.on_segment(segment, {.kind = MoveKind::linear, .feed_per_min = 3000});
     ASSERT_EQ(data.feed().size(), 2u);
     EXPECT_EQ(data.feed()[1].t_s, 2.5);
     EXPECT_EQ(data.feed()[1].value, 50);
@@ -205,11 +205,11 @@ TEST(PlotData, SideViewsShowWhatIsUpwards) {
 
 TEST(PlotData, ASideViewNeedsItsAxes) {
     machine::Machine machine = af5();
-    EXPECT_EQ(PlotData::lacks_axes(machine, Plane::yz), std::nullopt);
+    EXPECT_EQ(PlotData::missing_axes_error(machine, Plane::yz), std::nullopt);
     machine.axes.erase(machine.axes.begin() + 1);
     machine.name = "lathe";
-    EXPECT_EQ(PlotData::lacks_axes(machine, Plane::zx), std::nullopt);
-    EXPECT_EQ(PlotData::lacks_axes(machine, Plane::yz),
+    EXPECT_EQ(PlotData::missing_axes_error(machine, Plane::zx), std::nullopt);
+    EXPECT_EQ(PlotData::missing_axes_error(machine, Plane::yz),
               "--plot-plane yz needs the axes Y and Z, which the machine 'lathe' has not");
 }
 

@@ -29,16 +29,16 @@ class PlotTest : public testing::Test {
 
     void draw_something() {
         data.begin(joints(0, 0));
-        data.take(line(1, 0, joints(0, 0), joints(100, 0)), {.kind = MoveKind::rapid});
-        data.take(line(2, 2.5, joints(100, 0), joints(100, 100)), {.kind = MoveKind::linear});
-        data.take(arc(3, 5, 0, 100, 100, 0, 180), {.kind = MoveKind::arc_ccw, .jet_on = true});
+        data.on_segment(line(1, 0, joints(0, 0), joints(100, 0)), {.kind = MoveKind::rapid});
+        data.on_segment(line(2, 2.5, joints(100, 0), joints(100, 100)), {.kind = MoveKind::linear});
+        data.on_segment(arc(3, 5, 0, 100, 100, 0, 180), {.kind = MoveKind::arc_ccw, .process_on = true});
     }
     static std::string content(const fs::path& path) {
         std::ifstream file(path, std::ios::binary);
         return {std::istreambuf_iterator<char>(file), {}};
     }
     tl::expected<void, std::string> draw(const fs::path& path, std::string_view title) const {
-        return Picture::named(path).and_then([&](const Picture& picture) {
+        return Picture::picture_for_file(path).and_then([&](const Picture& picture) {
             const auto format = picture.bitmap() ? PictureFormat::png : PictureFormat::svg;
             return picture.draw(plot_script(data, format, title));
         });
@@ -85,16 +85,19 @@ TEST_F(PlotTest, EachStyleHasItsCurve) {
 
 TEST_F(PlotTest, AFeedHoldsUntilTheNextOne) {
     data.begin(joints(0, 0));
-    data.take(line(1, 0, joints(0, 0), joints(100, 0)), {.kind = MoveKind::linear, .feed_per_min = 3000});
-    data.take(line(2, 2.5, joints(100, 0), joints(0, 0)), {.kind = MoveKind::rapid});
-    data.take(line(3, 5, joints(0, 0), joints(100, 0)), {.kind = MoveKind::linear, .feed_per_min = 2400});
+    data.on_segment(line(1, 0, joints(0, 0), joints(100, 0)),
+                    {.kind = MoveKind::linear, .feed_per_min = 3000});
+    data.on_segment(line(2, 2.5, joints(100, 0), joints(0, 0)), {.kind = MoveKind::rapid});
+    data.on_segment(line(3, 5, joints(0, 0), joints(100, 0)),
+                    {.kind = MoveKind::linear, .feed_per_min = 2400});
     EXPECT_THAT(plot_script(data, PictureFormat::svg, "t"),
                 HasSubstr("$programmed << EOD\n0 50\n2.5 50\n5 50\n\n5 40\n7.5 40\nEOD\n"));
 }
 
 TEST_F(PlotTest, FeedAndLimitAreDrawnWhereTheyAreNear) {
     data.begin(joints(0, 0));
-    data.take(line(1, 0, joints(0, 0), joints(100, 0)), {.kind = MoveKind::linear, .feed_per_min = 6000});
+    data.on_segment(line(1, 0, joints(0, 0), joints(100, 0)),
+                    {.kind = MoveKind::linear, .feed_per_min = 6000});
     const std::string far = plot_script(data, PictureFormat::svg, "t");
     EXPECT_THAT(far, HasSubstr("$programmed << EOD\n0 100\n2.5 100\nEOD\n"));
     EXPECT_THAT(far, HasSubstr("set yrange [0:108]"));
@@ -107,17 +110,19 @@ TEST_F(PlotTest, FeedAndLimitAreDrawnWhereTheyAreNear) {
 }
 
 TEST_F(PlotTest, NameWithoutAKnownEnding) {
-    EXPECT_EQ(Picture::named("a.pdf").error(), "cannot draw 'a.pdf': a picture's name ends in .svg or .png");
+    EXPECT_EQ(Picture::picture_for_file("a.pdf").error(),
+              "cannot draw 'a.pdf': a picture's name ends in .svg or .png");
 }
 
 TEST_F(PlotTest, FolderThatIsNotThere) {
     const std::string name = (folder / "no" / "a.png").string();
-    EXPECT_EQ(Picture::named(name).error(), "cannot write '" + name + "': No such file or directory");
+    EXPECT_EQ(Picture::picture_for_file(name).error(),
+              "cannot write '" + name + "': No such file or directory");
 }
 
 TEST_F(PlotTest, ANameThatWillDoLeavesNothingBehind) {
     if (!has_gnuplot()) GTEST_SKIP() << "no gnuplot here";
-    EXPECT_TRUE(Picture::named(folder / "a.png"));
+    EXPECT_TRUE(Picture::picture_for_file(folder / "a.png"));
     EXPECT_TRUE(fs::is_empty(folder));
 }
 
@@ -125,13 +130,13 @@ TEST_F(PlotTest, ANameThatWillDoLeavesNothingBehind) {
 TEST_F(PlotTest, RapidsHaveAScaleOfTheirOwn) {
     data.begin(joints(0, 0));
     motion::Segment rapid = line(1, 0, joints(0, 0), joints(100, 0));
-    rapid.lead = motion::TimeLaw::fastest(100, 400, 8000);
-    rapid.duration_s = rapid.lead.duration_s();
-    data.take(rapid, {.kind = MoveKind::rapid});
+    rapid.master = motion::TimeLaw::fastest(100, 400, 8000);
+    rapid.duration_s = rapid.master.duration_s();
+    data.on_segment(rapid, {.kind = MoveKind::rapid});
     motion::Segment feed = line(2, rapid.duration_s, joints(100, 0), joints(100, 100));
-    feed.lead = motion::TimeLaw::fastest(100, 40, 100);
-    feed.duration_s = feed.lead.duration_s();
-    data.take(feed, {.kind = MoveKind::linear, .feed_per_min = 2400, .jet_on = true});
+    feed.master = motion::TimeLaw::fastest(100, 40, 100);
+    feed.duration_s = feed.master.duration_s();
+    data.on_segment(feed, {.kind = MoveKind::linear, .feed_per_min = 2400, .process_on = true});
     const std::string script = plot_script(data, PictureFormat::svg, "t");
     EXPECT_THAT(script, HasSubstr("set yrange [0:43.2]\n"));
     EXPECT_THAT(script, HasSubstr("set y2range [0:432]\n"));
@@ -143,7 +148,7 @@ TEST_F(PlotTest, RapidsHaveAScaleOfTheirOwn) {
 
 TEST_F(PlotTest, RapidsAloneHaveTheLeftScale) {
     data.begin(joints(0, 0));
-    data.take(line(1, 0, joints(0, 0), joints(100, 0)), {.kind = MoveKind::rapid});
+    data.on_segment(line(1, 0, joints(0, 0), joints(100, 0)), {.kind = MoveKind::rapid});
     const std::string script = plot_script(data, PictureFormat::svg, "t");
     EXPECT_THAT(script, HasSubstr("set yrange [0:54]\n"));
     EXPECT_THAT(script, Not(HasSubstr("y2range")));
@@ -151,8 +156,9 @@ TEST_F(PlotTest, RapidsAloneHaveTheLeftScale) {
 
 TEST_F(PlotTest, PiercesCollisionsAndTheAlarmAreMarked) {
     draw_something();
-    data.take(line(4, 20, joints(-100, 100), joints(-100, 0)), {.kind = MoveKind::linear});
-    data.take(line(5, 30, joints(-100, 0), joints(7, 0)), {.kind = MoveKind::linear, .jet_on = true});
+    data.on_segment(line(4, 20, joints(-100, 100), joints(-100, 0)), {.kind = MoveKind::linear});
+    data.on_segment(line(5, 30, joints(-100, 0), joints(7, 0)),
+                    {.kind = MoveKind::linear, .process_on = true});
     const std::string before = plot_script(data, PictureFormat::svg, "t");
     EXPECT_THAT(before, HasSubstr("$pierce << EOD\n100 100\n-100 0\nEOD\n"));
     EXPECT_THAT(before, Not(HasSubstr("title 'alarm'")));

@@ -9,7 +9,7 @@
 #include "machine/file/machine_file.h"
 #include "motion/kinematics/pose.h"
 #include "motion/services/default_planner.h"
-#include "runtime/monitors/cell_watch.h"
+#include "runtime/monitors/cell_monitor.h"
 #include "runtime/simulator/simulator.h"
 #include "tests/build_files/build_files.h"
 
@@ -45,7 +45,7 @@ class Posed {
   public:
     explicit Posed(const std::string& name)
         : machine(sample(name)),
-          setup(setup_of_machine(machine)),
+          setup(make_planner_setup(machine)),
           cell(cell::read_cell(kFrames, "frames.toml", machine).value(), machine),
           planner(setup) {
         planner.set_cell(cell);
@@ -93,7 +93,7 @@ class Posed {
 
     machine::Machine machine;
     motion::PlannerSetup setup;
-    CellWatch cell;
+    CellMonitor cell;
     motion::DefaultPlanner planner;
 };
 

@@ -39,11 +39,11 @@ inline void add_tool_on_hose(machine::Machine& machine) {
 
 /// The machine without limits of ranges, speeds and accelerations.
 inline machine::Machine unlimited(machine::Machine machine) {
-    constexpr double kNone = std::numeric_limits<double>::infinity();
+    constexpr double kUnlimited = std::numeric_limits<double>::infinity();
     machine.path = {};
     for (machine::Axis& axis : machine.axes) {
-        axis.min = -kNone;
-        axis.max = axis.max_speed = axis.max_acceleration = axis.max_jerk = kNone;
+        axis.min = -kUnlimited;
+        axis.max = axis.max_speed = axis.max_acceleration = axis.max_jerk = kUnlimited;
     }
     return machine;
 }
@@ -128,14 +128,14 @@ class RandomMoves {
     }
 
     void line(MoveKind kind, Axes axes) {
-        simulator_.move(LineMove{.kind = kind, .target = target(axes), .feed = feed(), .place = {}});
+        simulator_.move(LineMove{.kind = kind, .target = target(axes), .feed = feed(), .location = {}});
     }
 
     // In one of the planes or an oblique one, with travel along its normal and of the rotary axes in some.
     void arc() {
         ArcMove move;
-        move.normal = random_() % 2 == 0 ? normal_of(static_cast<Plane>(random_() % 3))
-                                         : told_normal(random_direction(random_));
+        move.normal = random_() % 2 == 0 ? plane_normal(static_cast<Plane>(random_() % 3))
+                                         : canonical_normal(random_direction(random_));
         move.kind = random_() % 2 == 0 ? MoveKind::arc_cw : MoveKind::arc_ccw;
         const double radius = around(random_, 20, 1);
         const Eigen::Vector3d out = random_direction(random_).cross(move.normal).normalized();

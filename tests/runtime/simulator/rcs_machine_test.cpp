@@ -29,17 +29,17 @@ TEST(RcsMachine, TellsTheKinematicsOfTheSampleMachines) {
                                    "mill-table-table", "arm6", "unlimited"}) {
         const machine::Machine machine =
             machine::load_machine(tests::source_path("samples/machines/") + name + ".toml").value();
-        const motion::PlannerSetup setup = setup_of_machine(machine);
+        const motion::PlannerSetup setup = make_planner_setup(machine);
         const rcs::RcsMachine described(setup);
-        const auto told = rcs::setup_of_rcs_machine(described.get());
-        ASSERT_TRUE(told) << name << ": " << told.error();
-        ASSERT_EQ(told->kinematics->inverse_kind(), setup.kinematics->inverse_kind()) << name;
+        const auto reported = rcs::setup_from_rcs_machine(described.get());
+        ASSERT_TRUE(reported) << name << ": " << reported.error();
+        ASSERT_EQ(reported->kinematics->inverse_kind(), setup.kinematics->inverse_kind()) << name;
         for (int i = 0; i < 100; ++i) {
             const rrs::JointPos q = random_joints(setup, random);
             const rrs::CartPos pose = setup.kinematics->forward(q);
-            ASSERT_LT((told->kinematics->forward(q).matrix() - pose.matrix()).norm(), 1e-9) << name;
+            ASSERT_LT((reported->kinematics->forward(q).matrix() - pose.matrix()).norm(), 1e-9) << name;
             if (!setup.kinematics->has_inverse()) continue;
-            const auto back = told->kinematics->inverse(pose, q);
+            const auto back = reported->kinematics->inverse(pose, q);
             ASSERT_TRUE(back) << name << ": " << back.error();
             ASSERT_LT((*back - q).norm(), 1e-6) << name;
         }
@@ -48,14 +48,14 @@ TEST(RcsMachine, TellsTheKinematicsOfTheSampleMachines) {
 
 TEST(RcsMachine, RowsAreNumberedFromZeroUp) {
     const motion::PlannerSetup setup =
-        setup_of_machine(machine::read_machine(machine::built_in_machine_toml(), "").value());
+        make_planner_setup(machine::read_machine(machine::built_in_machine_toml(), "").value());
     gsim_rcs_machine described = rcs::RcsMachine(setup).get();
     described.parameter_count = 0;
     described.joints[1].row = 0;
-    EXPECT_EQ(rcs::setup_of_rcs_machine(described).error(),
+    EXPECT_EQ(rcs::setup_from_rcs_machine(described).error(),
               "The rows of the joints are not numbered from 0 up.");
     described.joints[1].row = 7;
-    EXPECT_FALSE(rcs::setup_of_rcs_machine(described));
+    EXPECT_FALSE(rcs::setup_from_rcs_machine(described));
 }
 
 }  // namespace

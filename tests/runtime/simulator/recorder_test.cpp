@@ -17,12 +17,11 @@ using testing::ElementsAre;
 
 class ListOutput : public RunOutput {
   public:
-    using RunOutput::take;
     void begin(const rrs::JointPos& start) override { started_at = start; }
-    void take(const motion::Segment&, const MoveInfo& info) override {
+    void on_segment(const motion::Segment&, const MoveInfo& info) override {
         segment_ids.push_back(info.target_id);
     }
-    void take(const RecordedMove& move) override { moves.push_back(move); }
+    void on_move(const RecordedMove& move) override { moves.push_back(move); }
     void end(double end_s) override { ended_at_s = end_s; }
 
     rrs::JointPos started_at;
@@ -31,8 +30,11 @@ class ListOutput : public RunOutput {
     double ended_at_s = -1;
 };
 
-MoveInfo info(rrs::TargetId id, MoveKind kind, bool jet_on = false) {
-    return {.target_id = id, .kind = kind, .place = {0, static_cast<std::uint32_t>(id)}, .jet_on = jet_on};
+MoveInfo info(rrs::TargetId id, MoveKind kind, bool process_on = false) {
+    return {.target_id = id,
+            .kind = kind,
+            .location = {0, static_cast<std::uint32_t>(id)},
+            .process_on = process_on};
 }
 
 class RecorderTest : public testing::Test {
@@ -56,10 +58,10 @@ TEST_F(RecorderTest, SumsTimesAndLengthsByKind) {
     recorder.expect(info(2, MoveKind::linear, true));
     recorder.expect(info(3, MoveKind::dwell));
     recorder.expect(info(4, MoveKind::linear));
-    recorder.take(line(1, 0, joints(0, 0), joints(100, 0)));
-    recorder.take(line(2, 2.5, joints(100, 0), joints(100, 200)));  // 4.5 s
-    recorder.take(rest(3, 7, joints(100, 200), 0.75));
-    recorder.take(line(4, 7.75, joints(100, 200), joints(200, 200)));
+    recorder.on_segment(line(1, 0, joints(0, 0), joints(100, 0)));
+    recorder.on_segment(line(2, 2.5, joints(100, 0), joints(100, 200)));  // 4.5 s
+    recorder.on_segment(standstill(3, 7, joints(100, 200), 0.75));
+    recorder.on_segment(line(4, 7.75, joints(100, 200), joints(200, 200)));
     const Report report = finish();
     EXPECT_EQ(report.machine, machine.name);
     EXPECT_DOUBLE_EQ(report.cycle_time_s, 10.25);
@@ -68,7 +70,7 @@ TEST_F(RecorderTest, SumsTimesAndLengthsByKind) {
     EXPECT_DOUBLE_EQ(report.dwell_s, 0.75);
     EXPECT_DOUBLE_EQ(report.rapid_mm, 100);
     EXPECT_DOUBLE_EQ(report.feed_mm, 300);
-    EXPECT_DOUBLE_EQ(report.jet_on_mm, 200);
+    EXPECT_DOUBLE_EQ(report.process_on_mm, 200);
     EXPECT_EQ(report.moves, 4u);
     EXPECT_DOUBLE_EQ(output.ended_at_s, 10.25);
     ASSERT_EQ(output.moves.size(), 4u);
@@ -80,8 +82,8 @@ TEST_F(RecorderTest, SumsTimesAndLengthsByKind) {
 
 TEST_F(RecorderTest, AllSegmentsOfATargetAreOneMoveAndItsRestIsDwell) {
     recorder.expect(info(1, MoveKind::linear));
-    recorder.take(line(1, 0, joints(0, 0), joints(100, 0)));
-    recorder.take(rest(1, 2.5, joints(100, 0), 1));
+    recorder.on_segment(line(1, 0, joints(0, 0), joints(100, 0)));
+    recorder.on_segment(standstill(1, 2.5, joints(100, 0), 1));
     const Report report = finish();
     EXPECT_DOUBLE_EQ(report.feed_s, 2.5);
     EXPECT_DOUBLE_EQ(report.dwell_s, 1);
@@ -94,9 +96,9 @@ TEST_F(RecorderTest, MoveToTheSamePlaceDoesNotCountButADwellDoes) {
     recorder.expect(info(1, MoveKind::linear));
     recorder.expect(info(2, MoveKind::dwell));
     recorder.expect(info(3, MoveKind::linear));
-    recorder.take(line(1, 0, joints(0, 0), joints(0, 0)));
-    recorder.take(rest(2, 0, joints(0, 0), 0));
-    recorder.take(line(3, 0, joints(0, 0), joints(100, 0)));
+    recorder.on_segment(line(1, 0, joints(0, 0), joints(0, 0)));
+    recorder.on_segment(standstill(2, 0, joints(0, 0), 0));
+    recorder.on_segment(line(3, 0, joints(0, 0), joints(100, 0)));
     EXPECT_EQ(finish().moves, 2u);
     ASSERT_EQ(output.moves.size(), 2u);
     EXPECT_EQ(output.moves[0].info.target_id, 2);
@@ -105,15 +107,15 @@ TEST_F(RecorderTest, MoveToTheSamePlaceDoesNotCountButADwellDoes) {
 
 TEST_F(RecorderTest, TargetsWithoutASegmentArePassedOver) {
     for (rrs::TargetId id = 1; id <= 4; ++id) recorder.expect(info(id, MoveKind::linear));
-    recorder.take(line(3, 0, joints(0, 0), joints(100, 0)));
+    recorder.on_segment(line(3, 0, joints(0, 0), joints(100, 0)));
     EXPECT_EQ(finish().moves, 1u);
     EXPECT_THAT(output.segment_ids, ElementsAre(3));
 }
 
 TEST_F(RecorderTest, SegmentThatNobodyExpectsCountsInTimeAlone) {
     recorder.expect(info(2, MoveKind::rapid));
-    recorder.take(line(99, 0, joints(0, 0), joints(100, 0)));
-    recorder.take(line(2, 2.5, joints(100, 0), joints(0, 0)));
+    recorder.on_segment(line(99, 0, joints(0, 0), joints(100, 0)));
+    recorder.on_segment(line(2, 2.5, joints(100, 0), joints(0, 0)));
     const Report report = finish();
     EXPECT_DOUBLE_EQ(report.feed_s, 2.5);
     EXPECT_DOUBLE_EQ(report.rapid_s, 2.5);
@@ -122,18 +124,18 @@ TEST_F(RecorderTest, SegmentThatNobodyExpectsCountsInTimeAlone) {
 
 TEST_F(RecorderTest, AMoveIsLimitedByWhatLimitsItsLongestSegment) {
     using motion::LimitKind;
-    const auto take = [&](double start_s, double x0, double x1, motion::LimitedBy limited_by) {
+    const auto on_segment = [&](double start_s, double x0, double x1, motion::LimitedBy limited_by) {
         motion::Segment segment = line(1, start_s, joints(x0, 0), joints(x1, 0));
         segment.limited_by = limited_by;
-        recorder.take(segment);
+        recorder.on_segment(segment);
     };
     recorder.expect(info(1, MoveKind::linear));
     recorder.expect(info(2, MoveKind::dwell));
-    take(0, 0, 100, {LimitKind::corner, -1});          // 2.5 s
-    take(2.5, 100, 300, {LimitKind::joint_speed, 0});  // 4.5 s
-    take(7, 300, 400, {LimitKind::acceleration, 0});   // 2.5 s
-    recorder.take(rest(1, 9.5, joints(400, 0), 100));
-    recorder.take(rest(2, 109.5, joints(400, 0), 1));
+    on_segment(0, 0, 100, {LimitKind::corner, -1});          // 2.5 s
+    on_segment(2.5, 100, 300, {LimitKind::joint_speed, 0});  // 4.5 s
+    on_segment(7, 300, 400, {LimitKind::acceleration, 0});   // 2.5 s
+    recorder.on_segment(standstill(1, 9.5, joints(400, 0), 100));
+    recorder.on_segment(standstill(2, 109.5, joints(400, 0), 1));
     const Report report = finish();
     ASSERT_EQ(output.moves.size(), 2u);
     EXPECT_EQ(output.moves[0].limited_by, (motion::LimitedBy{LimitKind::joint_speed, 0}));
@@ -155,7 +157,7 @@ TEST_F(RecorderTest, EmptyRun) {
 // An arc from 45 deg over 180 deg passes the top and the leftmost point of its circle; neither is an end.
 TEST_F(RecorderTest, BoundsReachTheQuadrantsOfAnArc) {
     recorder.expect(info(1, MoveKind::arc_ccw));
-    recorder.take(arc(1, 0, 500, 600, 100, 45, 180));
+    recorder.on_segment(arc(1, 0, 500, 600, 100, 45, 180));
     const Report report = finish();
     const double half = 100 * std::sqrt(0.5);
     EXPECT_NEAR(report.bounds[0].min, 0, 1e-12);  // the start position
@@ -169,7 +171,7 @@ TEST(Recorder, BoundsOfAFullCircleAndTheStartPosition) {
     const machine::Machine machine = af5();
     Recorder recorder(machine, joints(600, 600));
     recorder.expect(info(1, MoveKind::arc_ccw));
-    recorder.take(arc(1, 0, 500, 600, 100, 0, 360));
+    recorder.on_segment(arc(1, 0, 500, 600, 100, 0, 360));
     Report report;
     recorder.finish(report);
     EXPECT_NEAR(report.bounds[0].min, 400, 1e-9);
@@ -186,7 +188,7 @@ TEST(Recorder, BoundsAreAxisValuesInDegreesFromTheAxisZero) {
     machine.axes[3].zero = -10;
     Recorder recorder(machine, joints(0, 0));
     recorder.expect(info(1, MoveKind::linear));
-    recorder.take(line(1, 0, joints(0, 0), joints(-100, 0, 0, std::numbers::pi / 2)));
+    recorder.on_segment(line(1, 0, joints(0, 0), joints(-100, 0, 0, std::numbers::pi / 2)));
     Report report;
     recorder.finish(report);
     EXPECT_NEAR(report.bounds[0].min, 900, 1e-9);
@@ -201,12 +203,12 @@ TEST_F(RecorderTest, SlowestAreTenLongestFirstAndEarlierOfEquals) {
     for (rrs::TargetId id = 1; id <= 15; ++id) {
         recorder.expect(info(id, MoveKind::dwell));
         const double duration_s = static_cast<double>(id % 8);  // 1 .. 7, 0, 1 .. 7
-        recorder.take(rest(id, start_s, joints(0, 0), duration_s));
+        recorder.on_segment(standstill(id, start_s, joints(0, 0), duration_s));
         start_s += duration_s;
     }
     const Report report = finish();
     std::vector<std::uint32_t> lines;
-    for (const SlowBlock& block : report.slowest) lines.push_back(block.place.line);
+    for (const SlowBlock& block : report.slowest) lines.push_back(block.location.line);
     EXPECT_THAT(lines, ElementsAre(7, 15, 6, 14, 5, 13, 4, 12, 3, 11));
     EXPECT_EQ(report.slowest[0].duration_s, 7);
 }
@@ -215,7 +217,7 @@ TEST_F(RecorderTest, SumsOfManyMovesDoNotDrift) {
     constexpr int kCount = 200000;
     for (int i = 0; i < kCount; ++i) {
         recorder.expect(info(i, MoveKind::dwell));
-        recorder.take(rest(i, i * 0.1, joints(0, 0), 0.1));
+        recorder.on_segment(standstill(i, i * 0.1, joints(0, 0), 0.1));
     }
     EXPECT_DOUBLE_EQ(finish().dwell_s, kCount * 0.1);
 }
@@ -224,7 +226,7 @@ TEST_F(RecorderTest, SumsOfManyMovesDoNotDrift) {
 TEST(Recorder, RecordsWhatThePlannerMakes) {
     const machine::Machine machine = af5();
     Recorder recorder(machine, joints(0, 0));
-    motion::DefaultPlanner planner(setup_of_machine(machine), &recorder);
+    motion::DefaultPlanner planner(make_planner_setup(machine), &recorder);
     ASSERT_EQ(planner.Initialize(), rrs::Status{});
     planner.SelectTargetType(rrs::TargetType::joint);
     planner.SetInitialPosition(rrs::CartPos::Identity(), joints(0, 0), "");

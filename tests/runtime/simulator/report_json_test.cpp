@@ -44,10 +44,11 @@ std::vector<std::string> keys(const ordered_json& json) {
 
 TEST(ReportJson, KeysInTheirOrder) {
     const auto json = text::parse_json<ordered_json>(to_json(sample()));
-    EXPECT_THAT(keys(json), ElementsAre("program", "machine", "controller", "status", "alarm", "violations",
-                                        "violation_count", "remedy", "cycle_time_s", "valid_until_s", "time",
-                                        "process", "length", "blocks", "moves", "blends", "bounds", "events",
-                                        "warnings", "diagnostics", "findings", "slowest"));
+    EXPECT_THAT(keys(json),
+                ElementsAre("format", "program", "machine", "controller", "status", "alarm", "violations",
+                            "violation_count", "remedy", "cycle_time_s", "valid_until_s", "time", "process",
+                            "length", "blocks", "moves", "blends", "bounds", "events", "warnings",
+                            "diagnostics", "findings", "slowest"));
     EXPECT_THAT(keys(json["time"]), ElementsAre("rapid_s", "feed_s", "dwell_s"));
     EXPECT_THAT(keys(json["length"]), ElementsAre("rapid_mm", "feed_mm", "jet_on_mm"));
     EXPECT_THAT(keys(json["blends"]),
@@ -72,15 +73,15 @@ TEST(ReportJson, ViolationsAndFindings) {
     Report report = sample();
     report.status = RunStatus::violations;
     report.violations.list = {{.t_s = 0.25,
-                               .place = {0, 4},
+                               .location = {0, 4},
                                .message = "axis X goes to -5 mm",
                                .axis = 'X',
                                .value = -5,
                                .limit = 0,
                                .offset = "G54"}};
     report.violations.count = 3;
-    report.violations.remedy = {{.offset = "G54", .axis = 'X', .shift_mm = 5}};
-    report.findings = {.list = {{.t_s = 1, .place = {1, 2}, .message = "a rapid"}}, .count = 1};
+    report.violations.suggested_fix = {{.offset = "G54", .axis = 'X', .shift_mm = 5}};
+    report.findings = {.list = {{.t_s = 1, .location = {1, 2}, .message = "a rapid"}}, .count = 1};
     report.process = "laser";
     const auto json = text::parse_json<ordered_json>(to_json(report));
     EXPECT_EQ(json["status"], "violations");
@@ -154,7 +155,7 @@ TEST(ReportJson, AlarmHasItsAxisAndNumbers) {
     Report report = sample();
     report.status = RunStatus::alarm;
     report.alarm =
-        Alarm{.message = "X beyond its limit", .place = {0, 4}, .axis = 'X', .value = 12, .limit = 10};
+        Alarm{.message = "X beyond its limit", .location = {0, 4}, .axis = 'X', .value = 12, .limit = 10};
     auto json = text::parse_json<ordered_json>(to_json(report));
     EXPECT_EQ(json["status"], "alarm");
     EXPECT_EQ(json["alarm"], (ordered_json{{"code", "script"},
@@ -165,7 +166,7 @@ TEST(ReportJson, AlarmHasItsAxisAndNumbers) {
                                            {"value", 12.0},
                                            {"limit", 10.0},
                                            {"calls", ordered_json::array()}}));
-    report.alarm = Alarm{.message = "no such program", .place = {9, 0}, .value = {}, .limit = {}};
+    report.alarm = Alarm{.message = "no such program", .location = {9, 0}, .value = {}, .limit = {}};
     json = text::parse_json<ordered_json>(to_json(report));
     EXPECT_THAT(keys(json["alarm"]),
                 ElementsAre("code", "message", "file", "line", "axis", "value", "limit", "calls"));
@@ -174,8 +175,11 @@ TEST(ReportJson, AlarmHasItsAxisAndNumbers) {
 
 TEST(ReportJson, AnAlarmNamesTheCallsThatAreOpen) {
     Report report = sample();
-    report.alarm = Alarm{
-        .message = "m", .place = {0, 9}, .calls = {{"O3", {0, 5}}, {"O2", {0, 2}}}, .value = {}, .limit = {}};
+    report.alarm = Alarm{.message = "m",
+                         .location = {0, 9},
+                         .calls = {{"O3", {0, 5}}, {"O2", {0, 2}}},
+                         .value = {},
+                         .limit = {}};
     const auto calls = text::parse_json<ordered_json>(to_json(report))["alarm"]["calls"];
     ASSERT_EQ(calls.size(), 2U);
     EXPECT_EQ(calls[0], (ordered_json{{"program", "O3"}, {"file", "part.nc"}, {"line", 5}}));

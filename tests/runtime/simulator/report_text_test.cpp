@@ -24,7 +24,7 @@ Report sample() {
     report.feed_s = 2794.125;
     report.rapid_mm = 100;
     report.feed_mm = 200;
-    report.jet_on_mm = 150;
+    report.process_on_mm = 150;
     report.bounds = {{.letter = 'X', .min = 0, .max = 50, .limit_min = 0, .limit_max = 100},
                      {.letter = 'Y',
                       .min = -1,
@@ -68,7 +68,7 @@ TEST(ReportText, TellsTheAlarm) {
     Report report = sample();
     report.status = RunStatus::alarm;
     report.alarm =
-        Alarm{.message = "X is beyond its limit", .place = {0, 4}, .axis = 'X', .value = 1, .limit = 0};
+        Alarm{.message = "X is beyond its limit", .location = {0, 4}, .axis = 'X', .value = 1, .limit = 0};
     EXPECT_THAT(to_text(report), HasSubstr("  at        part.nc:4\n  because   X is beyond its limit\n"));
 }
 
@@ -78,7 +78,8 @@ TEST(ReportText, NoLineIsLongerThan100AndNothingReachesTheTerminalRaw) {
     report.program = long_name;
     report.machine = long_name;
     report.files = {long_name + "\x1b[31m"};
-    report.alarm = Alarm{.message = long_name + " " + long_name, .place = {0, 4}, .value = {}, .limit = {}};
+    report.alarm =
+        Alarm{.message = long_name + " " + long_name, .location = {0, 4}, .value = {}, .limit = {}};
     report.warnings.assign(30, "a warning of many words " + long_name + "\x1b[31m");
     report.events.assign(30, {1e6, {0, 1000000}, long_name, long_name});
     report.slowest.assign(10, {{0, 1000000}, MoveKind::thread, 1e7, 1e9, "rotary B acceleration"});

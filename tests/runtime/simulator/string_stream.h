@@ -18,8 +18,8 @@ class StringStream {
 
   private:
     std::string text_;
-    TextStream out_{[this](std::string_view piece) {
-        text_ += piece;
+    TextStream out_{[this](std::string_view chunk) {
+        text_ += chunk;
         return true;
     }};
 };

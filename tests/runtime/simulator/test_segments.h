@@ -34,12 +34,13 @@ inline motion::Segment line(rrs::TargetId id, double start_s, const rrs::JointPo
     segment.start = start;
     segment.end = end;
     segment.length_mm = (end - start).head<3>().norm();
-    segment.lead = motion::TimeLaw::fastest(segment.length_mm, kSpeed_mm_s, kAcceleration_mm_s2);
-    segment.duration_s = segment.lead.duration_s();
+    segment.master = motion::TimeLaw::fastest(segment.length_mm, kSpeed_mm_s, kAcceleration_mm_s2);
+    segment.duration_s = segment.master.duration_s();
     return segment;
 }
 
-inline motion::Segment rest(rrs::TargetId id, double start_s, const rrs::JointPos& at, double duration_s) {
+inline motion::Segment standstill(rrs::TargetId id, double start_s, const rrs::JointPos& at,
+                                  double duration_s) {
     motion::Segment segment;
     segment.target_id = id;
     segment.start_s = start_s;
@@ -69,8 +70,8 @@ inline motion::Segment arc(rrs::TargetId id, double start_s, double x, double y,
     segment.start = point(0);
     segment.end = point(segment.arc.sweep_rad);
     segment.length_mm = segment.arc.length_mm();
-    segment.lead = motion::TimeLaw::fastest(segment.length_mm, kSpeed_mm_s, kAcceleration_mm_s2);
-    segment.duration_s = segment.lead.duration_s();
+    segment.master = motion::TimeLaw::fastest(segment.length_mm, kSpeed_mm_s, kAcceleration_mm_s2);
+    segment.duration_s = segment.master.duration_s();
     return segment;
 }
 

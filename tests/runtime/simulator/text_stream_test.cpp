@@ -8,8 +8,8 @@ namespace gsim::simulation::text_stream_test {
 namespace {
 
 TEST(TextStream, WhatFollowsAPieceThatCannotBeWrittenIsDropped) {
-    int pieces = 0;
-    TextStream stream([&](std::string_view) { return ++pieces < 2; });
+    int chunk_count = 0;
+    TextStream stream([&](std::string_view) { return ++chunk_count < 2; });
     for (int i = 0; i < 100000; ++i) {
         text::append_format(stream.buffer(), "line {}", i);
         stream.end_line();
@@ -17,7 +17,7 @@ TEST(TextStream, WhatFollowsAPieceThatCannotBeWrittenIsDropped) {
     stream.flush();
     EXPECT_TRUE(stream.failed());
     EXPECT_EQ(stream.buffer().size(), 0u);
-    EXPECT_EQ(pieces, 2) << "nothing is given behind a failure";
+    EXPECT_EQ(chunk_count, 2) << "nothing is given behind a failure";
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ class TimeByLimitTest : public testing::Test {
         motion::Segment segment = line(1, 0, joints(0, 0), joints(100, 0));
         segment.limited_by = limited_by;
         segment.duration_s = duration_s;
-        times.take(segment, {});
+        times.on_segment(segment, {});
     }
     std::vector<std::string> names() const {
         std::vector<std::string> names;
@@ -35,7 +35,7 @@ TEST_F(TimeByLimitTest, MostTimeFirstWithTheRestsAmongThem) {
     add({LimitKind::joint_speed, 0}, 1);
     add({LimitKind::joint_speed, 3}, 5);
     add({LimitKind::feed, -1}, 2);
-    times.take(rest(2, 0, joints(0, 0), 3), {.kind = MoveKind::dwell});
+    times.on_segment(standstill(2, 0, joints(0, 0), 3), {.kind = MoveKind::dwell});
     const std::vector<LimitTime> list = times.list(machine);
     EXPECT_THAT(names(), ElementsAre("rotary B speed", "feed", "dwell", "joint X speed"));
     EXPECT_EQ(list[1].time_s, 4);
@@ -51,7 +51,7 @@ TEST_F(TimeByLimitTest, JointsWhoseLimitsShareANameAreOneRow) {
 
 TEST_F(TimeByLimitTest, WhatTookNoTimeIsLeftOut) {
     add({LimitKind::corner, -1}, 0);
-    times.take(rest(2, 0, joints(0, 0), 0), {.kind = MoveKind::dwell});
+    times.on_segment(standstill(2, 0, joints(0, 0), 0), {.kind = MoveKind::dwell});
     EXPECT_TRUE(times.list(machine).empty());
 }
 

@@ -33,7 +33,7 @@ PlannerSetup sample(const std::string& name, PlannerKind planner = PlannerKind::
         machine::load_machine(tests::source_path("samples/machines/") + name + ".toml").value();
     machine.controller.planner = planner;
     machine.controller.corner = rrs::CornerRule::velocity_step;
-    return simulation::setup_of_machine(machine);
+    return simulation::make_planner_setup(machine);
 }
 
 JointPos joints_of(const std::vector<double>& mm_and_deg, const PlannerSetup& setup) {
@@ -46,9 +46,9 @@ JointPos joints_of(const std::vector<double>& mm_and_deg, const PlannerSetup& se
     return joints;
 }
 
-class Kept : public SegmentSink {
+class StoredSegments : public SegmentSink {
   public:
-    void take(const Segment& segment) override { segments.push_back(segment); }
+    void on_segment(const Segment& segment) override { segments.push_back(segment); }
     double end_s() const { return segments.empty() ? 0 : segments.back().end_s(); }
     JointState at(double t_s) const {
         const auto next = std::upper_bound(segments.begin(), segments.end(), t_s,
@@ -70,10 +70,10 @@ struct ToolRun {
     Status to(const JointPos& joints) {
         return planner.SetNextTarget(++id, rrs::TargetParam::end, rrs::CartPos::Identity(), joints, "", 0);
     }
-    Vector3d tip(const JointPos& joints) const { return setup.kinematics->forward(joints) * tip_mm; }
-    void control_tip(const Vector3d& tip) {
-        tip_mm = tip;
-        ASSERT_EQ(planner.SetTipControl(true, tip), Status::RRS_SUCCESS) << message();
+    Vector3d tcp(const JointPos& joints) const { return setup.kinematics->forward(joints) * tcp_mm; }
+    void control_tip(const Vector3d& tcp) {
+        tcp_mm = tcp;
+        ASSERT_EQ(planner.SetTipControl(true, tcp), Status::RRS_SUCCESS) << message();
     }
     std::string message() {
         std::string text;
@@ -82,15 +82,15 @@ struct ToolRun {
     }
 
     PlannerSetup setup;
-    Kept kept;
+    StoredSegments kept;
     DefaultPlanner planner;
-    Vector3d tip_mm = Vector3d::Zero();
+    Vector3d tcp_mm = Vector3d::Zero();
     rrs::TargetId id = 0;
 };
 
 double distance_to_line(const Vector3d& point, const Vector3d& from, const Vector3d& to) {
-    const Vector3d way = (to - from).normalized();
-    return (point - from - way * way.dot(point - from)).norm();
+    const Vector3d displacement = (to - from).normalized();
+    return (point - from - displacement * displacement.dot(point - from)).norm();
 }
 
 /// Expects that speeds hold at any instant. Accelerations hold over a time in which some parts pass, because
@@ -138,8 +138,8 @@ class TipControl : public testing::TestWithParam<std::tuple<Case, PlannerKind>> 
 };
 
 TEST_P(TipControl, ALineIsOneOfTheTipWithTheFeedAsItsSpeed) {
-    const Vector3d from = run.tip(run.planner.position());
-    const Vector3d to = run.tip(end());
+    const Vector3d from = run.tcp(run.planner.position());
+    const Vector3d to = run.tcp(end());
     run.planner.SetCartesianPositionSpeed(5);
     ASSERT_EQ(run.to(end()), Status::RRS_SUCCESS) << run.message();
     run.planner.flush();
@@ -156,10 +156,10 @@ TEST_P(TipControl, ALineIsOneOfTheTipWithTheFeedAsItsSpeed) {
     int at_feed = 0;
     for (int i = 0; i < 5000; ++i) {
         const double t = end_s * i / 5000;
-        const Vector3d here = run.tip(run.kept.at(t).position);
-        ASSERT_LE(distance_to_line(here, from, to), 0.001 + kRounding_mm) << t;
-        const Vector3d next = run.tip(run.kept.at(std::min(t + kStep_s, end_s)).position);
-        const double speed = (next - here).norm() / kStep_s;
+        const Vector3d current = run.tcp(run.kept.at(t).position);
+        ASSERT_LE(distance_to_line(current, from, to), 0.001 + kRounding_mm) << t;
+        const Vector3d next = run.tcp(run.kept.at(std::min(t + kStep_s, end_s)).position);
+        const double speed = (next - current).norm() / kStep_s;
         ASSERT_LE(speed, 5 * 1.02) << t;
         if (speed > 5 * 0.98) ++at_feed;
     }
@@ -176,17 +176,17 @@ TEST_P(TipControl, AFeedThatJointsCannotFollowGivesWayToTheirLimits) {
 
 TEST_P(TipControl, RotaryAxesAloneTurnAboutTheTip) {
     JointPos target = run.planner.position();
-    const Vector3d tip = run.tip(target);
+    const Vector3d tcp = run.tcp(target);
     for (int joint = 0; joint < run.setup.joint_count(); ++joint)
         if (run.setup.role(joint) == JointRole::rotary) target[joint] = end()[joint];
-    target = place_tip(run.setup, target, run.tip_mm, tip).value();
+    target = solve_slides(run.setup, target, run.tcp_mm, tcp).value();
     run.planner.SetCartesianOrientationSpeed(0.1);
     ASSERT_EQ(run.to(target), Status::RRS_SUCCESS) << run.message();
     run.planner.flush();
     double turned = 0;
     for (int i = 0; i <= 2000; ++i) {
         const JointState state = run.kept.at(run.kept.end_s() * i / 2000);
-        ASSERT_LE((run.tip(state.position) - tip).norm(), 0.001 + kRounding_mm) << i;
+        ASSERT_LE((run.tcp(state.position) - tcp).norm(), 0.001 + kRounding_mm) << i;
         double rate = 0;
         for (int joint = 0; joint < run.setup.joint_count(); ++joint)
             if (run.setup.role(joint) == JointRole::rotary) rate = std::hypot(rate, state.velocity[joint]);
@@ -197,10 +197,10 @@ TEST_P(TipControl, RotaryAxesAloneTurnAboutTheTip) {
 }
 
 TEST_P(TipControl, AnArcIsOneOfTheTip) {
-    const Vector3d from = run.tip(run.planner.position());
+    const Vector3d from = run.tcp(run.planner.position());
     const Vector3d center = from + Vector3d(0, 20, 0);
     JointPos target = end();  // a half circle about Z of the work, while the axes turn
-    target = place_tip(run.setup, target, run.tip_mm, from + Vector3d(0, 40, 0)).value();
+    target = solve_slides(run.setup, target, run.tcp_mm, from + Vector3d(0, 40, 0)).value();
     run.planner.SetCartesianPositionSpeed(10);
     ASSERT_EQ(run.planner.SetNextArcTarget(1, center, Vector3d::UnitZ(), std::numbers::pi,
                                            rrs::CartPos::Identity(), target),
@@ -208,10 +208,10 @@ TEST_P(TipControl, AnArcIsOneOfTheTip) {
         << run.message();
     run.planner.flush();
     for (int i = 0; i <= 2000; ++i) {
-        const Vector3d tip = run.tip(run.kept.at(run.kept.end_s() * i / 2000).position);
-        ASSERT_NEAR((tip - center).norm(), 20, 0.001 + kRounding_mm) << i;
-        ASSERT_NEAR(tip.z(), from.z(), 0.001 + kRounding_mm) << i;
-        ASSERT_GE(tip.x(), from.x() - 0.001) << i;  // counter-clockwise from the nearest point in Y
+        const Vector3d tcp = run.tcp(run.kept.at(run.kept.end_s() * i / 2000).position);
+        ASSERT_NEAR((tcp - center).norm(), 20, 0.001 + kRounding_mm) << i;
+        ASSERT_NEAR(tcp.z(), from.z(), 0.001 + kRounding_mm) << i;
+        ASSERT_GE(tcp.x(), from.x() - 0.001) << i;  // counter-clockwise from the nearest point in Y
     }
     expect_limits_held(run);
 }
@@ -242,9 +242,9 @@ TEST(ToolMoves, MovesInOneDirectionGoOnWithoutAStop) {
     run.planner.SetCartesianPositionSpeed(5);
     const JointPos start = run.planner.position();
     const JointPos end = joints_of({60, 40, 200, 60, 60}, setup);
-    const Vector3d from = run.tip(start);
-    const Vector3d to = run.tip(end);
-    const JointPos middle = place_tip(setup, (start + end) / 2, run.tip_mm, (from + to) / 2).value();
+    const Vector3d from = run.tcp(start);
+    const Vector3d to = run.tcp(end);
+    const JointPos middle = solve_slides(setup, (start + end) / 2, run.tcp_mm, (from + to) / 2).value();
     ASSERT_EQ(run.to(middle), Status::RRS_SUCCESS);
     ASSERT_EQ(run.to(end), Status::RRS_SUCCESS);
     run.planner.flush();
@@ -252,7 +252,7 @@ TEST(ToolMoves, MovesInOneDirectionGoOnWithoutAStop) {
     double slowest = 5;
     for (const Segment& segment : run.kept.segments)
         if (segment.target_id == 2 && segment.start_s < run.kept.end_s() / 2 + 1)
-            slowest = std::min(slowest, segment.lead.start_speed());
+            slowest = std::min(slowest, segment.master.start_speed());
     EXPECT_GT(slowest, 4.9);
 }
 
@@ -269,13 +269,13 @@ TEST(ToolMoves, APlaceOnTheWayOutOfRangeIsNamed) {
     run.control_tip(Vector3d::Zero());
     run.planner.SetCartesianPositionSpeed(50);
     JointPos end = joints_of({0, 0, 100, 0, 180}, setup);  // the ends are alike, the middle is 3 m off
-    end = place_tip(setup, end, Vector3d::Zero(), run.tip(run.planner.position())).value();
+    end = solve_slides(setup, end, Vector3d::Zero(), run.tcp(run.planner.position())).value();
     EXPECT_EQ(run.to(end), Status::RRS_SUCCESS);  // on the axis of the table no joint has to move
     JointPos start = joints_of({200, 0, 100, 0, 0}, setup);
     ToolRun far(setup, start);
     far.control_tip({300, 0, 0});
     far.planner.SetCartesianPositionSpeed(50);
-    end = place_tip(setup, joints_of({200, 0, 100, 0, 90}, setup), far.tip_mm, far.tip(start)).value();
+    end = solve_slides(setup, joints_of({200, 0, 100, 0, 90}, setup), far.tcp_mm, far.tcp(start)).value();
     EXPECT_EQ(far.to(end), Status::RRS_JOINT_LIMIT);
 }
 
@@ -307,17 +307,17 @@ TEST_P(Arm, ALinearTargetIsALineInSpaceAndTheToolTurnsEvenly) {
     for (int i = 0; i <= 2000; ++i) {
         const double t = run.kept.end_s() * i / 2000;
         const rrs::CartPos pose = setup.kinematics->forward(run.kept.at(t).position);
-        const Vector3d tip = pose.translation();
-        ASSERT_LE(distance_to_line(tip, start.translation(), end.translation()), 0.001 + kRounding_mm) << i;
-        const double share = (tip - start.translation()).norm() / length_mm;
+        const Vector3d tcp = pose.translation();
+        ASSERT_LE(distance_to_line(tcp, start.translation(), end.translation()), 0.001 + kRounding_mm) << i;
+        const double share = (tcp - start.translation()).norm() / length_mm;
         const Eigen::Quaterniond turned =
             Eigen::Quaterniond(start.linear()).slerp(share, Eigen::Quaterniond(end.linear()));
         ASSERT_LE(turned.angularDistance(Eigen::Quaterniond(pose.linear())), 2e-4) << i;
         const Vector3d next =
             setup.kinematics->forward(run.kept.at(std::min(t + 1e-3, run.kept.end_s())).position)
                 .translation();
-        ASSERT_LE((next - tip).norm() / 1e-3, 50 * 1.02);
-        if ((next - tip).norm() / 1e-3 > 50 * 0.98) ++at_feed;
+        ASSERT_LE((next - tcp).norm() / 1e-3, 50 * 1.02);
+        if ((next - tcp).norm() / 1e-3 > 50 * 0.98) ++at_feed;
     }
     EXPECT_GT(at_feed, 1700);
     EXPECT_TRUE(setup.kinematics->forward(run.planner.position()).isApprox(end, 1e-9));

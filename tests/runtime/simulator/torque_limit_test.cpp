@@ -62,7 +62,7 @@ machine::Machine read(const std::string& text) {
     return *std::move(machine);
 }
 
-std::string refusal(const std::string& text) {
+std::string rejection(const std::string& text) {
     const auto machine = machine::read_machine(text, "m.toml");
     return machine ? "" : machine.error();
 }
@@ -75,7 +75,8 @@ std::unique_ptr<Simulator> simulator_of(const machine::Machine& machine) {
 }
 
 bool rapid(Simulator& simulator, const AxisVector& target) {
-    return simulator.move(LineMove{.kind = MoveKind::rapid, .target = target, .feed = {}, .place = {0, 1}});
+    return simulator.move(
+        LineMove{.kind = MoveKind::rapid, .target = target, .feed = {}, .location = {0, 1}});
 }
 
 AxisVector at(double x, double z) {
@@ -85,18 +86,17 @@ AxisVector at(double x, double z) {
 }
 
 /// Returns the time between standstills over a distance; m, m/s, m/s2.
-double time_s(double way, double speed, double up, double down) {
+double time_s(double distance, double speed, double up, double down) {
     const double ramps = 1 / up + 1 / down;
-    if (speed * speed * ramps / 2 > way) return std::sqrt(2 * way * ramps);
-    return way / speed + speed * ramps / 2;
+    if (speed * speed * ramps / 2 > distance) return std::sqrt(2 * distance * ramps);
+    return distance / speed + speed * ramps / 2;
 }
 
 /// Beyond the peaks, as a share of them.
 double excess(const Report& report) {
-    double most = 0;
-    for (const EffortExcess& one : report.efforts->excesses)
-        most = std::max(most, one.effort / one.limit - 1);
-    return most;
+    double max = 0;
+    for (const EffortExcess& one : report.efforts->excesses) max = std::max(max, one.effort / one.limit - 1);
+    return max;
 }
 
 TEST(TorqueLimit, SlideIsItsClosedForm) {
@@ -106,8 +106,8 @@ TEST(TorqueLimit, SlideIsItsClosedForm) {
     EXPECT_NEAR(report.cycle_time_s, time_s(0.5, 1, 300.0 / 50, 500.0 / 50), 1e-9);
     EXPECT_NEAR(report.efforts->axes[0].peak, 400, 1e-6);
     EXPECT_EQ(report.efforts->excess_count, 0U);
-    ASSERT_TRUE(report.efforts->time_by_axes_s);
-    EXPECT_NEAR(*report.efforts->time_by_axes_s, time_s(0.5, 1, 1, 1), 1e-9);
+    ASSERT_TRUE(report.efforts->time_by_axis_accelerations_s);
+    EXPECT_NEAR(*report.efforts->time_by_axis_accelerations_s, time_s(0.5, 1, 1, 1), 1e-9);
     EXPECT_THAT(to_text(report), HasSubstr("limit       torques: with the accelerations of the axes the same "
                                            "moves take 1.414 s"));
     EXPECT_THAT(to_json(report), HasSubstr("\"time_by_axes_s\""));
@@ -157,18 +157,18 @@ TEST(TorqueLimit, MotorThatCannotHoldItsWeightIsRefused) {
 
 TEST(TorqueLimit, RefusesByName) {
     EXPECT_THAT(
-        refusal(slides("", "exact-stop").replace(slides("").find("max_acceleration_mm_s2 = 1000"), 29, "")),
+        rejection(slides("", "exact-stop").replace(slides("").find("max_acceleration_mm_s2 = 1000"), 29, "")),
         HasSubstr("'limit = \"torque\"' of [dynamics] needs 'peak_n' of axis X, or "
                   "'max_acceleration_mm_s2' where it has no motor"));
     for (const std::string_view model : {"linuxcnc-2.9", "linuxcnc-2.10", "klipper"})
-        EXPECT_THAT(refusal(slides("peak_n = 400", model)), HasSubstr("\"linuxcnc\" and \"klipper\""))
+        EXPECT_THAT(rejection(slides("peak_n = 400", model)), HasSubstr("\"linuxcnc\" and \"klipper\""))
             << model;
     for (const std::string_view model : {"grbl-1.1", "grblhal"})
-        EXPECT_THAT(refusal(slides("peak_n = 400", model)), HasSubstr("'arc_chord_tolerance_mm'")) << model;
+        EXPECT_THAT(rejection(slides("peak_n = 400", model)), HasSubstr("'arc_chord_tolerance_mm'")) << model;
     const auto without_mass = read(slides().substr(0, slides().find("[[mass]]")));
-    const auto made = make_dynamics(without_mass);
-    ASSERT_FALSE(made);
-    EXPECT_THAT(made.error(), HasSubstr("needs a mass that axis X moves"));
+    const auto dynamics_result = make_dynamics(without_mass);
+    ASSERT_FALSE(dynamics_result);
+    EXPECT_THAT(dynamics_result.error(), HasSubstr("needs a mass that axis X moves"));
 }
 
 // An arm of two links in a vertical plane, 400 and 300 mm, with speeds at which the one throws the other.
@@ -222,7 +222,7 @@ Report arm_run(const machine::Machine& machine, unsigned seed) {
         LineMove move{.kind = i % 2 == 0 ? MoveKind::rapid : MoveKind::linear,
                       .target = target,
                       .feed = {.linear_mm_min = 60000, .rotary_deg_min = between(random, 6000, 30000)},
-                      .place = {0, 1}};
+                      .location = {0, 1}};
         EXPECT_TRUE(simulator->move(move));
     }
     return simulator->finish("arm");
@@ -235,8 +235,8 @@ TEST(TorqueLimit, ArmKeepsItsPeaksAndGainsTime) {
         const Report report = arm_run(machine, seed);
         ASSERT_EQ(report.status, RunStatus::completed);
         EXPECT_LE(excess(report), 1e-6) << seed;
-        ASSERT_TRUE(report.efforts->time_by_axes_s);
-        const double share = report.cycle_time_s / *report.efforts->time_by_axes_s;
+        ASSERT_TRUE(report.efforts->time_by_axis_accelerations_s);
+        const double share = report.cycle_time_s / *report.efforts->time_by_axis_accelerations_s;
         shortest = std::min(shortest, share);
         longest = std::max(longest, share);
     }
@@ -283,7 +283,7 @@ TEST(TorqueLimit, RandomProgramsKeepThePeaks) {
         constexpr std::array kModels{"exact-stop", "ab9", "blend"};
         std::mt19937 random(program);
         const machine::Machine machine = heavy(random, kModels[program % kModels.size()]);
-        if (const auto fault = machine::find_torque_limit_fault(machine)) FAIL() << *fault;
+        if (const auto error = machine::find_torque_limit_error(machine)) FAIL() << *error;
         const auto simulator = simulator_of(machine);
         RandomMoves(random, *simulator).make(12);
         const Report report = simulator->finish("random");

@@ -38,8 +38,8 @@ Table parse(const std::string& text) {
     return table;
 }
 
-MoveInfo at_line(std::uint32_t line) {
-    return {.place = {0, line}};
+MoveInfo on_line_hook(std::uint32_t line) {
+    return {.location = {0, line}};
 }
 
 TEST(TrajectoryWriter, SamplesTheWholeRunAndTheLastInstant) {
@@ -48,8 +48,9 @@ TEST(TrajectoryWriter, SamplesTheWholeRunAndTheLastInstant) {
     TrajectoryWriter writer(stream.out(), machine, 0.4, kNoEnd_s);
     const double quarter = std::numbers::pi / 2;
     writer.begin(joints(0, 0));
-    writer.take(line(1, 0, joints(0, 0), joints(100, 0)), at_line(7));                    // 0 .. 2.5
-    writer.take(line(2, 2.5, joints(100, 0), joints(100, 100, 0, quarter)), at_line(8));  // 2.5 .. 5
+    writer.on_segment(line(1, 0, joints(0, 0), joints(100, 0)), on_line_hook(7));  // 0 .. 2.5
+    writer.on_segment(line(2, 2.5, joints(100, 0), joints(100, 100, 0, quarter)),
+                      on_line_hook(8));  // 2.5 .. 5
     writer.end(5);
     const Table table = parse(stream.text());
     EXPECT_EQ(table.header, "t_s,line,x_mm,y_mm,z_mm,b_deg,c_deg,speed_mm_s");
@@ -77,7 +78,7 @@ TEST(TrajectoryWriter, TimesAreExactMultiplesHoweverManySegments) {
     writer.begin(joints(0, 0));
     double start_s = 0;
     for (int i = 0; i < 5000; ++i) {
-        writer.take(rest(i, start_s, joints(0, 0), 0.1), at_line(1));
+        writer.on_segment(standstill(i, start_s, joints(0, 0), 0.1), on_line_hook(1));
         start_s += 0.1;
     }
     writer.end(start_s);
@@ -93,8 +94,8 @@ TEST(TrajectoryWriter, AMoveOfYearsEndsWithTheRun) {
     StringStream stream;
     TrajectoryWriter writer(stream.out(), machine, 1, 3);
     writer.begin(joints(0, 0));
-    writer.take(rest(1, 0, joints(0, 0), 1e12), at_line(1));
-    writer.take(rest(2, 1e12, joints(0, 0), 1e12), at_line(2));
+    writer.on_segment(standstill(1, 0, joints(0, 0), 1e12), on_line_hook(1));
+    writer.on_segment(standstill(2, 1e12, joints(0, 0), 1e12), on_line_hook(2));
     writer.end(2e12);
     const Table table = parse(stream.text());
     ASSERT_EQ(table.rows.size(), 5U);
@@ -121,17 +122,17 @@ TEST(TrajectoryWriter, StepThatIsTooShort) {
 
 TEST(TrajectoryWriter, TooManySamplesAreCutShort) {
     const machine::Machine machine = af5();
-    for (const std::uint64_t most : {4U, 5U}) {
+    for (const std::uint64_t max : {4U, 5U}) {
         StringStream stream;
-        TrajectoryWriter writer(stream.out(), machine, 0.25, kNoEnd_s, most);
+        TrajectoryWriter writer(stream.out(), machine, 0.25, kNoEnd_s, max);
         motion::Segment segment;
         segment.duration_s = 1.2;  // samples at 0, 0.25, 0.5, 0.75 and 1
         segment.start = segment.end = joints(0, 0);
         writer.begin(joints(0, 0));
-        writer.take(segment, at_line(1));
+        writer.on_segment(segment, on_line_hook(1));
         writer.end(1.2);
-        EXPECT_EQ(writer.cut_short(), most == 4);
-        EXPECT_EQ(parse(stream.text()).rows.size(), most + 1) << "and the last instant";
+        EXPECT_EQ(writer.is_truncated(), max == 4);
+        EXPECT_EQ(parse(stream.text()).rows.size(), max + 1) << "and the last instant";
     }
 }
 

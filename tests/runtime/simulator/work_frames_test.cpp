@@ -39,15 +39,15 @@ TEST_P(WorkFrames, MotionIsThatOfTargetsTransformedByHand) {
     const bool in_work = plain.cell.work_frames("tool", "stand").has_value();
     const CartPos object = in_work ? kFixture : CartPos::Identity();
     std::mt19937 random(7);
-    std::uniform_real_distribution<double> way_mm(-60, 60);
+    std::uniform_real_distribution<double> offset_mm(-60, 60);
     framed.start();
     plain.start();
     ASSERT_EQ(framed.planner.SelectWorkFrames("turned tool", in_work ? "fixture 1" : "work"),
               Status::RRS_SUCCESS);
-    const CartPos here = plain.setup.kinematics->forward(plain.planner.position());
+    const CartPos current = plain.setup.kinematics->forward(plain.planner.position());
     for (int i = 0; i < 5; ++i) {
-        CartPos target = here;  // of the tool centre point in the work frame
-        target.translation() += Vector3d(way_mm(random), way_mm(random), way_mm(random));
+        CartPos target = current;  // of the tool centre point in the work frame
+        target.translation() += Vector3d(offset_mm(random), offset_mm(random), offset_mm(random));
         ASSERT_EQ(plain.to(target), Status::RRS_SUCCESS) << plain.message();
         ASSERT_EQ(framed.to(object.inverse() * target * kTurned), Status::RRS_SUCCESS) << framed.message();
     }
@@ -76,11 +76,12 @@ TEST_P(WorkFrames, TheToolFrameGoesTheProgrammedWay) {
         ASSERT_EQ(robot.planner.GetForwardKinematics(joints, to), Status::RRS_SUCCESS);
     }
     ASSERT_EQ(robot.to(to), Status::RRS_SUCCESS) << robot.message();
-    const Vector3d way = (to.translation() - from.translation()).normalized();
+    const Vector3d displacement = (to.translation() - from.translation()).normalized();
     Posed::Step step;
     for (step = robot.step(); step.status == Status::RRS_SUCCESS; step = robot.step()) {
         const Vector3d gone = step.pose.translation() - from.translation();
-        ASSERT_LT((gone - way * way.dot(gone)).norm(), robot.setup.controller.tcp_tolerance_mm);
+        ASSERT_LT((gone - displacement * displacement.dot(gone)).norm(),
+                  robot.setup.controller.tcp_tolerance_mm);
     }
     EXPECT_EQ(step.status, Status::RRS_TARGET_REACHED);
     EXPECT_TRUE(step.pose.isApprox(to, 1e-6));
@@ -149,7 +150,7 @@ TEST(WorkFramesOfCells, TargetsAreOnTheTableThatCarriesTheWork) {
 }
 
 TEST(WorkFramesOfCells, WithoutACellThereAreNone) {
-    motion::DefaultPlanner planner(setup_of_machine(sample("af5")));
+    motion::DefaultPlanner planner(make_planner_setup(sample("af5")));
     planner.Initialize();
     EXPECT_EQ(planner.SelectWorkFrames("tool", "world"), Status::RRS_SERVICE_NOT_SUPPORTED);
 }

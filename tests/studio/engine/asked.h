@@ -17,7 +17,7 @@ namespace gsim::studio {
 using Files = std::map<std::string, std::string>;
 
 /// Returns the messages posted to a page that has these files and no others.
-inline std::vector<Frame> answers(const std::string& asked, const Files& files = {}) {
+inline std::vector<Frame> request_frames(const std::string& request_json, const Files& files = {}) {
     engine::Host host;
     host.files = engine::Files::given([&](const std::string& name) -> std::optional<std::string> {
         const auto found = files.find(name);
@@ -25,11 +25,12 @@ inline std::vector<Frame> answers(const std::string& asked, const Files& files =
         return found->second;
     });
     std::vector<Frame> frames;
-    serve(asked, host, [&](const std::string& bytes) { frames.push_back(read_frame(bytes)); });
+    handle_request(request_json, host,
+                   [&](const std::string& bytes) { frames.push_back(read_frame(bytes)); });
     return frames;
 }
 
-inline std::vector<Frame> of_kind(const std::vector<Frame>& frames, const std::string& kind) {
+inline std::vector<Frame> filter_frames(const std::vector<Frame>& frames, const std::string& kind) {
     std::vector<Frame> found;
     std::copy_if(frames.begin(), frames.end(), std::back_inserter(found),
                  [&](const Frame& frame) { return frame.is() == kind; });
@@ -41,8 +42,8 @@ inline const Frame& last(const std::vector<Frame>& frames) {
 }
 
 /// Returns the message of an answer that fails, or "done" for one that does not.
-inline std::string failure_of(const std::string& asked, const Files& files = {}) {
-    const Frame end = answers(asked, files).back();
+inline std::string make_error(const std::string& request_json, const Files& files = {}) {
+    const Frame end = request_frames(request_json, files).back();
     return end.is() == "failed" ? end.header["message"].get<std::string>() : end.is();
 }
 

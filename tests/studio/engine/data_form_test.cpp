@@ -18,7 +18,7 @@ std::string data_request(const json& changes) {
 }
 
 Frame data_after(const json& changes, const std::string& text = kTools) {
-    return of_kind(answers(data_request(changes), {{"tools.txt", text}}), "data").at(0);
+    return filter_frames(request_frames(data_request(changes), {{"tools.txt", text}}), "data").at(0);
 }
 
 std::string text_after(const json& changes) {
@@ -91,7 +91,7 @@ TEST(DataForm, APointHasAName) {
     EXPECT_EQ(data_after(json::array({named})).header["entries"]["FIXED"][0]["NAME"], "CLAMP1");
     json second = named;
     second["id"] = "4";
-    EXPECT_EQ(failure_of(data_request(json::array({named, second})), {{"tools.txt", kTools}}),
+    EXPECT_EQ(make_error(data_request(json::array({named, second})), {{"tools.txt", kTools}}),
               "tools.txt: the name CLAMP1 of a fixed point is given twice; first in line 9");
 }
 
@@ -118,10 +118,10 @@ TEST(DataForm, AllOfASectionOrOfTheFileIsReset) {
 }
 
 TEST(DataForm, ANameWithoutAFileIsNewData) {
-    const std::string asked =
+    const std::string request_json =
         json{{"do", "data"}, {"file", "new.txt"}, {"changes", json::array({set_offset({{"X", "1"}})})}}
             .dump();
-    const Frame data = of_kind(answers(asked), "data").at(0);
+    const Frame data = filter_frames(request_frames(request_json), "data").at(0);
     EXPECT_EQ(data.columns.at("text"), "NCFILE\nOFFSET\n54  1  0  0\nENDFILE\n");
 }
 
@@ -129,46 +129,46 @@ TEST(DataForm, AxesAreThoseOfTheMachineOfTheCell) {
     const Files files{{"tools.txt", "NCFILE\nOFFSET\n54 1 2 3 4\nENDFILE\n"},
                       {"cell.toml", "[cell]\nname = \"c\"\nmachine = \"mill.toml\"\n"},
                       {"mill.toml", sample("machines/mill-head-table.toml")}};
-    const auto frames = answers(R"({"do": "data", "file": "tools.txt", "cell": "cell.toml"})", files);
-    const Frame data = of_kind(frames, "data").at(0);
+    const auto frames = request_frames(R"({"do": "data", "file": "tools.txt", "cell": "cell.toml"})", files);
+    const Frame data = filter_frames(frames, "data").at(0);
     EXPECT_EQ(data.header["entries"]["OFFSET"][0]["B"], 4);
 }
 
 TEST(DataForm, WhatIsSuspectIsTold) {
     const auto frames =
-        answers(data_request(json::array()), {{"tools.txt", "NCFILE\nALIAS\nJetOn M9999\nENDFILE\n"}});
-    const auto told = of_kind(frames, "told");
-    ASSERT_EQ(told.size(), 1U);
-    EXPECT_EQ(told[0].header["severity"], "warning");
-    EXPECT_EQ(told[0].header["line"], 3);
+        request_frames(data_request(json::array()), {{"tools.txt", "NCFILE\nALIAS\nJetOn M9999\nENDFILE\n"}});
+    const auto reported = filter_frames(frames, "told");
+    ASSERT_EQ(reported.size(), 1U);
+    EXPECT_EQ(reported[0].header["severity"], "warning");
+    EXPECT_EQ(reported[0].header["line"], 3);
 }
 
 TEST(DataForm, AFaultyFileIsToldLineByLineAndFails) {
     const auto frames =
-        answers(data_request(json::array()), {{"tools.txt", "NCFILE\nTOOL\n1 a 2\n2 3 b\nENDFILE\n"}});
-    EXPECT_EQ(of_kind(frames, "told").size(), 2U);
-    EXPECT_EQ(of_kind(frames, "data").size(), 0U);
+        request_frames(data_request(json::array()), {{"tools.txt", "NCFILE\nTOOL\n1 a 2\n2 3 b\nENDFILE\n"}});
+    EXPECT_EQ(filter_frames(frames, "told").size(), 2U);
+    EXPECT_EQ(filter_frames(frames, "data").size(), 0U);
     EXPECT_EQ(last(frames).is(), "failed");
 }
 
 TEST(DataForm, AChangeThatCannotBeMadeFailsInASentence) {
-    const auto fault = [](const json& change) {
-        return failure_of(data_request(json::array({change})), {{"tools.txt", kTools}});
+    const auto error = [](const json& change) {
+        return make_error(data_request(json::array({change})), {{"tools.txt", kTools}});
     };
-    EXPECT_EQ(fault({{"op", "burn"}}), "'op' should be one of set, reset, reset_all, convert, not 'burn'");
-    EXPECT_EQ(fault(json::object()), "a change of data needs 'op'");
-    EXPECT_EQ(fault(7), "a change of data should be an object, not 7");
-    EXPECT_EQ(fault({{"op", "convert"}, {"unit", "foot"}}), "'unit' should be one of mm, inch, not 'foot'");
-    EXPECT_EQ(fault({{"op", "reset"}, {"section", "TOOL"}}), "a change of data needs 'id'");
-    EXPECT_EQ(fault({{"op", "reset_all"}, {"id", "1"}}), "there is no key 'id' of a change of data");
-    EXPECT_EQ(fault(set_offset({{"X", 10}})), "the value of 'X' should be a text, not 10");
-    EXPECT_EQ(fault(set_offset({{"X=1 Y", "2"}})), "'X=1 Y' is no name of a field");
-    EXPECT_THAT(fault(set_offset({{"Q", "1"}})), HasSubstr("OFFSET has no 'Q'"));
-    EXPECT_THAT(fault(set_offset({{"X", "ten"}})), HasSubstr("'ten' is not a number"));
-    EXPECT_EQ(failure_of(R"({"do": "data"})"), "data needs 'file'");
-    EXPECT_EQ(failure_of(R"({"do": "data", "file": "a", "program": "b"})"),
+    EXPECT_EQ(error({{"op", "burn"}}), "'op' should be one of set, reset, reset_all, convert, not 'burn'");
+    EXPECT_EQ(error(json::object()), "a change of data needs 'op'");
+    EXPECT_EQ(error(7), "a change of data should be an object, not 7");
+    EXPECT_EQ(error({{"op", "convert"}, {"unit", "foot"}}), "'unit' should be one of mm, inch, not 'foot'");
+    EXPECT_EQ(error({{"op", "reset"}, {"section", "TOOL"}}), "a change of data needs 'id'");
+    EXPECT_EQ(error({{"op", "reset_all"}, {"id", "1"}}), "there is no key 'id' of a change of data");
+    EXPECT_EQ(error(set_offset({{"X", 10}})), "the value of 'X' should be a text, not 10");
+    EXPECT_EQ(error(set_offset({{"X=1 Y", "2"}})), "'X=1 Y' is no name of a field");
+    EXPECT_THAT(error(set_offset({{"Q", "1"}})), HasSubstr("OFFSET has no 'Q'"));
+    EXPECT_THAT(error(set_offset({{"X", "ten"}})), HasSubstr("'ten' is not a number"));
+    EXPECT_EQ(make_error(R"({"do": "data"})"), "data needs 'file'");
+    EXPECT_EQ(make_error(R"({"do": "data", "file": "a", "program": "b"})"),
               "there is no key 'program' of data");
-    EXPECT_EQ(failure_of(R"({"do": "data", "file": "a", "cell": 3})"), "'cell' should be a text, not 3");
+    EXPECT_EQ(make_error(R"({"do": "data", "file": "a", "cell": 3})"), "'cell' should be a text, not 3");
 }
 
 }  // namespace

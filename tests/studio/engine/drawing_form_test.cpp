@@ -60,30 +60,30 @@ Files files_of_drawings() {
             {"post.toml", kPost}};
 }
 
-std::string drawing_request(json asked) {
-    asked["do"] = "drawing";
-    return asked.dump();
+std::string drawing_request(json request_json) {
+    request_json["do"] = "drawing";
+    return request_json.dump();
 }
 
 json by_figures(const std::string& drawing) {
     return {{"drawing", drawing}, {"speed_mm_min", 600}, {"kerf_mm", 1}, {"pierce_s", 2}};
 }
 
-Frame path_of(const json& asked) {
-    const auto frames = answers(drawing_request(asked), files_of_drawings());
-    const auto paths = of_kind(frames, "path");
+Frame path_of(const json& request_json) {
+    const auto frames = request_frames(drawing_request(request_json), files_of_drawings());
+    const auto paths = filter_frames(frames, "path");
     return paths.empty() ? last(frames) : paths.front();
 }
 
 TEST(DrawingForm, ASquareIsCutHalfAKerfOutside) {
     const Frame path = path_of(by_figures("square.svg"));
     ASSERT_TRUE(path.columns.contains("text")) << path.header;
-    const json figures = path.header["figures"];
-    EXPECT_EQ(figures["outlines"], 1);
-    EXPECT_EQ(figures["pierces"], 1);
-    EXPECT_GT(figures["cut_mm"], 400);
-    EXPECT_LT(figures["cut_mm"], 440);
-    EXPECT_NEAR(figures["cut_s"].get<double>(), figures["cut_mm"].get<double>() / 10, 3);
+    const json metrics = path.header["figures"];
+    EXPECT_EQ(metrics["outlines"], 1);
+    EXPECT_EQ(metrics["pierces"], 1);
+    EXPECT_GT(metrics["cut_mm"], 400);
+    EXPECT_LT(metrics["cut_mm"], 440);
+    EXPECT_NEAR(metrics["cut_s"].get<double>(), metrics["cut_mm"].get<double>() / 10, 3);
     EXPECT_TRUE(path.header["job"].is_null());
     EXPECT_EQ(path.header["job_text"], "");
     EXPECT_THAT(path.header["summary"].get<std::string>(), HasSubstr("1 contours, 1 pierces"));
@@ -109,9 +109,9 @@ TEST(DrawingForm, AMaterialSettlesFeedsAndPrice) {
 }
 
 TEST(DrawingForm, TheJetMayLeanAgainstItsTaperAndPierceMoving) {
-    json asked = {{"drawing", "plate.svg"}, {"material", "aluminum"}, {"thickness_mm", 12}};
+    json request_json = {{"drawing", "plate.svg"}, {"material", "aluminum"}, {"thickness_mm", 12}};
     const auto axes = [&] {
-        const json program = text::parse_json<json>(path_of(asked).columns.at("text"));
+        const json program = text::parse_json<json>(path_of(request_json).columns.at("text"));
         std::set<json> found;
         for (const json& path : program["paths"]) {
             for (const json& target : path["targets"]) {
@@ -121,92 +121,93 @@ TEST(DrawingForm, TheJetMayLeanAgainstItsTaperAndPierceMoving) {
         return found;
     };
     EXPECT_LE(axes().size(), 1U);  // upright
-    asked["straighten"] = true;
+    request_json["straighten"] = true;
     EXPECT_GT(axes().size(), 10U);
-    asked["straighten"] = false;
-    const double rests_s = path_of(asked).header["job"]["jet_s"];
-    asked["moving_pierce"] = true;
-    EXPECT_LT(path_of(asked).header["job"]["jet_s"].get<double>(), rests_s);
+    request_json["straighten"] = false;
+    const double rests_s = path_of(request_json).header["job"]["jet_s"];
+    request_json["moving_pierce"] = true;
+    EXPECT_LT(path_of(request_json).header["job"]["jet_s"].get<double>(), rests_s);
 }
 
 // From the drawing to the machine: all three requests in sequence.
 TEST(DrawingForm, APathIsWrittenAndRun) {
-    json asked = by_figures("plate.svg");
-    asked["origin_mm"] = {200, 400, 50};
-    const Frame path = path_of(asked);
+    json request_json = by_figures("plate.svg");
+    request_json["origin_mm"] = {200, 400, 50};
+    const Frame path = path_of(request_json);
     ASSERT_TRUE(path.columns.contains("text")) << path.header;
     const Files path_file{{"plate.path.json", path.columns.at("text")}};
-    const auto written = answers(R"({"do": "write", "path": "plate.path.json"})", path_file);
-    ASSERT_EQ(of_kind(written, "program").size(), 1U) << last(written).header;
-    const Frame program = of_kind(written, "program").at(0);
+    const auto written = request_frames(R"({"do": "write", "path": "plate.path.json"})", path_file);
+    ASSERT_EQ(filter_frames(written, "program").size(), 1U) << last(written).header;
+    const Frame program = filter_frames(written, "program").at(0);
     const auto frames =
-        answers(R"({"do": "run", "program": "plate.nc"})", {{"plate.nc", program.columns.at("text")}});
+        request_frames(R"({"do": "run", "program": "plate.nc"})", {{"plate.nc", program.columns.at("text")}});
     ASSERT_EQ(last(frames).is(), "done") << last(frames).header;
-    const json report = of_kind(frames, "report").at(0).header["report"];
+    const json report = filter_frames(frames, "report").at(0).header["report"];
     EXPECT_EQ(report["status"], "completed");
-    const double least_s =
+    const double min_s =
         path.header["figures"]["cut_s"].get<double>() + 2 * path.header["figures"]["pierces"].get<double>();
-    EXPECT_GT(report["cycle_time_s"].get<double>(), least_s);
+    EXPECT_GT(report["cycle_time_s"].get<double>(), min_s);
 }
 
 TEST(DrawingForm, WhatCannotBeCutFailsInASentence) {
-    const auto fault = [](const json& asked) {
-        return failure_of(drawing_request(asked), files_of_drawings());
+    const auto error = [](const json& request_json) {
+        return make_error(drawing_request(request_json), files_of_drawings());
     };
-    EXPECT_EQ(fault({{"material", "lead"}}), "a drawing needs 'drawing'");
-    EXPECT_EQ(fault({{"drawing", "square.svg"}}),
+    EXPECT_EQ(error({{"material", "lead"}}), "a drawing needs 'drawing'");
+    EXPECT_EQ(error({{"drawing", "square.svg"}}),
               "a drawing needs 'material' and 'thickness_mm', or 'speed_mm_min' and 'kerf_mm'");
-    EXPECT_EQ(fault({{"drawing", "square.svg"}, {"colour", 1}, {"material", "lead"}}),
+    EXPECT_EQ(error({{"drawing", "square.svg"}, {"colour", 1}, {"material", "lead"}}),
               "there is no key 'colour' of a drawing");
-    json asked = by_figures("square.svg");
-    asked["up"] = "w";
-    EXPECT_EQ(fault(asked), "'up' should be one of x, y, z, -x, -y, -z, not 'w'");
-    asked = by_figures("square.svg");
-    asked["origin_mm"] = {1, 2};
-    EXPECT_EQ(fault(asked), "'origin_mm' should be three numbers, not 2");
-    asked = by_figures("square.svg");
-    asked["unit_mm"] = 0;
-    EXPECT_THAT(fault(asked), HasSubstr("'unit_mm' should be from 1e-06"));
-    EXPECT_EQ(fault(by_figures("part.step")),
+    json request_json = by_figures("square.svg");
+    request_json["up"] = "w";
+    EXPECT_EQ(error(request_json), "'up' should be one of x, y, z, -x, -y, -z, not 'w'");
+    request_json = by_figures("square.svg");
+    request_json["origin_mm"] = {1, 2};
+    EXPECT_EQ(error(request_json), "'origin_mm' should be three numbers, not 2");
+    request_json = by_figures("square.svg");
+    request_json["unit_mm"] = 0;
+    EXPECT_THAT(error(request_json), HasSubstr("'unit_mm' should be from 1e-06"));
+    EXPECT_EQ(error(by_figures("part.step")),
               "part.step: STEP and IGES files are not read here; DXF and SVG files are");
-    asked = by_figures("part.step");
-    asked["contours"] = {{"kind", "holes"}, {"side", "up"}};
-    EXPECT_EQ(fault(asked), "'side' should be one of x, y, z, -x, -y, -z, not 'up'");
-    asked["contours"] = {{"kind", "holes"}, {"colour", "red"}};
-    EXPECT_EQ(fault(asked), "there is no key 'colour' of contours");
-    asked["contours"] = {{"kind", "holes"}, {"axis", "wall"}, {"lean_deg", 5}};
-    EXPECT_THAT(fault(asked), HasSubstr("--lean is from the face's normal"));
-    asked["contours"] = {{"kind", "holes"}};
-    asked["straighten"] = true;
-    EXPECT_THAT(fault(asked), HasSubstr("--straighten"));
-    asked = by_figures("square.svg");
-    asked["contours"] = {{"kind", "holes"}};
-    EXPECT_THAT(fault(asked), HasSubstr("--contours is for STEP and IGES files"));
-    EXPECT_THAT(fault({{"drawing", "plate.svg"}, {"material", "aluminium"}, {"thickness_mm", 12}}),
+    request_json = by_figures("part.step");
+    request_json["contours"] = {{"kind", "holes"}, {"side", "up"}};
+    EXPECT_EQ(error(request_json), "'side' should be one of x, y, z, -x, -y, -z, not 'up'");
+    request_json["contours"] = {{"kind", "holes"}, {"colour", "red"}};
+    EXPECT_EQ(error(request_json), "there is no key 'colour' of contours");
+    request_json["contours"] = {{"kind", "holes"}, {"axis", "wall"}, {"lean_deg", 5}};
+    EXPECT_THAT(error(request_json), HasSubstr("--lean is from the face's normal"));
+    request_json["contours"] = {{"kind", "holes"}};
+    request_json["straighten"] = true;
+    EXPECT_THAT(error(request_json), HasSubstr("--straighten"));
+    request_json = by_figures("square.svg");
+    request_json["contours"] = {{"kind", "holes"}};
+    EXPECT_THAT(error(request_json), HasSubstr("--contours is for STEP and IGES files"));
+    EXPECT_THAT(error({{"drawing", "plate.svg"}, {"material", "aluminium"}, {"thickness_mm", 12}}),
                 HasSubstr("did you mean \"aluminum\"?"));
-    EXPECT_THAT(fault(by_figures("none.svg")), HasSubstr("none.svg"));
+    EXPECT_THAT(error(by_figures("none.svg")), HasSubstr("none.svg"));
 }
 
 TEST(DrawingForm, WhatStandsThereIsLookedAt) {
-    const auto fault = [](const json& asked) {
-        return failure_of(drawing_request(asked), files_of_drawings());
+    const auto error = [](const json& request_json) {
+        return make_error(drawing_request(request_json), files_of_drawings());
     };
-    json asked = by_figures("square.svg");
-    asked["place"] = {{"cell", "post.toml"}};
-    EXPECT_THAT(fault(asked), HasSubstr("'pin' touches 'post'"));
-    asked["origin_mm"] = {200, 0, 0};
-    const Frame path = path_of(asked);
+    json request_json = by_figures("square.svg");
+    request_json["place"] = {{"cell", "post.toml"}};
+    EXPECT_THAT(error(request_json), HasSubstr("'pin' touches 'post'"));
+    request_json["origin_mm"] = {200, 0, 0};
+    const Frame path = path_of(request_json);
     ASSERT_TRUE(path.header.contains("figures")) << path.header;
     EXPECT_EQ(path.header["figures"]["ways"], 2);
     EXPECT_THAT(path.header["summary"].get<std::string>(), HasSubstr("nothing is touched"));
-    asked["place"] = {{"room", "post.toml"}};
-    EXPECT_EQ(fault(asked), "there is no key 'room' of place");
-    asked["place"] = {{"cell", "none.toml"}};
-    EXPECT_THAT(fault(asked), HasSubstr("none.toml"));
+    request_json["place"] = {{"room", "post.toml"}};
+    EXPECT_EQ(error(request_json), "there is no key 'room' of place");
+    request_json["place"] = {{"cell", "none.toml"}};
+    EXPECT_THAT(error(request_json), HasSubstr("none.toml"));
 }
 
 TEST(MaterialsForm, AreThoseOfTheFile) {
-    const json built_in = of_kind(answers(R"({"do": "materials"})"), "materials").at(0).header["materials"];
+    const json built_in =
+        filter_frames(request_frames(R"({"do": "materials"})"), "materials").at(0).header["materials"];
     EXPECT_GT(built_in.size(), 5U);
     EXPECT_EQ(built_in[0]["name"], "aluminum");
     EXPECT_EQ(built_in[0]["machinability"], 213);
@@ -215,9 +216,10 @@ TEST(MaterialsForm, AreThoseOfTheFile) {
                        "measured = { pressure_mpa = 345.0, orifice_mm = 0.35, mixing_tube_mm = 1.0, "
                        "abrasive_g_min = 400.0, abrasive_factor = 1.0, speed_mm_min = 1000.0, "
                        "thickness_mm = 20.0, quality = 3.0 }\n";
-    const auto frames = answers(R"({"do": "materials", "materials": "mine.toml"})", {{"mine.toml", mine}});
-    ASSERT_EQ(of_kind(frames, "materials").size(), 1U) << last(frames).header;
-    const json list = of_kind(frames, "materials").at(0).header["materials"];
+    const auto frames =
+        request_frames(R"({"do": "materials", "materials": "mine.toml"})", {{"mine.toml", mine}});
+    ASSERT_EQ(filter_frames(frames, "materials").size(), 1U) << last(frames).header;
+    const json list = filter_frames(frames, "materials").at(0).header["materials"];
     ASSERT_EQ(list.size(), built_in.size() + 2);
     const json& slate = list[list.size() - 2];
     const auto granite =
@@ -226,7 +228,7 @@ TEST(MaterialsForm, AreThoseOfTheFile) {
     EXPECT_EQ(slate["machinability"], (*granite)["machinability"]);
     EXPECT_EQ(list.back()["measured"], true);
     EXPECT_GT(list.back()["machinability"], 0);
-    EXPECT_THAT(failure_of(R"({"do": "materials", "materials": "none.toml"})"), HasSubstr("none.toml"));
+    EXPECT_THAT(make_error(R"({"do": "materials", "materials": "none.toml"})"), HasSubstr("none.toml"));
 }
 
 }  // namespace

@@ -21,19 +21,19 @@ Files files_of_poses() {
             {"cell/mould.stl", sample("cell/mould.stl")}};
 }
 
-std::string pose_request(json asked) {
-    asked["do"] = "pose";
-    return asked.dump();
+std::string pose_request(json request_json) {
+    request_json["do"] = "pose";
+    return request_json.dump();
 }
 
-json pose_of(const json& asked) {
-    const auto frames = answers(pose_request(asked), files_of_poses());
-    const auto poses = of_kind(frames, "pose");
+json request_pose(const json& request_json) {
+    const auto frames = request_frames(pose_request(request_json), files_of_poses());
+    const auto poses = filter_frames(frames, "pose");
     return poses.empty() ? last(frames).header : poses.front().header;
 }
 
 TEST(PoseForm, TellsWhereAMachineStands) {
-    const json pose = pose_of({{"machine", "router.toml"}, {"joints", {100, 50, -20}}});
+    const json pose = request_pose({{"machine", "router.toml"}, {"joints", {100, 50, -20}}});
     ASSERT_EQ(pose["is"], "pose") << pose;
     EXPECT_EQ(pose["joints"], json({100, 50, -20}));
     EXPECT_EQ(pose["tip_mm"], json({100, 50, -20}));
@@ -45,10 +45,10 @@ TEST(PoseForm, TellsWhereAMachineStands) {
 }
 
 TEST(PoseForm, FindsTheAxesForATip) {
-    const json pose = pose_of({{"machine", "mill.toml"},
-                               {"tip_mm", {10, 20, 30}},
-                               {"tool_axis", {1, 0, 2}},
-                               {"near", {0, 0, 0, 0, 0}}});
+    const json pose = request_pose({{"machine", "mill.toml"},
+                                    {"tip_mm", {10, 20, 30}},
+                                    {"tool_axis", {1, 0, 2}},
+                                    {"near", {0, 0, 0, 0, 0}}});
     ASSERT_EQ(pose["is"], "pose") << pose;
     EXPECT_NEAR(pose["tool_axis"][0].get<double>(), 1 / std::sqrt(5), 1e-9);
     EXPECT_EQ(pose["solutions"][0], pose["joints"]);
@@ -59,15 +59,15 @@ TEST(PoseForm, FindsTheAxesForATip) {
 TEST(PoseForm, IsInTheFrameOfPaths) {
     for (const std::string machine : {"mill.toml", "mill2.toml", "offset.toml"}) {
         const json pose =
-            pose_of({{"machine", machine}, {"tip_mm", {60, 70, 80}}, {"tool_axis", {0.1, 0.2, 1}}});
+            request_pose({{"machine", machine}, {"tip_mm", {60, 70, 80}}, {"tool_axis", {0.1, 0.2, 1}}});
         ASSERT_EQ(pose["is"], "pose") << pose;
         Files files = files_of_poses();
         files["point.json"] = R"({"name": "point", "root": "p", "paths": [{"name": "p", "targets": [
             {"motion": "rapid", "position_mm": [60, 70, 80], "tool_axis": [0.1, 0.2, 1]}]}]})";
-        const json asked{{"do", "write"},      {"path", "point.json"},  {"machine", machine},
-                         {"post", "rs274ngc"}, {"verbose_words", true}, {"decimals_mm", 6}};
-        const auto programs = of_kind(answers(asked.dump(), files), "program");
-        ASSERT_EQ(programs.size(), 1U) << last(answers(asked.dump(), files)).header;
+        const json request_json{{"do", "write"},      {"path", "point.json"},  {"machine", machine},
+                                {"post", "rs274ngc"}, {"verbose_words", true}, {"decimals_mm", 6}};
+        const auto programs = filter_frames(request_frames(request_json.dump(), files), "program");
+        ASSERT_EQ(programs.size(), 1U) << last(request_frames(request_json.dump(), files)).header;
         const std::string& text = programs[0].columns.at("text");
         const std::size_t line = text.find("G00 ");
         ASSERT_NE(line, std::string::npos) << text;
@@ -92,18 +92,18 @@ TEST(PoseForm, TheLengthOfAToolIsThatOfItsCompensation) {
         files["part.nc"] = "G21 G90\nG43 H1\nG0 X10\nM2\n";
         files["tools.txt"] = "NCFILE\nTOOL\n1 30 2\nENDFILE\n";
         json run{{"do", "run"}, {"program", "part.nc"}, {"machine_data", "tools.txt"}, {"dialect", "ab9"}};
-        json asked{{"tip_mm", {100, 100, -50}}, {"tool_mm", 30}};
-        if (!machine.empty()) run["machine"] = asked["machine"] = machine;
-        const auto frames = answers(run.dump(), files);
-        const auto scenes = of_kind(frames, "scene");
+        json request_json{{"tip_mm", {100, 100, -50}}, {"tool_mm", 30}};
+        if (!machine.empty()) run["machine"] = request_json["machine"] = machine;
+        const auto frames = request_frames(run.dump(), files);
+        const auto scenes = filter_frames(frames, "scene");
         ASSERT_FALSE(scenes.empty()) << last(frames).header;
-        const json tip = scenes.back().header["scene"]["tips_mm"].back();
-        EXPECT_NEAR(tip[2].get<double>(), -30, 1e-9) << machine << tip;
-        const json with = pose_of(asked);
-        asked.erase("tool_mm");
-        asked.erase("tip_mm");
-        asked["joints"] = with["joints"];
-        const json without = pose_of(asked);
+        const json tcp = scenes.back().header["scene"]["tips_mm"].back();
+        EXPECT_NEAR(tcp[2].get<double>(), -30, 1e-9) << machine << tcp;
+        const json with = request_pose(request_json);
+        request_json.erase("tool_mm");
+        request_json.erase("tip_mm");
+        request_json["joints"] = with["joints"];
+        const json without = request_pose(request_json);
         double off = 0;
         for (std::size_t i = 0; i < 3; ++i) {
             off += (with["tip_mm"][i].get<double>() - without["tip_mm"][i].get<double>()) *
@@ -114,24 +114,26 @@ TEST(PoseForm, TheLengthOfAToolIsThatOfItsCompensation) {
 }
 
 TEST(PoseForm, NamesWhatTouchesInTheCell) {
-    const json pose = pose_of({{"cell", "cell/table.toml"}, {"tip_mm", {100, 400, 10}}});
+    const json pose = request_pose({{"cell", "cell/table.toml"}, {"tip_mm", {100, 400, 10}}});
     ASSERT_EQ(pose["is"], "pose") << pose;
     const json pair = {"nozzle", "left clamp"};
     EXPECT_NE(std::find(pose["collisions"].begin(), pose["collisions"].end(), pair), pose["collisions"].end())
         << pose;
-    const json free = pose_of({{"cell", "cell/table.toml"}, {"tip_mm", {600, 400, 200}}});
+    const json free = request_pose({{"cell", "cell/table.toml"}, {"tip_mm", {600, 400, 200}}});
     EXPECT_EQ(free["collisions"], json::array());
 }
 
 TEST(PoseForm, WhatCannotBeFailsInASentence) {
-    const auto fault = [](const json& asked) { return failure_of(pose_request(asked), files_of_poses()); };
-    EXPECT_EQ(fault(json::object()), "a pose is told by 'joints' or by 'tip_mm', by one of them");
-    EXPECT_EQ(fault({{"joints", {1, "2"}}}), "'joints' should be numbers; one is of the kind string");
-    EXPECT_EQ(fault({{"joints", {1, 2}}}),
+    const auto error = [](const json& request_json) {
+        return make_error(pose_request(request_json), files_of_poses());
+    };
+    EXPECT_EQ(error(json::object()), "a pose is told by 'joints' or by 'tip_mm', by one of them");
+    EXPECT_EQ(error({{"joints", {1, "2"}}}), "'joints' should be numbers; one is of the kind string");
+    EXPECT_EQ(error({{"joints", {1, 2}}}),
               "'joints' should have 5 values, one for each axis of the machine, not 2");
-    EXPECT_EQ(fault({{"tip_mm", {1, 2}}}), "'tip_mm' should be three numbers, not 2");
-    EXPECT_EQ(fault({{"tip", {1, 2, 3}}}), "there is no key 'tip' of a pose");
-    EXPECT_THAT(fault({{"machine", "none.toml"}, {"joints", {1}}}), HasSubstr("none.toml"));
+    EXPECT_EQ(error({{"tip_mm", {1, 2}}}), "'tip_mm' should be three numbers, not 2");
+    EXPECT_EQ(error({{"tip", {1, 2, 3}}}), "there is no key 'tip' of a pose");
+    EXPECT_THAT(error({{"machine", "none.toml"}, {"joints", {1}}}), HasSubstr("none.toml"));
 }
 
 }  // namespace

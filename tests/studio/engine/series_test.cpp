@@ -12,11 +12,11 @@
 namespace gsim::studio {
 namespace {
 
-constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNoValue = std::numeric_limits<float>::quiet_NaN();
 
 Frame frame_of(const Series& series) {
     Message message("series");
-    series.put(message);
+    series.add_columns(message);
     return read_frame(message.bytes());
 }
 
@@ -24,7 +24,7 @@ TEST(Series, HasItsInstantsWhileTheyAreFew) {
     Series series(2, 8);
     EXPECT_TRUE(series.empty());
     series.add(0, std::array{1.0F, 2.0F});
-    series.add(0.5, std::array{3.0F, kNone});
+    series.add(0.5, std::array{3.0F, kNoValue});
     EXPECT_FALSE(series.empty());
     const Frame frame = frame_of(series);
     EXPECT_EQ(frame.header["step_s"], 0);
@@ -79,8 +79,8 @@ TEST(Series, StepsWithoutAnInstantHaveWhatIsBetweenTheirs) {
 TEST(Series, WhereThereIsNoValueThereIsNone) {
     Series series(1, 4);
     for (const double t_s : {0.0, 1.0, 2.0, 3.0}) series.add(t_s, std::array{5.0F});
-    series.add(4, std::array{kNone});
-    series.add(100, std::array{kNone});
+    series.add(4, std::array{kNoValue});
+    series.add(100, std::array{kNoValue});
     const Frame frame = frame_of(series);
     const auto high = frame.column<float>("high");
     EXPECT_EQ(high.front(), 5);

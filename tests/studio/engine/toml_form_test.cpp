@@ -16,7 +16,7 @@ shape = { box_mm = [100.0, 100.0, 10.0] }
 )";
 
 TEST(TomlForm, AChangeGivesTheWholeTextAndWhatItSays) {
-    const auto frames = answers(
+    const auto frames = request_frames(
         R"({"do": "toml", "file": "cell.toml", "changes": [
             {"op": "set", "at": ["cell", "clearance_mm"], "value": 2},
             {"op": "add", "at": ["object"], "value": {"name": "clamp", "shape": {"box_mm": [5, 5, 5]}}},
@@ -24,8 +24,8 @@ TEST(TomlForm, AChangeGivesTheWholeTextAndWhatItSays) {
             {"op": "remove", "at": ["object", 1, "shape"]}]})",
         {{"cell.toml", kCell}});
     ASSERT_EQ(last(frames).is(), "done") << last(frames).header;
-    const Frame answer = of_kind(frames, "toml").at(0);
-    EXPECT_EQ(answer.columns.at("text"), R"(# A cell.
+    const Frame response = filter_frames(frames, "toml").at(0);
+    EXPECT_EQ(response.columns.at("text"), R"(# A cell.
 [cell]
 name = "c"
 machine = "router.toml"  # beside it
@@ -38,22 +38,22 @@ shape = { box_mm = [5.0, 5.0, 5.0] }
 [[object]]
 name = "table"
 )");
-    EXPECT_EQ(answer.header["value"]["object"][1], nlohmann::json({{"name", "table"}}));
-    EXPECT_EQ(answer.header["value"]["cell"]["clearance_mm"], 2.0);
+    EXPECT_EQ(response.header["value"]["object"][1], nlohmann::json({{"name", "table"}}));
+    EXPECT_EQ(response.header["value"]["cell"]["clearance_mm"], 2.0);
 }
 
 TEST(TomlForm, WithoutChangesTheFileIsShownAsItIs) {
-    const auto frames = answers(R"({"do": "toml", "file": "cell.toml"})", {{"cell.toml", kCell}});
-    EXPECT_EQ(of_kind(frames, "toml").at(0).columns.at("text"), kCell);
-    EXPECT_EQ(of_kind(frames, "toml").at(0).header["value"]["cell"]["machine"], "router.toml");
+    const auto frames = request_frames(R"({"do": "toml", "file": "cell.toml"})", {{"cell.toml", kCell}});
+    EXPECT_EQ(filter_frames(frames, "toml").at(0).columns.at("text"), kCell);
+    EXPECT_EQ(filter_frames(frames, "toml").at(0).header["value"]["cell"]["machine"], "router.toml");
 }
 
 TEST(TomlForm, ANameThatNoFileHasIsANewFile) {
-    const auto frames = answers(R"({"do": "toml", "file": "new.toml", "changes": [
+    const auto frames = request_frames(R"({"do": "toml", "file": "new.toml", "changes": [
             {"op": "set", "at": ["machine", "name"], "value": "mine"},
             {"op": "add", "at": ["axis"], "value": {"max_mm": 600, "kind": "linear", "direction": "x", "mine": 1, "letter": "X",
                 "frame": {"yaw_deg": 90, "x_mm": 1}}}]})");
-    EXPECT_EQ(of_kind(frames, "toml").at(0).columns.at("text"),
+    EXPECT_EQ(filter_frames(frames, "toml").at(0).columns.at("text"),
               "[machine]\nname = \"mine\"\n\n[[axis]]\nletter = \"X\"\nkind = \"linear\"\nmax_mm = "
               "600.0\ndirection = \"x\"\n"
               "frame = { x_mm = 1.0, yaw_deg = 90.0 }\nmine = 1.0\n");
@@ -61,40 +61,41 @@ TEST(TomlForm, ANameThatNoFileHasIsANewFile) {
 
 TEST(TomlForm, AFileThatIsNoTomlIsToldWithItsPlace) {
     const auto frames =
-        answers(R"({"do": "toml", "file": "cell.toml"})", {{"cell.toml", "[cell]\nname = \n"}});
-    const auto told = of_kind(frames, "told");
-    ASSERT_EQ(told.size(), 1U);
-    EXPECT_EQ(told[0].header["severity"], "error");
-    EXPECT_EQ(told[0].header["file"], "cell.toml");
-    EXPECT_EQ(told[0].header["line"], 2);
-    EXPECT_EQ(told[0].header["column"], 8);
+        request_frames(R"({"do": "toml", "file": "cell.toml"})", {{"cell.toml", "[cell]\nname = \n"}});
+    const auto reported = filter_frames(frames, "told");
+    ASSERT_EQ(reported.size(), 1U);
+    EXPECT_EQ(reported[0].header["severity"], "error");
+    EXPECT_EQ(reported[0].header["file"], "cell.toml");
+    EXPECT_EQ(reported[0].header["line"], 2);
+    EXPECT_EQ(reported[0].header["column"], 8);
     EXPECT_EQ(last(frames).is(), "failed");
 }
 
 TEST(TomlForm, WhatCannotBeChangedFailsInASentence) {
-    const auto of_change = [](const std::string& change) {
-        return failure_of(R"({"do": "toml", "file": "cell.toml", "changes": [)" + change + "]}",
+    const auto change_error = [](const std::string& change) {
+        return make_error(R"({"do": "toml", "file": "cell.toml", "changes": [)" + change + "]}",
                           {{"cell.toml", kCell}});
     };
-    EXPECT_EQ(of_change(R"({"op": "remove", "at": ["object", 1]})"), "there is no 'object[1]' to remove");
-    EXPECT_EQ(of_change(R"({"op": "remove", "at": ["cell"]}, {"op": "move", "at": ["object", 0], "to": 1})"),
-              "change 2: 'object' has 1 elements, from 0 on; there is no place 1");
-    EXPECT_EQ(of_change("3"), "a change should be an object");
-    EXPECT_EQ(of_change(R"({"op": "paint"})"), "'op' should be one of set, add, remove, move");
-    EXPECT_EQ(of_change(R"({"op": "set", "at": "cell", "value": 1})"),
+    EXPECT_EQ(change_error(R"({"op": "remove", "at": ["object", 1]})"), "there is no 'object[1]' to remove");
+    EXPECT_EQ(
+        change_error(R"({"op": "remove", "at": ["cell"]}, {"op": "move", "at": ["object", 0], "to": 1})"),
+        "change 2: 'object' has 1 elements, from 0 on; there is no place 1");
+    EXPECT_EQ(change_error("3"), "a change should be an object");
+    EXPECT_EQ(change_error(R"({"op": "paint"})"), "'op' should be one of set, add, remove, move");
+    EXPECT_EQ(change_error(R"({"op": "set", "at": "cell", "value": 1})"),
               "'at' should be a list of keys and of numbers of elements, from 0 on");
-    EXPECT_EQ(of_change(R"({"op": "set", "at": ["cell", "name"]})"), "'set' lacks the key 'value'");
-    EXPECT_EQ(of_change(R"({"op": "remove", "at": ["cell"], "value": 1})"),
+    EXPECT_EQ(change_error(R"({"op": "set", "at": ["cell", "name"]})"), "'set' lacks the key 'value'");
+    EXPECT_EQ(change_error(R"({"op": "remove", "at": ["cell"], "value": 1})"),
               "there is no key 'value' of 'remove'");
-    EXPECT_EQ(of_change(R"({"op": "move", "at": ["object", 0], "to": -1})"),
+    EXPECT_EQ(change_error(R"({"op": "move", "at": ["object", 0], "to": -1})"),
               "'to' should be the number of a place, from 0 on");
-    EXPECT_EQ(failure_of(R"({"do": "toml"})"), "toml needs 'file'");
+    EXPECT_EQ(make_error(R"({"do": "toml"})"), "toml needs 'file'");
 }
 
 TEST(KeysForm, TellsWhatAFileMayHave) {
-    const auto frames = answers(R"({"do": "keys", "of": "machine"})");
+    const auto frames = request_frames(R"({"do": "keys", "of": "machine"})");
     ASSERT_EQ(last(frames).is(), "done") << last(frames).header;
-    const auto tables = of_kind(frames, "keys").at(0).header["tables"];
+    const auto tables = filter_frames(frames, "keys").at(0).header["tables"];
     const auto linear = std::find_if(tables.begin(), tables.end(), [](const auto& table) {
         return table["at"] == nlohmann::json({"axis"}) && table["where"]["kind"] == "linear";
     });
@@ -111,7 +112,7 @@ TEST(KeysForm, TellsWhatAFileMayHave) {
                                       {"most", 1e9},
                                       {"or", {"inf"}},
                                       {"default", "inf"}}));
-    EXPECT_EQ(failure_of(R"({"do": "keys", "of": "mesh"})"),
+    EXPECT_EQ(make_error(R"({"do": "keys", "of": "mesh"})"),
               "'of' should be one of machine, cell, controller, not 'mesh'");
 }
 

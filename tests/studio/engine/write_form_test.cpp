@@ -20,14 +20,14 @@ Files files_of_writing() {
             {"cell.toml", "[cell]\nname = \"c\"\nmachine = \"router.toml\"\n"}};
 }
 
-std::string write_request(json asked) {
-    asked["do"] = "write";
-    return asked.dump();
+std::string write_request(json request_json) {
+    request_json["do"] = "write";
+    return request_json.dump();
 }
 
-Frame written(const json& asked) {
-    const auto frames = answers(write_request(asked), files_of_writing());
-    const auto programs = of_kind(frames, "program");
+Frame written(const json& request_json) {
+    const auto frames = request_frames(write_request(request_json), files_of_writing());
+    const auto programs = filter_frames(frames, "program");
     return programs.empty() ? last(frames) : programs.front();
 }
 
@@ -36,9 +36,9 @@ TEST(WriteForm, APathBecomesAProgramThatRuns) {
     ASSERT_TRUE(program.columns.contains("text")) << program.header;
     EXPECT_EQ(program.header["files"], json::array());
     const auto frames =
-        answers(R"({"do": "run", "program": "wheel.nc"})", {{"wheel.nc", program.columns.at("text")}});
+        request_frames(R"({"do": "run", "program": "wheel.nc"})", {{"wheel.nc", program.columns.at("text")}});
     ASSERT_EQ(last(frames).is(), "done") << last(frames).header;
-    const json report = of_kind(frames, "report").at(0).header["report"];
+    const json report = filter_frames(frames, "report").at(0).header["report"];
     EXPECT_EQ(report["status"], "completed");
     EXPECT_GT(report["cycle_time_s"], 1);
 }
@@ -83,22 +83,24 @@ TEST(WriteForm, SubPathsMayHaveFilesOfTheirOwn) {
 }
 
 TEST(WriteForm, WhatCannotBeWrittenFailsInASentence) {
-    const auto fault = [](const json& asked) { return failure_of(write_request(asked), files_of_writing()); };
-    EXPECT_EQ(fault(json::object()), "write needs 'path'");
-    EXPECT_EQ(fault({{"path", "square.json"}, {"offsets", "all"}}),
+    const auto error = [](const json& request_json) {
+        return make_error(write_request(request_json), files_of_writing());
+    };
+    EXPECT_EQ(error(json::object()), "write needs 'path'");
+    EXPECT_EQ(error({{"path", "square.json"}, {"offsets", "all"}}),
               "'offsets' should be one of as_path, keep, none, machine, not 'all'");
-    EXPECT_EQ(fault({{"path", "square.json"}, {"decimals_mm", 7}}),
+    EXPECT_EQ(error({{"path", "square.json"}, {"decimals_mm", 7}}),
               "'decimals_mm' should be from 1 to 6, not 7");
-    EXPECT_EQ(fault({{"path", "square.json"}, {"decimal", 3}}), "there is no key 'decimal' of write");
-    EXPECT_THAT(fault({{"path", "square.json"}, {"post", "fidia"}}), HasSubstr("there is no post 'fidia'"));
-    EXPECT_THAT(fault({{"path", "none.json"}}), HasSubstr("none.json"));
-    EXPECT_THAT(fault({{"path", "square.json"}, {"machine", "none.toml"}}), HasSubstr("none.toml"));
+    EXPECT_EQ(error({{"path", "square.json"}, {"decimal", 3}}), "there is no key 'decimal' of write");
+    EXPECT_THAT(error({{"path", "square.json"}, {"post", "fidia"}}), HasSubstr("there is no post 'fidia'"));
+    EXPECT_THAT(error({{"path", "none.json"}}), HasSubstr("none.json"));
+    EXPECT_THAT(error({{"path", "square.json"}, {"machine", "none.toml"}}), HasSubstr("none.toml"));
 }
 
 TEST(WriteForm, PostsAreNamed) {
-    const json names = of_kind(answers(R"({"do": "posts"})"), "posts").at(0).header["names"];
+    const json names = filter_frames(request_frames(R"({"do": "posts"})"), "posts").at(0).header["names"];
     EXPECT_NE(std::find(names.begin(), names.end(), "grbl"), names.end());
-    EXPECT_EQ(failure_of(R"({"do": "posts", "path": "a"})"), "there is no key 'path' of posts");
+    EXPECT_EQ(make_error(R"({"do": "posts", "path": "a"})"), "there is no key 'path' of posts");
 }
 
 }  // namespace

@@ -16,9 +16,9 @@
 #include <unistd.h>
 
 #include "base/os/descriptor.h"
+#include "studio/server/buffered_body_stream.h"
 #include "studio/server/connections.h"
-#include "studio/server/gentle_close.h"
-#include "studio/server/whole_body_stream.h"
+#include "studio/server/lingering_close.h"
 #include "tests/studio/server/studio_server_fixture.h"
 #include "tests/support/soon.h"
 
@@ -54,7 +54,7 @@ class Client {
         return true;
     }
     /// Returns the next data; empty: the end, or no data for long.
-    std::string piece() const {
+    std::string chunk() const {
         std::string bytes(kPiece, '\0');
         bytes.resize(static_cast<std::size_t>(
             std::max<ssize_t>(::recv(socket_.number(), bytes.data(), bytes.size(), 0), 0)));
@@ -62,7 +62,7 @@ class Client {
     }
     std::string all() const {
         std::string all;
-        for (std::string next = piece(); !next.empty(); next = piece()) all += next;
+        for (std::string next = chunk(); !next.empty(); next = chunk()) all += next;
         return all;
     }
 
@@ -111,7 +111,7 @@ TEST_F(BodiesTest, OneThatIsAnnouncedAsTooLargeIsRefusedBeforeItComes) {
     const Client client(port_);
     EXPECT_TRUE(
         client.send(head("PUT", "file/new.nc", "If-None-Match: *\r\nContent-Length: 1073741824\r\n")));
-    EXPECT_THAT(client.piece(), StartsWith("HTTP/1.1 413")) << "no byte of it has been sent";
+    EXPECT_THAT(client.chunk(), StartsWith("HTTP/1.1 413")) << "no byte of it has been sent";
     for (int i = 0; i < 8; ++i)
         EXPECT_TRUE(client.send(std::string(kPiece, 'a'))) << "it was closed in between";
     EXPECT_FALSE(fs::exists(folder_ / "new.nc"));
@@ -121,20 +121,20 @@ TEST_F(BodiesTest, WhoAsksFirstIsToldToGoOnOrWhyNot) {
     const std::string headers = "If-None-Match: *\r\nExpect: 100-continue\r\nContent-Length: 3\r\n";
     const Client client(port_);
     EXPECT_TRUE(client.send(head("PUT", "file/new.nc", headers)));
-    EXPECT_EQ(client.piece(), "HTTP/1.1 100 Continue\r\n\r\n");
+    EXPECT_EQ(client.chunk(), "HTTP/1.1 100 Continue\r\n\r\n");
     EXPECT_TRUE(client.send("G0\n"));
     EXPECT_THAT(client.all(), StartsWith("HTTP/1.1 200"));
     EXPECT_EQ(content("new.nc"), "G0\n");
     const Client stranger(port_);
     EXPECT_TRUE(stranger.send(head("PUT", "file/other.nc", headers + "Origin: http://evil.example\r\n")));
-    EXPECT_THAT(stranger.piece(), StartsWith("HTTP/1.1 403"));
+    EXPECT_THAT(stranger.chunk(), StartsWith("HTTP/1.1 403"));
 }
 
 TEST_F(StudioServerTest, WhatNobodyWantsIsNotKept) {
     begin();
     MemoryStream stream(head("POST", "other", "Transfer-Encoding: chunked\r\n") + "100000\r\n" +
                         std::string(kPiece, 'a') + "\r\n0\r\n\r\n");
-    server_->answer(stream, [] {});
+    server_->handle_stream(stream, [] {});
     EXPECT_THAT(stream.answered(), StartsWith("HTTP/1.1 404"));
     EXPECT_TRUE(stream.is_readable());
 }
@@ -142,11 +142,11 @@ TEST_F(StudioServerTest, WhatNobodyWantsIsNotKept) {
 TEST(WholeBodyStreamTest, ReadsTheRestBeforeItAnswersAndWaitsForNoneThatHasEnded) {
     for (const bool is_whole : {true, false}) {
         MemoryStream stream(is_whole ? "0123456789next" : "0123");
-        WholeBodyStream whole(stream);
-        whole.expect_body(10);
+        BufferedBodyStream full(stream);
+        full.expect_body(10);
         std::array<char, 2> bytes{};
-        EXPECT_EQ(whole.read(bytes.data(), bytes.size()), 2);
-        whole.write("answer", 6);
+        EXPECT_EQ(full.read(bytes.data(), bytes.size()), 2);
+        full.write("answer", 6);
         EXPECT_EQ(stream.answered(), "answer");
         EXPECT_EQ(stream.is_readable(), is_whole) << "what follows the body stays";
     }
@@ -160,8 +160,8 @@ class EndsTest : public testing::Test {
         for (const int end : ends_) ::close(end);
     }
     bool is_ended() const {
-        pollfd asked{ends_[1], POLLRDHUP, 0};
-        return ::poll(&asked, 1, 0) > 0;
+        pollfd requested{ends_[1], POLLRDHUP, 0};
+        return ::poll(&requested, 1, 0) > 0;
     }
 
     std::array<int, 2> ends_{};
@@ -174,7 +174,7 @@ TEST_F(EndsTest, WhoGoesOnSendingIsNotListenedToForLong) {
         for (; sent < kAll && ::send(ends_[1], "a", 1, MSG_NOSIGNAL) == 1; ++sent)
             std::this_thread::sleep_for(milliseconds(20));
     });
-    end_gently(ends_[0], {.time = milliseconds(200), .pause = milliseconds(100)});
+    lingering_close(ends_[0], {.time = milliseconds(200), .pause = milliseconds(100)});
     EXPECT_LT(sent, kAll);
     EXPECT_TRUE(is_ended());
     ::shutdown(ends_[0], SHUT_RDWR);
@@ -184,7 +184,7 @@ TEST_F(EndsTest, WhoGoesOnSendingIsNotListenedToForLong) {
 TEST_F(EndsTest, NorForMoreThanSoManyBytes) {
     const std::string sent(100'000, 'a');
     ASSERT_EQ(::send(ends_[1], sent.data(), sent.size(), MSG_NOSIGNAL), 100'000);
-    end_gently(ends_[0], {.bytes = 1000, .time = milliseconds(20'000), .pause = milliseconds(10'000)});
+    lingering_close(ends_[0], {.bytes = 1000, .time = milliseconds(20'000), .pause = milliseconds(10'000)});
     int left = 0;
     ASSERT_EQ(::ioctl(ends_[0], FIONREAD, &left), 0);
     EXPECT_GT(left, 0);
@@ -192,15 +192,15 @@ TEST_F(EndsTest, NorForMoreThanSoManyBytes) {
 
 TEST_F(EndsTest, WhoHasItsAnswerMakesRoomForOthers) {
     Connections all(1);
-    all.came();
+    all.on_open();
     Connections::Entry entry(all, ends_[0]);
-    entry.admit();
+    entry.accept_request();
     std::thread coming([&] { all.make_room(); });
     std::this_thread::sleep_for(milliseconds(300));
     EXPECT_FALSE(is_ended()) << "it is being answered";
     entry.finish();
     EXPECT_TRUE(tests::soon([&] { return is_ended(); }));
-    all.gone();
+    all.on_close();
     coming.join();
 }
 

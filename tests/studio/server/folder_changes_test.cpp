@@ -25,24 +25,24 @@ using testing::Field;
 using testing::IsEmpty;
 
 /// Checks on each request.
-constexpr WalkBounds kAlways{.most_files = 3, .least_pause = milliseconds(0), .pause_of_walk = 0};
+constexpr ScanLimits kAlways{.max_files = 3, .min_pause = milliseconds(0), .pause_per_scan = 0};
 
 class FolderChangesTest : public testing::Test {
   protected:
     void SetUp() override {
         std::string name = (fs::temp_directory_path() / "changes-XXXXXX").string();
         folder_ = ::mkdtemp(name.data());
-        put("a.nc", "G0\n");
-        put("b.nc", "G0\n");
+        write_file("a.nc", "G0\n");
+        write_file("b.nc", "G0\n");
     }
     void TearDown() override { fs::remove_all(folder_); }
 
     /// Another content has another length here, as a clock may not have moved on.
-    void put(const std::string& name, const std::string& text) const {
+    void write_file(const std::string& name, const std::string& text) const {
         std::ofstream(folder_ / name) << text;
     }
-    FolderChanges changes(const WalkBounds& bounds = kAlways) const {
-        return FolderChanges(*os::BoundFolder::open(folder_), bounds);
+    FolderChanges changes(const ScanLimits& bounds = kAlways) const {
+        return FolderChanges(*os::RootedDirectory::open(folder_), bounds);
     }
 
     fs::path folder_;
@@ -60,23 +60,23 @@ testing::Matcher<FolderChange> is_gone(const std::string& name) {
 
 TEST_F(FolderChangesTest, TellsWhatHasChangedSinceAnAnswer) {
     FolderChanges changes = this->changes();
-    const ChangesAnswer first = changes.since(std::nullopt);
-    EXPECT_TRUE(first.again);
+    const FolderChangesResult first = changes.since(std::nullopt);
+    EXPECT_TRUE(first.is_incomplete);
     EXPECT_THAT(first.changes, IsEmpty());
     EXPECT_EQ(changes.since(first.at).at, first.at);
-    EXPECT_FALSE(changes.since(first.at).again);
-    put("b.nc", "G0 X1\n");
-    put("c.nc", "");
-    const ChangesAnswer second = changes.since(first.at);
-    EXPECT_FALSE(second.again);
+    EXPECT_FALSE(changes.since(first.at).is_incomplete);
+    write_file("b.nc", "G0 X1\n");
+    write_file("c.nc", "");
+    const FolderChangesResult second = changes.since(first.at);
+    EXPECT_FALSE(second.is_incomplete);
     EXPECT_THAT(second.changes, ElementsAre(is_there("b.nc"), is_there("c.nc")));
-    EXPECT_EQ(second.changes[0].tag, os::BoundFolder::open(folder_)->tag_of("b.nc"));
+    EXPECT_EQ(second.changes[0].tag, os::RootedDirectory::open(folder_)->content_tag("b.nc"));
     fs::remove(folder_ / "a.nc");
     EXPECT_THAT(changes.since(second.at).changes, ElementsAre(is_gone("a.nc")));
     EXPECT_THAT(changes.since(first.at).changes,
                 ElementsAre(is_gone("a.nc"), is_there("b.nc"), is_there("c.nc")))
         << "of another tab, which asks later";
-    put("a.nc", "G1\n");
+    write_file("a.nc", "G1\n");
     EXPECT_THAT(changes.since(first.at).changes,
                 ElementsAre(is_there("a.nc"), is_there("b.nc"), is_there("c.nc")));
 }
@@ -85,7 +85,7 @@ TEST_F(FolderChangesTest, AnAnswerThatIsUnknownIsAnsweredWithAll) {
     FolderChanges changes = this->changes();
     const std::uint64_t at = changes.since(std::nullopt).at;
     for (const std::uint64_t unknown : {at + 1, std::uint64_t{0}, ~std::uint64_t{0}})
-        EXPECT_TRUE(changes.since(unknown).again) << unknown;
+        EXPECT_TRUE(changes.since(unknown).is_incomplete) << unknown;
 }
 
 TEST_F(FolderChangesTest, FilesThatAreGoneAreNotKeptForEver) {
@@ -93,28 +93,28 @@ TEST_F(FolderChangesTest, FilesThatAreGoneAreNotKeptForEver) {
     const std::uint64_t first = changes.since(std::nullopt).at;
     std::uint64_t at = first;
     for (const char* name : {"1", "2", "3"}) {
-        put(name, "");
+        write_file(name, "");
         at = changes.since(at).at;
         fs::remove(folder_ / name);
         at = changes.since(at).at;
     }
     EXPECT_EQ(changes.since(first).changes.size(), 3U);
-    put("4", "");
+    write_file("4", "");
     at = changes.since(at).at;
     fs::remove(folder_ / "4");
-    EXPECT_TRUE(changes.since(first).again) << "four are more than three";
-    EXPECT_TRUE(changes.since(at).again) << "it has not heard of the last one";
+    EXPECT_TRUE(changes.since(first).is_incomplete) << "four are more than three";
+    EXPECT_TRUE(changes.since(at).is_incomplete) << "it has not heard of the last one";
     at = changes.since(std::nullopt).at;
-    EXPECT_FALSE(changes.since(at).again);
-    put("a.nc", "G1 X1\n");
+    EXPECT_FALSE(changes.since(at).is_incomplete);
+    write_file("a.nc", "G1 X1\n");
     EXPECT_THAT(changes.since(at).changes, ElementsAre(is_there("a.nc")));
 }
 
 TEST_F(FolderChangesTest, AFileBeyondThoseThatAreListedIsNotSaidToBeGone) {
-    put("c.nc", "");
+    write_file("c.nc", "");
     FolderChanges changes = this->changes();
     const std::uint64_t at = changes.since(std::nullopt).at;
-    put("a2.nc", "");
+    write_file("a2.nc", "");
     EXPECT_THAT(changes.since(at).changes, ElementsAre(is_there("a2.nc")));
     fs::remove(folder_ / "b.nc");
     EXPECT_THAT(changes.since(at).changes, ElementsAre(is_there("a2.nc"), is_gone("b.nc"), is_there("c.nc")));
@@ -122,18 +122,18 @@ TEST_F(FolderChangesTest, AFileBeyondThoseThatAreListedIsNotSaidToBeGone) {
 
 TEST_F(FolderChangesTest, TheFolderIsWalkedSeldomWhereAWalkTakesLong) {
     constexpr std::chrono::hours kLong{24};
-    constexpr milliseconds kNone{0};
+    constexpr milliseconds kNoPause{0};
     constexpr int kHuge = 1'000'000'000;
-    const auto is_walked_again = [&](const WalkBounds& bounds) {
+    const auto is_walked_again = [&](const ScanLimits& bounds) {
         FolderChanges changes = this->changes(bounds);
         const std::uint64_t at = changes.since(std::nullopt).at;
-        put("a.nc", content_ += "G0\n");
+        write_file("a.nc", content_ += "G0\n");
         return changes.since(at).at != at;
     };
-    EXPECT_FALSE(is_walked_again({.least_pause = kLong, .most_pause = kLong, .pause_of_walk = 0}));
-    EXPECT_FALSE(is_walked_again({.least_pause = kNone, .most_pause = kLong, .pause_of_walk = kHuge}));
-    EXPECT_TRUE(is_walked_again({.least_pause = kNone, .most_pause = kNone, .pause_of_walk = kHuge}));
-    EXPECT_TRUE(is_walked_again({.least_pause = kNone, .most_pause = kLong, .pause_of_walk = 0}));
+    EXPECT_FALSE(is_walked_again({.min_pause = kLong, .max_pause = kLong, .pause_per_scan = 0}));
+    EXPECT_FALSE(is_walked_again({.min_pause = kNoPause, .max_pause = kLong, .pause_per_scan = kHuge}));
+    EXPECT_TRUE(is_walked_again({.min_pause = kNoPause, .max_pause = kNoPause, .pause_per_scan = kHuge}));
+    EXPECT_TRUE(is_walked_again({.min_pause = kNoPause, .max_pause = kLong, .pause_per_scan = 0}));
 }
 
 }  // namespace

@@ -30,19 +30,19 @@ class StudioServerTest : public testing::Test {
     }
     void begin(const std::string& engine = "cat") {
         server_ = std::make_unique<StudioServer>(
-            ServedStudio{.folder = *os::BoundFolder::open(folder_),
-                         .page = "<p><!-- server --></p>",
-                         .told = {{"folder", "</script>"}},
-                         .engine = {"/bin/sh", "-c", engine},
-                         .log = [this](const std::string& line) { log_ += line + "\n"; }});
+            ServerContent{.folder = *os::RootedDirectory::open(folder_),
+                          .page = "<p><!-- server --></p>",
+                          .page_data = {{"folder", "</script>"}},
+                          .engine = {"/bin/sh", "-c", engine},
+                          .log = [this](const std::string& line) { log_ += line + "\n"; }});
         port_ = server_->bind(0);
         ASSERT_GT(port_, 0);
         const std::string address = server_->address();
         token_ = address.substr(address.size() - 33, 32);
     }
     /// Returns the response to the words of a request after the token.
-    std::string answer_to(const std::string& method, const std::string& path, const std::string& body = "",
-                          const std::string& headers = "") const {
+    std::string handle_request(const std::string& method, const std::string& path,
+                               const std::string& body = "", const std::string& headers = "") const {
         return raw(method + " /" + token_ + "/" + path +
                    " HTTP/1.1\r\nHost: 127.0.0.1:" + std::to_string(port_) + "\r\n" + headers +
                    (body.empty() ? "" : "Content-Length: " + std::to_string(body.size()) + "\r\n") + "\r\n" +
@@ -54,7 +54,7 @@ class StudioServerTest : public testing::Test {
     }
     std::string raw(const std::string& sent) const {
         MemoryStream stream(sent);
-        server_->answer(stream, [] {});
+        server_->handle_stream(stream, [] {});
         return stream.answered();
     }
     std::string content(const std::string& name) const {

@@ -20,7 +20,7 @@ using testing::StartsWith;
 
 TEST_F(StudioServerTest, ServesThePageWithWhatItIsTold) {
     begin();
-    const std::string page = answer_to("GET", "");
+    const std::string page = handle_request("GET", "");
     EXPECT_THAT(page, StartsWith("HTTP/1.1 200"));
     EXPECT_THAT(page, EndsWith(R"(<p>{"folder":"\u003c/script>"}</p>)"));
     EXPECT_THAT(page, HasSubstr("X-Frame-Options: DENY"));
@@ -29,21 +29,21 @@ TEST_F(StudioServerTest, ServesThePageWithWhatItIsTold) {
 
 TEST_F(StudioServerTest, FilesAreListedReadAndSaved) {
     begin();
-    EXPECT_THAT(answer_to("GET", "files"), HasSubstr(R"("name":"part.nc","bytes":6)"));
-    const std::string read = answer_to("GET", "file/part.nc");
+    EXPECT_THAT(handle_request("GET", "files"), HasSubstr(R"("name":"part.nc","bytes":6)"));
+    const std::string read = handle_request("GET", "file/part.nc");
     EXPECT_THAT(read, EndsWith("G1 X1\n"));
     const std::size_t at = read.find("ETag: ") + 6;
     const std::string match = "If-Match: " + read.substr(at, read.find('\r', at) - at) + "\r\n";
-    EXPECT_THAT(answer_to("PUT", "file/part.nc", "G1 X2\n", match), StartsWith("HTTP/1.1 200"));
+    EXPECT_THAT(handle_request("PUT", "file/part.nc", "G1 X2\n", match), StartsWith("HTTP/1.1 200"));
     EXPECT_EQ(content("part.nc"), "G1 X2\n");
-    const std::string late = answer_to("PUT", "file/part.nc", "G1 X3\n", match);
+    const std::string late = handle_request("PUT", "file/part.nc", "G1 X3\n", match);
     EXPECT_THAT(late, StartsWith("HTTP/1.1 412"));
     EXPECT_THAT(late, HasSubstr(R"("tag":")"));
     EXPECT_EQ(content("part.nc"), "G1 X2\n");
-    EXPECT_THAT(answer_to("PUT", "file/new%20one.nc", "G0\n", "If-None-Match: *\r\n"),
+    EXPECT_THAT(handle_request("PUT", "file/new%20one.nc", "G0\n", "If-None-Match: *\r\n"),
                 StartsWith("HTTP/1.1 200"));
     EXPECT_EQ(content("new one.nc"), "G0\n");
-    EXPECT_THAT(answer_to("PUT", "file/part.nc", "G1\n"), StartsWith("HTTP/1.1 428"));
+    EXPECT_THAT(handle_request("PUT", "file/part.nc", "G1\n"), StartsWith("HTTP/1.1 428"));
     EXPECT_EQ(content("part.nc"), "G1 X2\n");
 }
 
@@ -71,10 +71,10 @@ TEST_F(StudioServerTest, NothingOutsideTheFolderIsReadOrWritten) {
              "../" + up, "%2e%2e/" + up, "%2e%2e%2f" + up, "..%5c" + up, "/" + outside.string(),
              "%2f" + outside.string(), std::string("link.nc"), "a/../../" + up, "%252e%252e/" + up,
              "part.nc%00/../" + up, std::string(".hidden")}) {
-        EXPECT_THAT(answer_to("GET", "file/" + name), Not(HasSubstr("secret"))) << name;
-        EXPECT_THAT(answer_to("GET", "file/" + name), Not(StartsWith("HTTP/1.1 200"))) << name;
+        EXPECT_THAT(handle_request("GET", "file/" + name), Not(HasSubstr("secret"))) << name;
+        EXPECT_THAT(handle_request("GET", "file/" + name), Not(StartsWith("HTTP/1.1 200"))) << name;
         for (const char* version : {"If-None-Match: *\r\n", "If-Match: \"1-2-3\"\r\n"})
-            answer_to("PUT", "file/" + name, "written", version);
+            handle_request("PUT", "file/" + name, "written", version);
     }
     std::ifstream file(outside);
     EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "secret");
@@ -83,12 +83,12 @@ TEST_F(StudioServerTest, NothingOutsideTheFolderIsReadOrWritten) {
 
 TEST_F(StudioServerTest, WhatTheEngineSaysIsHandedOn) {
     begin("printf 'head '; cat");
-    EXPECT_THAT(answer_to("POST", "ask", R"({"request":1})"), HasSubstr(R"({"request":1})"));
+    EXPECT_THAT(handle_request("POST", "ask", R"({"request":1})"), HasSubstr(R"({"request":1})"));
 }
 
 TEST_F(StudioServerTest, AnEngineThatDiesIsSaid) {
     begin("kill -SEGV $$");
-    EXPECT_THAT(answer_to("POST", "ask", "{}"),
+    EXPECT_THAT(handle_request("POST", "ask", "{}"),
                 HasSubstr(R"("message":"the engine was ended by signal 11")"));
     EXPECT_THAT(log_, HasSubstr("signal 11"));
 }
@@ -96,13 +96,13 @@ TEST_F(StudioServerTest, AnEngineThatDiesIsSaid) {
 TEST_F(StudioServerTest, MessagesThatTheEngineKeepsAreReadByTheirNumbers) {
     // Two messages: eight bytes, and sixteen.
     begin(R"(printf '\010\000\000\000AAAA\020\000\000\000BBBBBBBBBBBB' >&3; echo "$0" "$1" said)");
-    EXPECT_THAT(answer_to("POST", "ask", "{}", "Run: 0123456789abcdef\r\nWhole: 7\r\n"),
+    EXPECT_THAT(handle_request("POST", "ask", "{}", "Run: 0123456789abcdef\r\nWhole: 7\r\n"),
                 HasSubstr("--keep-behind 7 said"));
-    EXPECT_THAT(answer_to("GET", "laws/0123456789abcdef/0"), EndsWith("AAAA"));
-    EXPECT_THAT(answer_to("GET", "laws/0123456789abcdef/1"), EndsWith("BBBBBBBBBBBB"));
-    EXPECT_THAT(answer_to("GET", "laws/0123456789abcdef/2"), StartsWith("HTTP/1.1 404"));
-    EXPECT_THAT(answer_to("GET", "laws/0000000000000000/0"), StartsWith("HTTP/1.1 404"));
-    EXPECT_THAT(answer_to("GET", "laws/0123456789abcdef/-1"), StartsWith("HTTP/1.1 404"));
+    EXPECT_THAT(handle_request("GET", "laws/0123456789abcdef/0"), EndsWith("AAAA"));
+    EXPECT_THAT(handle_request("GET", "laws/0123456789abcdef/1"), EndsWith("BBBBBBBBBBBB"));
+    EXPECT_THAT(handle_request("GET", "laws/0123456789abcdef/2"), StartsWith("HTTP/1.1 404"));
+    EXPECT_THAT(handle_request("GET", "laws/0000000000000000/0"), StartsWith("HTTP/1.1 404"));
+    EXPECT_THAT(handle_request("GET", "laws/0123456789abcdef/-1"), StartsWith("HTTP/1.1 404"));
 }
 
 TEST_F(StudioServerTest, OfARunThatIsCancelledNothingIsKept) {
@@ -139,7 +139,7 @@ TEST_F(StudioServerTest, WhatIsNoJsonDoesNotReachTheEngine) {
     begin("echo reached");
     for (const std::string& body : std::vector<std::string>{std::string("{"), std::string(200'000, '['),
                                                             std::string("\xff\xfe"), std::string("1 2")}) {
-        const std::string answered = answer_to("POST", "ask", body);
+        const std::string answered = handle_request("POST", "ask", body);
         EXPECT_THAT(answered, StartsWith("HTTP/1.1 400")) << body.substr(0, 10);
         EXPECT_THAT(answered, Not(HasSubstr("reached")));
     }
@@ -149,8 +149,9 @@ TEST_F(StudioServerTest, OthersAreRefusedAndLoggedWithoutTheToken) {
     begin();
     const std::string host = "127.0.0.1:" + std::to_string(port_);
     EXPECT_THAT(raw("GET / HTTP/1.1\r\nHost: " + host + "\r\n\r\n"), StartsWith("HTTP/1.1 403"));
-    EXPECT_THAT(answer_to("GET", "files", "", "Origin: http://evil.example\r\n"), StartsWith("HTTP/1.1 403"));
-    EXPECT_THAT(answer_to("DELETE", "file/part.nc"), StartsWith("HTTP/1.1 405"));
+    EXPECT_THAT(handle_request("GET", "files", "", "Origin: http://evil.example\r\n"),
+                StartsWith("HTTP/1.1 403"));
+    EXPECT_THAT(handle_request("DELETE", "file/part.nc"), StartsWith("HTTP/1.1 405"));
     EXPECT_EQ(content("part.nc"), "G1 X1\n");
     EXPECT_THAT(log_, HasSubstr("the origin 'http://evil.example' is another one"));
     EXPECT_THAT(log_, Not(HasSubstr(token_)));

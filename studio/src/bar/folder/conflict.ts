@@ -6,35 +6,35 @@ import type { Folder } from "../../core/folder";
 import { texts } from "../../texts";
 import { showDialog } from "../dialog";
 
-export type Decision = "mine" | "theirs" | "other" | "later";
+export type ConflictChoice = "mine" | "theirs" | "other" | "later";
 
 const words = texts.folder;
-const LONGEST = 120;
+const MAX_LINE_LENGTH = 120;
 
 const linesOf = (text: string): string[] => text.split(/\r?\n/);
 
 /** Returns the first difference between two texts. */
 function difference(mine: string, theirs: string): Node[] {
-  const [here, there] = [linesOf(mine), linesOf(theirs)];
-  const most = Math.max(here.length, there.length);
+  const [here, theirLines] = [linesOf(mine), linesOf(theirs)];
+  const most = Math.max(here.length, theirLines.length);
   let i = 0;
-  while (i < most && here[i] === there[i]) ++i;
+  while (i < most && here[i] === theirLines[i]) ++i;
   if (i === most) return [element("p", {}, words.noDifference)];
   const row = (label: string, line: string | undefined) =>
-    element("div", {}, element("dt", {}, label), element("dd", {}, line === undefined ? words.noLine : line.slice(0, LONGEST)));
+    element("div", {}, element("dt", {}, label), element("dd", {}, line === undefined ? words.noLine : line.slice(0, MAX_LINE_LENGTH)));
   return [
     element("p", {}, words.firstDifference(i + 1)),
-    element("dl", { class: "versions" }, row(words.here, here[i]), row(words.onDisk, there[i])),
+    element("dl", { class: "versions" }, row(words.here, here[i]), row(words.onDisk, theirLines[i])),
   ];
 }
 
-export async function decide(name: string, folder: Folder, documents: Documents): Promise<Decision> {
+export async function resolveConflict(name: string, folder: Folder, documents: Documents): Promise<ConflictChoice> {
   const theirs = await folder.theirs(name).catch(() => null);
   const mine = documents.get(name);
-  const shown = typeof mine === "string" && typeof theirs?.content === "string" ? difference(mine, theirs.content) : [];
-  return new Promise((answer) => {
-    let decision: Decision = "later";
-    const button = (what: Decision, text: string, title: string) =>
+  const displayed = typeof mine === "string" && typeof theirs?.content === "string" ? difference(mine, theirs.content) : [];
+  return new Promise((resolve) => {
+    let decision: ConflictChoice = "later";
+    const button = (what: ConflictChoice, text: string, title: string) =>
       element(
         "button",
         {
@@ -54,8 +54,8 @@ export async function decide(name: string, folder: Folder, documents: Documents)
       button("other", words.saveOther, words.saveOther),
       button("later", words.later, words.later),
     );
-    const dialog = showDialog(words.conflictTitle(name), [element("p", {}, words.conflictAbout), ...shown, buttons], () =>
-      answer(decision),
+    const dialog = showDialog(words.conflictTitle(name), [element("p", {}, words.conflictAbout), ...displayed, buttons], () =>
+      resolve(decision),
     );
   });
 }

@@ -3,12 +3,12 @@
 import { kindOfFile } from "../../core/kinds";
 import type { Session } from "../../core/session";
 import { texts } from "../../texts";
-import { askData, type Answered, type DataChange } from "./asked";
+import { requestData, type DataResult, type DataChange } from "./data_request";
 
 const words = texts.data;
 
 /** What new data are called. */
-const NEW = "shop";
+const DEFAULT_NAME = "shop";
 
 export class DataFile {
   // One change at a time: each is made on the text that the one before has left.
@@ -27,13 +27,13 @@ export class DataFile {
 
   get newName(): string {
     const taken = new Set(this.session.documents.names());
-    let name = `${NEW}.txt`;
-    for (let i = 2; taken.has(name); ++i) name = `${NEW}-${i}.txt`;
+    let name = `${DEFAULT_NAME}.txt`;
+    for (let i = 2; taken.has(name); ++i) name = `${DEFAULT_NAME}-${i}.txt`;
     return name;
   }
 
-  read(): Promise<Answered> {
-    return askData(this.session, this.name, []);
+  read(): Promise<DataResult> {
+    return requestData(this.session, this.name, []);
   }
 
   /**
@@ -49,18 +49,18 @@ export class DataFile {
   }
 
   /** Waits until all changes that were begun before have been made or refused. */
-  async settled(): Promise<void> {
+  async untilSettled(): Promise<void> {
     await this.last.catch(() => {});
   }
 
   /** Returns why a change is not possible, or an empty text; changes nothing. */
-  async refusalOf(change: DataChange, isNew = false): Promise<string> {
-    const answered = await this.after(change, isNew);
-    return answered.data ? "" : answered.refusal;
+  async findError(change: DataChange, isNew = false): Promise<string> {
+    const response = await this.after(change, isNew);
+    return response.data ? "" : response.refusal;
   }
 
   /** Uses a file from a disk for the run; returns an error message, or an empty text. */
-  take(name: string, bytes: Uint8Array): string {
+  accept(name: string, bytes: Uint8Array): string {
     const { documents, history } = this.session;
     if (kindOfFile(name, bytes) !== "machine_data") return words.notData(name);
     const read = { [name]: documents.read(name, bytes) };
@@ -73,22 +73,22 @@ export class DataFile {
     for (;;) {
       if (this.name !== name) return words.otherFile(name);
       const content = documents.get(name);
-      const answered = await this.after(change, isNew);
+      const response = await this.after(change, isNew);
       // If the text has changed meanwhile, the change is made again on the new text.
       if (this.name !== name || documents.get(name) !== content) continue;
-      if (!answered.data) return answered.refusal;
-      history.edit(label, { documents: { [name]: answered.data.text }, setup: { machine_data: name } });
+      if (!response.data) return response.refusal;
+      history.edit(label, { documents: { [name]: response.data.text }, setup: { machine_data: name } });
       return "";
     }
   }
 
   /** Returns the result of a change. `isNew`: the change adds an entry and must not alter existing ones. */
-  private async after(change: DataChange, isNew: boolean): Promise<Answered> {
-    const answered = await askData(this.session, this.name, [change]);
-    if (!isNew || !answered.data || change.op !== "set") return answered;
+  private async after(change: DataChange, isNew: boolean): Promise<DataResult> {
+    const response = await requestData(this.session, this.name, [change]);
+    if (!isNew || !response.data || change.op !== "set") return response;
     const before = await this.read();
-    const count = ({ data }: Answered) => data?.entries[change.section]?.length ?? 0;
-    if (count(answered) > count(before)) return answered;
-    return { told: answered.told, data: null, refusal: words.isThere(change.id) };
+    const count = ({ data }: DataResult) => data?.entries[change.section]?.length ?? 0;
+    if (count(response) > count(before)) return response;
+    return { told: response.told, data: null, refusal: words.isThere(change.id) };
   }
 }

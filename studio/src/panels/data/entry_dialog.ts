@@ -3,7 +3,7 @@
 
 import { element } from "../../core/dom";
 import { texts } from "../../texts";
-import { lengthUnit, type SetEntry, type Entry, type EntryUnit, type Section } from "./asked";
+import { lengthUnit, type SetEntry, type Entry, type EntryUnit, type Section } from "./data_request";
 import { ValueField } from "./entry_fields";
 
 const words = texts.data;
@@ -12,7 +12,7 @@ export interface EntryEvents {
   /** Makes the change; returns an error message, or an empty text. */
   make(change: SetEntry): Promise<string>;
   /** Returns why a change is not possible, or an empty text; changes nothing. */
-  refusalOf(change: SetEntry): Promise<string>;
+  findError(change: SetEntry): Promise<string>;
 }
 
 export class EntryDialog {
@@ -106,10 +106,10 @@ export class EntryDialog {
    * several together.
    */
   private async culprit(changed: ValueField[], refusal: string): Promise<ValueField | null> {
-    const isOf = async (values: Record<string, string>) => (await this.events.refusalOf(this.change(values))) === refusal;
-    const isOfAny = !this.entry && (await isOf({}));
-    for (const field of isOfAny ? [] : changed) if (await isOf({ [field.name]: field.changed! })) return field;
-    return this.fields.find((field) => field.isNamedIn(refusal)) ?? (isOfAny ? this.id : null);
+    const isErrorOf = async (values: Record<string, string>) => (await this.events.findError(this.change(values))) === refusal;
+    const isErrorOfAny = !this.entry && (await isErrorOf({}));
+    for (const field of isErrorOfAny ? [] : changed) if (await isErrorOf({ [field.name]: field.changed! })) return field;
+    return this.fields.find((field) => field.isNamedIn(refusal)) ?? (isErrorOfAny ? this.id : null);
   }
 
   /** Shows an error at a field, or below all fields. */

@@ -2,16 +2,16 @@
 // has changed are passed on.
 
 import { choice, element } from "../../core/dom";
-import { length, mmOf } from "../../core/units";
+import { length, toMm } from "../../core/units";
 import { texts } from "../../texts";
-import type { Entry, EntryUnit, Field } from "./asked";
+import type { Entry, EntryUnit, Field } from "./data_request";
 
 const words = texts.data;
 
 /** Converts a length from one unit to the other, with the digits that a file would have. */
 function converted(value: number, from: EntryUnit, to: EntryUnit): string {
   if (from === to) return String(value);
-  return String(Number((to === "inch" ? length(value, "inch") : mmOf(value, "inch")).toPrecision(15)));
+  return String(Number((to === "inch" ? length(value, "inch") : toMm(value, "inch")).toPrecision(15)));
 }
 
 /** Value of an entry that can be changed. */
@@ -21,7 +21,7 @@ export class ValueField {
   private readonly unit = element("span", { class: "unit" });
   private readonly fault = element("p", { class: "fault", role: "alert" });
   /** Value as in the file. */
-  private shown: string;
+  private displayed: string;
 
   constructor(
     private readonly field: Field,
@@ -33,7 +33,7 @@ export class ValueField {
     const options = choices?.map((each): [string, string] => [each, each || words.none]);
     this.input = options ? choice(name, options, "", () => {}) : element("input", { type: "text", autocomplete: "off" });
     this.input.id = id;
-    this.shown = this.input.value;
+    this.displayed = this.input.value;
     const hint = element("small", { id: `${id}-hint` }, field.meaning);
     this.input.setAttribute("aria-describedby", `${hint.id} ${this.fault.id}`);
     this.element = element(
@@ -59,19 +59,19 @@ export class ValueField {
   /** Returns the typed text; undefined if it is the value of the file. */
   get changed(): string | undefined {
     const text = this.input.value.trim();
-    return text === this.shown ? undefined : text;
+    return text === this.displayed ? undefined : text;
   }
 
   /** Shows the value in a unit. Typed text stays as it is, because it is meant in that unit. */
   show(unit: EntryUnit): void {
     const { field, entry } = this;
-    const isTyped = this.changed !== undefined;
+    const isChanged = this.changed !== undefined;
     const value = entry?.[field.name];
-    if (value === null) this.shown = "-";
-    else if (value === undefined) this.shown = field.choices?.[0] ?? "";
-    else if (typeof value === "number" && field.unit === "length") this.shown = converted(value, entry?.unit ?? unit, unit);
-    else this.shown = String(value);
-    if (!isTyped) this.input.value = this.shown;
+    if (value === null) this.displayed = "-";
+    else if (value === undefined) this.displayed = field.choices?.[0] ?? "";
+    else if (typeof value === "number" && field.unit === "length") this.displayed = converted(value, entry?.unit ?? unit, unit);
+    else this.displayed = String(value);
+    if (!isChanged) this.input.value = this.displayed;
     this.unit.textContent = field.unit === "length" ? words.units[unit] : field.unit === "angle" ? words.angle : "";
   }
 

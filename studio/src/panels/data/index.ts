@@ -2,13 +2,13 @@
 
 import "./data.css";
 import { choice, element, offer } from "../../core/dom";
-import { askForFiles } from "../../core/files";
+import { openFileDialog } from "../../core/files";
 import { namesOfKind, shortName } from "../../core/kinds";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
 import { texts } from "../../texts";
-import type { Form } from "../form";
-import { lengthUnit, type Answered, type Data, type DataChange, type Entry, type LengthUnit, type Section } from "./asked";
+import type { PanelForm } from "../form";
+import { lengthUnit, type DataResult, type Data, type DataChange, type Entry, type LengthUnit, type Section } from "./data_request";
 import { DataFile } from "./data_file";
 import { EntryDialog } from "./entry_dialog";
 import { createProblems } from "./problems";
@@ -22,7 +22,7 @@ const button = (text: string, title: string, act: () => void): HTMLButtonElement
 /** The control keeps the focus: so it is not disabled, but does nothing. */
 const allow = (control: HTMLElement, on: boolean): void => control.setAttribute("aria-disabled", String(!on));
 
-class DataForm implements Form {
+class DataForm implements PanelForm {
   private readonly file: DataFile;
   private readonly files = choice(words.file, [], "", (name) => this.chooseFile(name));
   private readonly sections = choice(words.section, [], "", () => this.showSection());
@@ -30,7 +30,7 @@ class DataForm implements Form {
     edit: () => this.edit(),
     reset: () => this.reset(),
     chosen: () => this.allowButtons(),
-    emptied: () => this.addButton.focus(),
+    onEmptied: () => this.addButton.focus(),
     unit: (entry) => this.toggleUnit(entry),
   });
   private readonly problems = createProblems();
@@ -45,7 +45,7 @@ class DataForm implements Form {
   private data: Data | null = null;
   /** File of the shown data. */
   private shownName = "";
-  private isShown = false;
+  private isVisible = false;
   private question = 0;
 
   constructor(
@@ -72,47 +72,47 @@ class DataForm implements Form {
       this.content,
       this.problems.element,
     );
-    session.on(() => this.renew());
+    session.on(() => this.refresh());
     session.documents.on((name) => this.documentChanged(name));
   }
 
-  shown(): void {
-    this.isShown = true;
-    this.renew();
+  displayed(): void {
+    this.isVisible = true;
+    this.refresh();
   }
 
   hidden(): void {
-    this.isShown = false;
+    this.isVisible = false;
   }
 
   private documentChanged(name: string): void {
     const { machine, cell } = this.session.setup;
     const { documents } = this.session;
-    const isData = documents.get(name) === undefined || documents.kindOf(name) === "machine_data";
-    if (isData || [this.file.name, machine, cell].includes(name)) this.renew();
+    const isDataFile = documents.get(name) === undefined || documents.kindOf(name) === "machine_data";
+    if (isDataFile || [this.file.name, machine, cell].includes(name)) this.refresh();
   }
 
-  private renew(): void {
-    if (this.isShown) void this.ask();
+  private refresh(): void {
+    if (this.isVisible) void this.ask();
   }
 
   private async ask(): Promise<void> {
     const question = ++this.question;
     const { name } = this.file;
-    const answered = await this.file.read();
+    const response = await this.file.read();
     // A later request has the later data.
     if (question !== this.question) return;
     this.shownName = name;
-    this.show(answered);
+    this.show(response);
   }
 
-  private show(answered: Answered): void {
+  private show(response: DataResult): void {
     this.showFiles();
-    this.data = answered.data;
-    this.content.hidden = !answered.data;
-    this.problems.show(answered.told, this.faultOf(answered));
-    if (!answered.data) return;
-    const options = answered.data.sections.map(({ name, title }): [string, string] => [name, title]);
+    this.data = response.data;
+    this.content.hidden = !response.data;
+    this.problems.show(response.told, this.faultOf(response));
+    if (!response.data) return;
+    const options = response.data.sections.map(({ name, title }): [string, string] => [name, title]);
     offer(this.sections, options, this.sections.value || options[0][0]);
     this.showSection();
   }
@@ -121,9 +121,9 @@ class DataForm implements Form {
    * Returns the error to show. Errors in lines of the file are listed separately; others come from the
    * machine or the cell.
    */
-  private faultOf(answered: Answered): string {
-    if (answered.data) return "";
-    return answered.told.length > 0 ? words.unreadable(this.file.name) : answered.refusal;
+  private faultOf(response: DataResult): string {
+    if (response.data) return "";
+    return response.told.length > 0 ? words.unreadable(this.file.name) : response.refusal;
   }
 
   private showFiles(): void {
@@ -168,9 +168,9 @@ class DataForm implements Form {
   }
 
   private open(): void {
-    askForFiles(false, ([file]) => {
+    openFileDialog(false, ([file]) => {
       void file.arrayBuffer().then((bytes) => {
-        const refusal = this.file.take(file.name, new Uint8Array(bytes));
+        const refusal = this.file.accept(file.name, new Uint8Array(bytes));
         this.store.set("notice", refusal);
       });
     });
@@ -178,7 +178,7 @@ class DataForm implements Form {
 
   private async save(): Promise<void> {
     const { name } = this.file;
-    await this.file.settled();
+    await this.file.untilSettled();
     if (this.session.documents.get(name) !== undefined) await this.session.save(name);
   }
 
@@ -188,7 +188,7 @@ class DataForm implements Form {
     if (!section || !entry) return;
     const dialog = new EntryDialog(section, entry, "metric", {
       make: (change) => this.file.change(words.steps.set(section.name, entry.id), change),
-      refusalOf: (change) => this.file.refusalOf(change),
+      findError: (change) => this.file.findError(change),
     });
     dialog.open();
   }
@@ -202,7 +202,7 @@ class DataForm implements Form {
         if (!refusal) this.table.choose(change.id);
         return refusal;
       },
-      refusalOf: (change) => this.file.refusalOf(change, true),
+      findError: (change) => this.file.findError(change, true),
     });
     dialog.open();
   }
@@ -233,4 +233,4 @@ class DataForm implements Form {
   }
 }
 
-export const createData = (store: Store, session: Session): Form => new DataForm(store, session);
+export const createData = (store: Store, session: Session): PanelForm => new DataForm(store, session);

@@ -1,13 +1,13 @@
 // Warnings about machine data, and errors of their file.
 
 import { element } from "../../core/dom";
-import type { Told } from "../../run/run";
+import type { EngineDiagnostic } from "../../run/run";
 import { texts } from "../../texts";
 
 export interface Problems {
   element: HTMLElement;
   /** `fault`: why the data are missing; empty: they exist. */
-  show(told: Told[], fault: string): void;
+  show(told: EngineDiagnostic[], fault: string): void;
 }
 
 export function createProblems(): Problems {
@@ -24,7 +24,7 @@ export function createProblems(): Problems {
   };
 }
 
-function problem({ severity, line, text, hint }: Told): HTMLElement {
+function problem({ severity, line, text, hint }: EngineDiagnostic): HTMLElement {
   const place = line > 0 ? [element("span", { class: "mark-place" }, texts.run.line(line))] : [];
   const said = element("span", { class: "mark-text" }, text);
   return element("li", { class: `mark ${severity}`, title: hint || false }, ...place, said);

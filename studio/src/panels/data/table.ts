@@ -3,7 +3,7 @@
 import { arrange, element } from "../../core/dom";
 import { texts } from "../../texts";
 import { makeRows } from "../results/rows";
-import { lengthUnit, type Entry, type Field, type Section, type Value } from "./asked";
+import { lengthUnit, type Entry, type Field, type Section, type Value } from "./data_request";
 
 const words = texts.data;
 
@@ -13,7 +13,7 @@ export interface TableEvents {
   /** Another row is chosen. */
   chosen(): void;
   /** Called when the row with the focus was removed and no other row is left. */
-  emptied(): void;
+  onEmptied(): void;
   /** Called to switch the lengths of an entry to the other unit. */
   unit(entry: Entry): void;
 }
@@ -24,10 +24,10 @@ interface Row {
   entry: Entry;
 }
 
-const textOf = (value: Value): string => (value === null ? words.noWall : String(value ?? ""));
+const valueText = (value: Value): string => (value === null ? words.noWall : String(value ?? ""));
 
 /** Returns the required fields, and those that have a value. */
-const fieldsShown = ({ fields }: Section, entries: Entry[]): Field[] =>
+const visibleFields = ({ fields }: Section, entries: Entry[]): Field[] =>
   fields.filter(({ name, required }) => required || entries.some((entry) => entry[name] !== undefined));
 
 const heading = ({ name, unit }: Field): string => (unit === "angle" ? `${name}, ${words.angle}` : name);
@@ -70,34 +70,34 @@ export class EntryTable {
   show(section: Section, entries: Entry[]): void {
     if (section.name !== this.section) this.rows = new Map();
     this.section = section.name;
-    const fields = fieldsShown(section, entries);
+    const fields = visibleFields(section, entries);
     this.caption.textContent = words.table(section.title);
     this.note.textContent = section.has_unit ? words.empty : words.notThere;
     this.note.hidden = entries.length > 0;
     this.table.hidden = entries.length === 0;
-    const heads = [words.id, ...fields.map(heading), ...(section.has_unit ? [words.unit] : [])];
+    const headings = [words.id, ...fields.map(heading), ...(section.has_unit ? [words.unit] : [])];
     const hints = ["", ...fields.map(({ meaning }) => meaning), ""];
-    this.head.replaceChildren(...heads.map((text, i) => element("th", { scope: "col", title: hints[i] || false }, text)));
+    this.head.replaceChildren(...headings.map((text, i) => element("th", { scope: "col", title: hints[i] || false }, text)));
 
     const ids = [...this.rows.keys()];
-    const focused = ids.findIndex((id) => this.rows.get(id)!.element.contains(document.activeElement));
-    const chosenAt = ids.indexOf(this.chosenId);
+    const focusedRow = ids.findIndex((id) => this.rows.get(id)!.element.contains(document.activeElement));
+    const selectedRow = ids.indexOf(this.chosenId);
     const before = this.rows;
-    this.rows = new Map(entries.map((entry) => [entry.id, before.get(entry.id) ?? this.rowOf(entry)]));
+    this.rows = new Map(entries.map((entry) => [entry.id, before.get(entry.id) ?? this.createRow(entry)]));
     for (const entry of entries) this.fill(this.rows.get(entry.id)!, entry, fields);
     arrange(this.body, [...this.rows.values()].map((row) => row.element));
     // If the chosen row has been removed, the next one is chosen. It gets the focus if the old one had it.
     const all = [...this.rows.keys()];
-    const isGone = !this.rows.has(this.chosenId);
-    if (isGone) this.chosenId = all[Math.min(Math.max(chosenAt, 0), all.length - 1)] ?? "";
+    const isRemoved = !this.rows.has(this.chosenId);
+    if (isRemoved) this.chosenId = all[Math.min(Math.max(selectedRow, 0), all.length - 1)] ?? "";
     this.mark();
     this.events.chosen();
-    if (!isGone || focused < 0) return;
+    if (!isRemoved || focusedRow < 0) return;
     if (this.chosenId) this.rows.get(this.chosenId)!.element.focus();
-    else this.events.emptied();
+    else this.events.onEmptied();
   }
 
-  private rowOf(entry: Entry): Row {
+  private createRow(entry: Entry): Row {
     const row: Row = {
       element: element("tr", { tabindex: -1 }),
       // The table is one stop of the Tab key; by keyboard the unit is set in the form of the entry.
@@ -111,7 +111,7 @@ export class EntryTable {
     row.entry = entry;
     const cells: HTMLElement[] = [
       element("th", { scope: "row" }, entry.id),
-      ...fields.map(({ name }) => element("td", {}, textOf(entry[name]))),
+      ...fields.map(({ name }) => element("td", {}, valueText(entry[name]))),
     ];
     if (entry.unit) {
       row.unit.textContent = words.units[entry.unit];

@@ -10,9 +10,9 @@ import { tableAt, tablesAt, textAt, type TomlTable } from "./file/toml";
 import type { Context, Section } from "./form/context";
 import { Field } from "./form/field";
 import { Rows } from "./form/rows";
-import type { Chosen } from "./items/chosen";
+import type { ItemSelection } from "./items/item_selection";
 import { createDistance } from "./items/distance";
-import { createItems } from "./items/list";
+import { createItemList } from "./items/list";
 import { createPairs } from "./items/pairs";
 import { isMesh } from "./items/shape";
 import type { FileForm } from "./machine";
@@ -20,18 +20,18 @@ import type { FileForm } from "./machine";
 const words = texts.machine.cell;
 
 /** Creates the section for the table [cell]: its name, and the files that belong to it. */
-function createHead(context: Context): Section {
+function createCellSection(context: Context): Section {
   const { edits, model, session, store } = context;
   const home = () => ({ part: "cell" as const, at: ["cell"], owner: words.title });
   const rows = new Rows(
     context,
     {
-      name: { label: words.name, kind: "text", isNeeded: true },
+      name: { label: words.name, kind: "text", isRequired: true },
       clearance_mm: { label: words.clearance, kind: "number", unit: "mm", least: 0, meaning: words.clearanceHint, showsMeaning: true },
     },
     home,
   );
-  const fileOf = (key: "machine" | "machine_data", label: string) => {
+  const fileField = (key: "machine" | "machine_data", label: string) => {
     const put = (name: string | undefined) => {
       const at = ["cell", key];
       const change = name ? ({ op: "set", at, value: referenceTo(model.file("cell"), name) } as const) : ({ op: "remove", at } as const);
@@ -39,7 +39,7 @@ function createHead(context: Context): Section {
     };
     return new Field(store, { label, kind: "choice", meaning: words.fileHint[key] }, (value) => put(value as string | undefined));
   };
-  const files = { machine: fileOf("machine", words.machine), machine_data: fileOf("machine_data", words.machineData) };
+  const files = { machine: fileField("machine", words.machine), machine_data: fileField("machine_data", words.machineData) };
   const draw = () => {
     const head = tableAt(model.value("cell"), ["cell"]);
     rows.show(head, { clearance_mm: 0 });
@@ -53,7 +53,7 @@ function createHead(context: Context): Section {
 }
 
 /** Returns the names of the meshes that the cell has. */
-const meshesOf = (cell: TomlTable, file: string): string[] =>
+const meshNames = (cell: TomlTable, file: string): string[] =>
   ["object", "shape"].flatMap((kind) => tablesAt(cell, [kind]).map((table) => textAt(table, ["shape", "mesh"]))).filter((name) => name !== "").map((name) => resolved(file, name));
 
 /** Creates the section of dropped meshes that are not used yet: a click makes one an object. */
@@ -61,7 +61,7 @@ function createMeshes(context: Context, add: (name: string, file: string) => voi
   const { model, session } = context;
   const host = element("div", { class: "meshes" });
   const buttons = new Map<string, HTMLElement>();
-  const buttonOf = (file: string) => {
+  const meshButton = (file: string) => {
     const known = buttons.get(file) ?? element("button", { type: "button", onclick: () => add(baseName(file).replace(/\.\w+$/, ""), file) }, words.addMesh(baseName(file)));
     buttons.set(file, known);
     return known;
@@ -69,8 +69,8 @@ function createMeshes(context: Context, add: (name: string, file: string) => voi
   return {
     element: host,
     draw() {
-      const used = meshesOf(model.value("cell"), model.file("cell"));
-      arrange(host, session.documents.ownNames().filter((name) => isMesh(name) && !used.includes(name)).map(buttonOf));
+      const used = meshNames(model.value("cell"), model.file("cell"));
+      arrange(host, session.documents.ownNames().filter((name) => isMesh(name) && !used.includes(name)).map(meshButton));
     },
   };
 }
@@ -90,18 +90,18 @@ function newCell(context: Context): void {
   void edits.choose("cell", words.made, name, text);
 }
 
-export function createCell(context: Context, chosen: Chosen): FileForm {
+export function createCell(context: Context, chosen: ItemSelection): FileForm {
   const { model } = context;
   const row = new FileRow(context, "cell");
-  const objects = createItems(context, "cell", "object", chosen);
+  const objects = createItemList(context, "cell", "object", chosen);
   const meshes = createMeshes(context, (name, file) => {
     void objects.add({ label: "", name, table: { shape: { mesh: referenceTo(model.file("cell"), file) } } });
   });
   const sections = [
     section(words.objects, true, objects, meshes),
-    section(words.head, false, createHead(context)),
-    section(words.frames, false, createItems(context, "cell", "frame", chosen)),
-    section(words.parts, false, createItems(context, "cell", "shape", chosen)),
+    section(words.head, false, createCellSection(context)),
+    section(words.frames, false, createItemList(context, "cell", "frame", chosen)),
+    section(words.parts, false, createItemList(context, "cell", "shape", chosen)),
     section(texts.machine.pairs.title, false, createPairs(context, "cell")),
     section(words.distance, false, createDistance(context)),
   ];

@@ -2,12 +2,12 @@
 
 import { element } from "../../core/dom";
 import { shortName } from "../../core/kinds";
-import { isFile } from "../../core/references";
-import type { Told } from "../../run/run";
+import { isTomlFile } from "../../core/references";
+import type { EngineDiagnostic } from "../../run/run";
 import { texts } from "../../texts";
-import type { Part } from "./file/model";
+import type { FileRole } from "./file/model";
 import type { Context } from "./form/context";
-import { Faults } from "./sections/faults";
+import { ErrorList } from "./sections/error_list";
 
 const words = texts.machine;
 
@@ -15,23 +15,23 @@ export class FileRow {
   readonly element: HTMLElement;
   private readonly name = element("b", {});
   private readonly about = element("span", { class: "note" });
-  private readonly faults: Faults;
-  private told: Told[] = [];
+  private readonly faults: ErrorList;
+  private told: EngineDiagnostic[] = [];
 
   constructor(
     private readonly context: Context,
-    private readonly part: Part,
+    private readonly part: FileRole,
     ...more: HTMLElement[]
   ) {
     const { edits, session, store } = context;
-    this.faults = new Faults((file, line) => store.set("textAsked", { file, line }));
-    const asText = async () => store.set("textAsked", { file: await edits.own(part), line: 1 });
+    this.faults = new ErrorList((file, line) => store.set("textAsked", { file, line }));
+    const showText = async () => store.set("textAsked", { file: await edits.own(part), line: 1 });
     const save = async () => {
-      await session.save(await edits.settled(part));
+      await session.save(await edits.untilSettled(part));
       this.draw();
     };
     const buttons = [
-      element("button", { type: "button", title: words.asTextHint, onclick: () => void asText() }, words.asText),
+      element("button", { type: "button", title: words.asTextHint, onclick: () => void showText() }, words.showText),
       element("button", { type: "button", title: words.saveHint, onclick: () => void save() }, words.save),
       ...more,
     ];
@@ -40,7 +40,7 @@ export class FileRow {
   }
 
   /** Shows the results of the check for all files. */
-  tell(faults: Told[]): void {
+  tell(faults: EngineDiagnostic[]): void {
     this.told = faults;
     this.draw();
   }
@@ -52,8 +52,8 @@ export class FileRow {
     const isOwn = session.documents.isOwn(file);
     this.name.textContent = shortName(file);
     this.name.title = file;
-    const ofOwn = session.documents.isUnsaved(file) ? words.unsaved : "";
-    this.about.textContent = !isFile(file) ? words.settings : isOwn ? ofOwn : words.sample;
+    const unsavedNote = session.documents.isUnsaved(file) ? words.unsaved : "";
+    this.about.textContent = !isTomlFile(file) ? words.settings : isOwn ? unsavedNote : words.sample;
     const own = loaded?.fault ? [loaded.fault] : [];
     const others = this.told.filter(({ text }) => !own.some((fault) => fault.text === text));
     this.faults.show([...own, ...others]);

@@ -5,7 +5,7 @@ import { texts } from "../../texts";
 import { row } from "./fields";
 
 const words = texts.paths.form;
-const usual = ["waterjet_on", "waterjet_off", "abrasive_on", "abrasive_off"];
+const commonActions = ["waterjet_on", "waterjet_off", "abrasive_on", "abrasive_off"];
 /** Each list of suggestions has its own id. */
 let lists = 0;
 
@@ -28,9 +28,9 @@ export class ActionList {
   });
 
   constructor(private readonly change: (actions: string[]) => void) {
-    const offered = element("datalist", { id: this.listId }, ...usual.map((value) => element("option", { value })));
+    const listedOptions = element("datalist", { id: this.listId }, ...commonActions.map((value) => element("option", { value })));
     const button = element("button", { type: "button", title: words.addAction, "aria-label": words.addAction, onclick: () => this.add() }, "+");
-    this.element = row(words.actions, this.list, this.input, button, offered);
+    this.element = row(words.actions, this.list, this.input, button, listedOptions);
   }
 
   private add(): void {

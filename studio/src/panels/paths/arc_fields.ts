@@ -3,8 +3,8 @@
 import { element } from "../../core/dom";
 import type { Units } from "../../core/store";
 import type { PointChange } from "../../run/path/path_edit";
-import { motionOf, type Point } from "../../run/path/path_file";
-import { arcSaidOtherwise } from "../../run/path/path_motion";
+import { pointMotion, type Point } from "../../run/path/path_file";
+import { convertArc } from "../../run/path/path_motion";
 import type { Vector } from "../../run/path/vector";
 import { texts } from "../../texts";
 import { ChoiceRow, NumberRow, NumbersRow } from "./fields";
@@ -45,7 +45,7 @@ export class ArcFields {
   show(point: Point, from_mm: Vector | null, units: Units): void {
     this.point = point;
     this.from_mm = from_mm;
-    this.element.hidden = motionOf(point) !== "circular";
+    this.element.hidden = pointMotion(point) !== "circular";
     const byVia = point.via_mm !== undefined;
     this.kind.show(byVia ? "via" : "center");
     this.via.element.hidden = !byVia;
@@ -58,7 +58,7 @@ export class ArcFields {
 
   private say(kind: Kind): void {
     if (!this.point) return;
-    const said = arcSaidOtherwise(this.point, this.from_mm, kind);
+    const said = convertArc(this.point, this.from_mm, kind);
     if (said) this.change(said);
     else this.kind.show(this.point.via_mm ? "via" : "center");
   }

@@ -6,7 +6,7 @@ import type { Vector } from "../../run/path/vector";
 export interface Camera {
   /** Angle about Z, and up from the horizontal. */
   yaw_rad: number;
-  rise_rad: number;
+  elevation_rad: number;
   /** 1: all lines just fit as first shown. */
   zoom: number;
   /** Point at the centre of the picture, to the right and up from the middle of the lines. */
@@ -25,44 +25,44 @@ export interface Extent {
   height_mm: number;
 }
 
-const ASKEW_rad = -0.5;
-const RISE_rad = 0.4;
-const STEEP_rad = 1.1;
-const YAWS: Record<string, number> = { x: 0, y: Math.PI / 2, "-x": Math.PI, "-y": -Math.PI / 2 };
+const DEFAULT_YAW_OFFSET_rad = -0.5;
+const DEFAULT_ELEVATION_rad = 0.4;
+const STEEP_ELEVATION_rad = 1.1;
+const SIDE_YAWS_rad: Record<string, number> = { x: 0, y: Math.PI / 2, "-x": Math.PI, "-y": -Math.PI / 2 };
 const MARGIN = 0.88;
 
 /** Returns a slightly oblique view of the faces that look to this side. */
-export function firstCamera(side: string): Camera {
-  const rise_rad = side === "z" ? STEEP_rad : side === "-z" ? -STEEP_rad : RISE_rad;
-  return { yaw_rad: (YAWS[side] ?? -Math.PI / 2) + ASKEW_rad, rise_rad, zoom: 1, aside_mm: [0, 0] };
+export function initialCamera(side: string): Camera {
+  const elevation_rad = side === "z" ? STEEP_ELEVATION_rad : side === "-z" ? -STEEP_ELEVATION_rad : DEFAULT_ELEVATION_rad;
+  return { yaw_rad: (SIDE_YAWS_rad[side] ?? -Math.PI / 2) + DEFAULT_YAW_OFFSET_rad, elevation_rad, zoom: 1, aside_mm: [0, 0] };
 }
 
 /** Returns the camera after a drag across the picture. */
 export function turned(camera: Camera, right_px: number, down_px: number): Camera {
-  const PER_PX_rad = 0.01;
-  const rise_rad = camera.rise_rad + down_px * PER_PX_rad;
+  const RAD_PER_PX = 0.01;
+  const elevation_rad = camera.elevation_rad + down_px * RAD_PER_PX;
   const most = Math.PI / 2;
-  return { ...camera, yaw_rad: camera.yaw_rad - right_px * PER_PX_rad, rise_rad: Math.min(most, Math.max(-most, rise_rad)) };
+  return { ...camera, yaw_rad: camera.yaw_rad - right_px * RAD_PER_PX, elevation_rad: Math.min(most, Math.max(-most, elevation_rad)) };
 }
 
-function directions({ yaw_rad, rise_rad }: Camera): [right: Vector, up: Vector] {
-  const [sin, cos, sinRise] = [Math.sin(yaw_rad), Math.cos(yaw_rad), Math.sin(rise_rad)];
+function directions({ yaw_rad, elevation_rad }: Camera): [right: Vector, up: Vector] {
+  const [sin, cos, sinElevation] = [Math.sin(yaw_rad), Math.cos(yaw_rad), Math.sin(elevation_rad)];
   return [
     [-sin, cos, 0],
-    [-sinRise * cos, -sinRise * sin, Math.cos(rise_rad)],
+    [-sinElevation * cos, -sinElevation * sin, Math.cos(elevation_rad)],
   ];
 }
 
 /** Calls `take` with each position as seen: to the right and up from the middle. */
-function seen(line_mm: Float64Array, middle: Vector, camera: Camera, take: (right: number, up: number) => void): void {
+function project(polyline_mm: Float64Array, middle: Vector, camera: Camera, visit: (right: number, up: number) => void): void {
   const [right, up] = directions(camera);
-  for (let i = 0; i < line_mm.length; i += 3) {
-    const [x, y, z] = [line_mm[i] - middle[0], line_mm[i + 1] - middle[1], line_mm[i + 2] - middle[2]];
-    take(x * right[0] + y * right[1] + z * right[2], x * up[0] + y * up[1] + z * up[2]);
+  for (let i = 0; i < polyline_mm.length; i += 3) {
+    const [x, y, z] = [polyline_mm[i] - middle[0], polyline_mm[i + 1] - middle[1], polyline_mm[i + 2] - middle[2]];
+    visit(x * right[0] + y * right[1] + z * right[2], x * up[0] + y * up[1] + z * up[2]);
   }
 }
 
-export function extentOf(lines_mm: readonly Float64Array[], camera: Camera): Extent {
+export function lineExtent(lines_mm: readonly Float64Array[], camera: Camera): Extent {
   const low = [Infinity, Infinity, Infinity];
   const high = [-Infinity, -Infinity, -Infinity];
   for (const line of lines_mm) {
@@ -74,7 +74,7 @@ export function extentOf(lines_mm: readonly Float64Array[], camera: Camera): Ext
   const middle = low.map((value, i) => (value + high[i]) / 2) as unknown as Vector;
   let [width_mm, height_mm] = [0, 0];
   for (const line of lines_mm) {
-    seen(line, middle, camera, (right, up) => {
+    project(line, middle, camera, (right, up) => {
       width_mm = Math.max(width_mm, 2 * Math.abs(right));
       height_mm = Math.max(height_mm, 2 * Math.abs(up));
     });
@@ -83,28 +83,28 @@ export function extentOf(lines_mm: readonly Float64Array[], camera: Camera): Ext
 }
 
 /** Pixels of a mm. */
-export function scaleOf({ width_mm, height_mm }: Extent, { zoom }: Camera, { width, height }: Size): number {
-  const LEAST_mm = 1e-3;
-  return MARGIN * zoom * Math.min(width / Math.max(width_mm, LEAST_mm), height / Math.max(height_mm, LEAST_mm));
+export function pixelsPerMm({ width_mm, height_mm }: Extent, { zoom }: Camera, { width, height }: Size): number {
+  const MIN_EXTENT_mm = 1e-3;
+  return MARGIN * zoom * Math.min(width / Math.max(width_mm, MIN_EXTENT_mm), height / Math.max(height_mm, MIN_EXTENT_mm));
 }
 
 /** Returns a zoomed camera that keeps a position of the picture fixed. */
-export function zoomed(camera: Camera, factor: number, extent: Extent, size: Size, x: number, y: number): Camera {
-  const [LEAST, MOST] = [0.2, 200];
-  const zoom = Math.min(MOST, Math.max(LEAST, camera.zoom * factor));
-  const [before, after] = [scaleOf(extent, camera, size), scaleOf(extent, { ...camera, zoom }, size)];
+export function zoomCamera(camera: Camera, factor: number, extent: Extent, size: Size, x: number, y: number): Camera {
+  const [MIN_ZOOM, MAX_ZOOM] = [0.2, 200];
+  const zoom = Math.min(MAX_ZOOM, Math.max(MIN_ZOOM, camera.zoom * factor));
+  const [before, after] = [pixelsPerMm(extent, camera, size), pixelsPerMm(extent, { ...camera, zoom }, size)];
   const shift = 1 / before - 1 / after;
   const [right, up] = camera.aside_mm;
   return { ...camera, zoom, aside_mm: [right + (x - size.width / 2) * shift, up - (y - size.height / 2) * shift] };
 }
 
 /** Returns a line in the picture: x and y of each position. */
-export function drawn(line_mm: Float64Array, extent: Extent, camera: Camera, size: Size): Float32Array {
-  const scale = scaleOf(extent, camera, size);
+export function drawn(polyline_mm: Float64Array, extent: Extent, camera: Camera, size: Size): Float32Array {
+  const scale = pixelsPerMm(extent, camera, size);
   const [right, up] = camera.aside_mm;
-  const line = new Float32Array((line_mm.length / 3) * 2);
+  const line = new Float32Array((polyline_mm.length / 3) * 2);
   let at = 0;
-  seen(line_mm, extent.middle, camera, (x, y) => {
+  project(polyline_mm, extent.middle, camera, (x, y) => {
     line[at++] = size.width / 2 + (x - right) * scale;
     line[at++] = size.height / 2 - (y - up) * scale;
   });
@@ -125,7 +125,7 @@ function distance(line: Float32Array, x: number, y: number): number {
 }
 
 /** Returns the line that is nearest to a position, and near enough; -1: none. */
-export function lineAt(lines: readonly Float32Array[], x: number, y: number, within_px: number): number {
+export function nearestLine(lines: readonly Float32Array[], x: number, y: number, within_px: number): number {
   let [found, least] = [-1, within_px];
   lines.forEach((line, i) => {
     const each = distance(line, x, y);

@@ -33,19 +33,19 @@ const numbers: Record<NumberKey, [quantity: Quantity, without: number]> = {
   bridge_mm: ["length", 0.5],
 };
 
-const SIDES = ["z", "-z", "x", "-x", "y", "-y"];
+const VIEW_SIDES = ["z", "-z", "x", "-x", "y", "-y"];
 
 export class ContourFields {
   readonly element: HTMLElement;
-  private shown: ContourChoice | undefined;
+  private displayed: ContourChoice | undefined;
   private readonly kind = new ChoiceRow<string>(
     words.kind,
     [["", words.flat], ...Object.entries(words.kinds)],
-    (kind) => this.change(kind === "" ? undefined : { ...this.shown, kind }),
+    (kind) => this.change(kind === "" ? undefined : { ...this.displayed, kind }),
   );
   private readonly side = new ChoiceRow<string>(
     words.side,
-    SIDES.map((each) => [each, each] as const),
+    VIEW_SIDES.map((each) => [each, each] as const),
     (side) => this.set({ side }),
   );
   private readonly faces = new TextRow(words.faces, (text) => {
@@ -66,11 +66,11 @@ export class ContourFields {
   }
 
   private set(part: Partial<ContourChoice>): void {
-    if (this.shown) this.change({ ...this.shown, ...part });
+    if (this.displayed) this.change({ ...this.displayed, ...part });
   }
 
   show(choice: ContourChoice | undefined, units: Units): void {
-    this.shown = choice;
+    this.displayed = choice;
     this.kind.show(choice?.kind ?? "");
     this.more.hidden = choice === undefined;
     this.side.show(choice?.side ?? "z");

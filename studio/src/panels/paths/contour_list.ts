@@ -18,7 +18,7 @@ export function contourText({ face, isHole, edges, length_mm, depth_mm, lean_deg
 export interface ContourListEvents {
   /** Called with the contour of the row with the pointer or the focus; -1: none. */
   pointed(contour: number): void;
-  ticked(contour: number, isCut: boolean): void;
+  onToggled(contour: number, isCut: boolean): void;
 }
 
 export class ContourList {
@@ -28,11 +28,11 @@ export class ContourList {
 
   constructor(private readonly on: ContourListEvents) {}
 
-  showContours(contours: readonly ListedContour[], units: Units, canBePicked: boolean): void {
-    const made = contours.map((contour, i) => check(contourText(contour, units), (isCut) => this.on.ticked(i, isCut)));
+  showContours(contours: readonly ListedContour[], units: Units, areSelectable: boolean): void {
+    const made = contours.map((contour, i) => check(contourText(contour, units), (isCut) => this.on.onToggled(i, isCut)));
     this.boxes = made.map(({ box }) => box);
     this.rows = made.map(({ row, box }, i) => {
-      box.disabled = !canBePicked;
+      box.disabled = !areSelectable;
       const point = () => this.on.pointed(i);
       const leave = () => this.on.pointed(-1);
       return element("li", { onpointerenter: point, onpointerleave: leave, onfocusin: point, onfocusout: leave }, row);

@@ -7,9 +7,9 @@ import type { Units } from "../../core/store";
 import { texts } from "../../texts";
 import type { ContourChoice } from "./contour_fields";
 import { ContourList, contourText } from "./contour_list";
-import { canBePicked, pickedBy, picksOf, stillKnown, withTicked, type ListedContour } from "./contour_picks";
+import { areSelectable, selectedContours, selectedEdges, keepKnownEdges, toggleContour, type ListedContour } from "./contour_picks";
 import { ContourView } from "./contour_view";
-import { contoursOfPart } from "./engine_requests";
+import { readContours } from "./engine_requests";
 
 const words = texts.paths.contours.picture;
 
@@ -21,7 +21,7 @@ export interface ContourSource {
 }
 
 /** Returns the request to the engine, which other fields do not change. */
-function requestOf({ drawing, curve_tolerance_mm, contours: { kind, side, faces, axis } }: ContourSource) {
+function contourRequest({ drawing, curve_tolerance_mm, contours: { kind, side, faces, axis } }: ContourSource) {
   return { drawing, curve_tolerance_mm, contours: { kind, side, faces, axis } };
 }
 
@@ -29,11 +29,11 @@ export class ContourPicker {
   readonly element: HTMLElement;
   private readonly view = new ContourView({
     pointed: (contour) => this.point(contour, true),
-    clicked: (contour) => this.toggle(contour),
+    onClicked: (contour) => this.toggle(contour),
   });
   private readonly list = new ContourList({
     pointed: (contour) => this.point(contour, false),
-    ticked: (contour, isCut) => this.tick(contour, isCut),
+    onToggled: (contour, isCut) => this.tick(contour, isCut),
   });
   private readonly status = element("p", { class: "status", role: "status" });
   private readonly fault = element("p", { class: "fault", role: "alert", hidden: true });
@@ -48,7 +48,7 @@ export class ContourPicker {
   private highlighted = -1;
   private units: Units = "mm";
   /** Wanted request, and the request of the known result, as text. Empty: none. */
-  private wanted = "";
+  private requested = "";
   private known = "";
   private isAsking = false;
 
@@ -66,7 +66,7 @@ export class ContourPicker {
   /** A source of null: nothing can be chosen. */
   show(source: ContourSource | null, picks: readonly string[] | undefined, units: Units): void {
     this.element.hidden = source === null;
-    this.wanted = source ? JSON.stringify(requestOf(source)) : "";
+    this.requested = source ? JSON.stringify(contourRequest(source)) : "";
     this.picks = picks;
     if (units !== this.units) {
       this.units = units;
@@ -78,7 +78,7 @@ export class ContourPicker {
   }
 
   end(): void {
-    this.wanted = "";
+    this.requested = "";
     this.view.end();
   }
 
@@ -89,44 +89,44 @@ export class ContourPicker {
   private async ask(): Promise<void> {
     if (this.isAsking) return;
     this.isAsking = true;
-    while (this.wanted !== "" && this.wanted !== this.known) {
-      const asked = this.wanted;
+    while (this.requested !== "" && this.requested !== this.known) {
+      const asked = this.requested;
       this.showState();
-      const answer = await contoursOfPart(this.session, JSON.parse(asked) as Record<string, unknown>);
-      if (asked !== this.wanted) continue;
+      const response = await readContours(this.session, JSON.parse(asked) as Record<string, unknown>);
+      if (asked !== this.requested) continue;
       this.known = asked;
-      this.contours = "refused" in answer ? [] : answer.contours;
-      this.fault.textContent = "refused" in answer ? answer.refused : "";
-      this.notes.replaceChildren(...("refused" in answer ? [] : answer.notes).map((note) => element("li", {}, note)));
-      this.take(asked);
+      this.contours = "refused" in response ? [] : response.contours;
+      this.fault.textContent = "refused" in response ? response.refused : "";
+      this.notes.replaceChildren(...("refused" in response ? [] : response.notes).map((note) => element("li", {}, note)));
+      this.accept(asked);
     }
     this.isAsking = false;
     this.showState();
   }
 
-  private take(asked: string): void {
+  private accept(asked: string): void {
     const { contours } = JSON.parse(asked) as ContourSource;
     this.highlighted = -1;
     this.view.showLines(
-      this.contours.map(({ line_mm }) => line_mm),
+      this.contours.map(({ polyline_mm }) => polyline_mm),
       contours.side ?? "z",
     );
     this.showContours();
-    const known = stillKnown(this.contours, this.picks);
+    const known = keepKnownEdges(this.contours, this.picks);
     if (this.contours.length > 0 && known?.join() !== this.picks?.join()) this.picked(known);
     this.showPicks();
   }
 
   private toggle(contour: number): void {
-    if (canBePicked(this.contours)) this.tick(contour, !this.isCut[contour]);
+    if (areSelectable(this.contours)) this.tick(contour, !this.isCut[contour]);
   }
 
   private tick(contour: number, isCut: boolean): void {
-    this.pick(withTicked(this.contours, this.isCut, contour, isCut));
+    this.pick(toggleContour(this.contours, this.isCut, contour, isCut));
   }
 
   private pick(isCut: readonly boolean[]): void {
-    this.picked(picksOf(this.contours, isCut));
+    this.picked(selectedEdges(this.contours, isCut));
   }
 
   private point(contour: number, inPicture: boolean): void {
@@ -137,12 +137,12 @@ export class ContourPicker {
   }
 
   private showContours(): void {
-    this.list.showContours(this.contours, this.units, canBePicked(this.contours));
+    this.list.showContours(this.contours, this.units, areSelectable(this.contours));
   }
 
   private showPicks(): void {
     const { contours, highlighted } = this;
-    this.isCut = pickedBy(contours, this.picks);
+    this.isCut = selectedContours(contours, this.picks);
     this.view.show(this.isCut, highlighted);
     this.list.show(this.isCut, highlighted);
     this.pointedAt.textContent = highlighted < 0 ? words.hint : contourText(contours[highlighted], this.units);
@@ -150,13 +150,13 @@ export class ContourPicker {
   }
 
   private showState(): void {
-    const isKnown = this.known === this.wanted;
+    const isKnown = this.known === this.requested;
     const { contours } = this;
     this.found.hidden = !isKnown || contours.length === 0;
     this.fault.hidden = !isKnown || this.fault.textContent === "";
     const cut = this.isCut.filter(Boolean).length;
-    const count = canBePicked(contours) ? words.cut(cut, contours.length) : words.unnumbered(contours.length);
+    const count = areSelectable(contours) ? words.cut(cut, contours.length) : words.unnumbered(contours.length);
     this.status.textContent = !isKnown ? words.asking : contours.length > 0 ? count : "";
-    this.all.disabled = this.none.disabled = !canBePicked(contours);
+    this.all.disabled = this.none.disabled = !areSelectable(contours);
   }
 }

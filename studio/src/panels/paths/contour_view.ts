@@ -3,20 +3,20 @@
 import { element } from "../../core/dom";
 import { onTheme, themeColour } from "../../core/theme";
 import { texts } from "../../texts";
-import { drawn, extentOf, firstCamera, lineAt, turned, zoomed, type Camera, type Extent, type Size } from "./contour_camera";
+import { drawn, lineExtent, initialCamera, nearestLine, turned, zoomCamera, type Camera, type Extent, type Size } from "./contour_camera";
 
 const words = texts.paths.contours.picture;
 
-const NEAR_px = 9;
+const HIT_DISTANCE_px = 9;
 /** A pointer that has moved this far turns the picture, and is not a click. */
-const DRAG_px = 4;
-const KEY_px = 12;
-const ZOOM = 1.25;
+const MIN_DRAG_px = 4;
+const KEY_STEP_px = 12;
+const ZOOM_FACTOR = 1.25;
 
 export interface ContourViewEvents {
   /** Called with the contour under the pointer; -1: none. */
   pointed(contour: number): void;
-  clicked(contour: number): void;
+  onClicked(contour: number): void;
 }
 
 export class ContourView {
@@ -26,8 +26,8 @@ export class ContourView {
   private isCut: readonly boolean[] = [];
   private highlighted = -1;
   private side = "z";
-  private camera: Camera = firstCamera("z");
-  private extent: Extent = extentOf([], this.camera);
+  private camera: Camera = initialCamera("z");
+  private extent: Extent = lineExtent([], this.camera);
   /** Position of the pointer press, and whether it has turned the picture since. */
   private held: { x: number; y: number; turns: boolean } | null = null;
   private frame = 0;
@@ -45,7 +45,7 @@ export class ContourView {
       onpointerup: (event) => this.up(event as PointerEvent),
       onpointercancel: () => (this.held = null),
       onpointerleave: () => this.on.pointed(-1),
-      ondblclick: () => this.look(firstCamera(this.side)),
+      ondblclick: () => this.look(initialCamera(this.side)),
       onwheel: (event) => this.wheel(event as WheelEvent),
       onkeydown: (event) => this.key(event as KeyboardEvent),
     });
@@ -56,8 +56,8 @@ export class ContourView {
   showLines(lines_mm: Float64Array[], side: string): void {
     this.lines_mm = lines_mm;
     this.side = side;
-    this.extent = extentOf(lines_mm, firstCamera(side));
-    this.look(firstCamera(side));
+    this.extent = lineExtent(lines_mm, initialCamera(side));
+    this.look(initialCamera(side));
   }
 
   show(isCut: readonly boolean[], highlighted: number): void {
@@ -95,9 +95,9 @@ export class ContourView {
 
   private move(event: PointerEvent): void {
     const [x, y] = this.at(event);
-    if (!this.held) return this.on.pointed(lineAt(this.lines, x, y, NEAR_px));
+    if (!this.held) return this.on.pointed(nearestLine(this.lines, x, y, HIT_DISTANCE_px));
     const { held } = this;
-    if (!held.turns && Math.hypot(x - held.x, y - held.y) < DRAG_px) return;
+    if (!held.turns && Math.hypot(x - held.x, y - held.y) < MIN_DRAG_px) return;
     this.look(turned(this.camera, x - held.x, y - held.y));
     this.held = { x, y, turns: true };
   }
@@ -106,28 +106,28 @@ export class ContourView {
     const { held } = this;
     this.held = null;
     if (!held || held.turns) return;
-    const contour = lineAt(this.lines, ...this.at(event), NEAR_px);
-    if (contour >= 0) this.on.clicked(contour);
+    const contour = nearestLine(this.lines, ...this.at(event), HIT_DISTANCE_px);
+    if (contour >= 0) this.on.onClicked(contour);
   }
 
   private wheel(event: WheelEvent): void {
     event.preventDefault();
-    this.look(zoomed(this.camera, event.deltaY < 0 ? ZOOM : 1 / ZOOM, this.extent, this.size, ...this.at(event)));
+    this.look(zoomCamera(this.camera, event.deltaY < 0 ? ZOOM_FACTOR : 1 / ZOOM_FACTOR, this.extent, this.size, ...this.at(event)));
   }
 
   private key(event: KeyboardEvent): void {
     const turns: Record<string, [number, number]> = {
-      ArrowLeft: [-KEY_px, 0],
-      ArrowRight: [KEY_px, 0],
-      ArrowUp: [0, -KEY_px],
-      ArrowDown: [0, KEY_px],
+      ArrowLeft: [-KEY_STEP_px, 0],
+      ArrowRight: [KEY_STEP_px, 0],
+      ArrowUp: [0, -KEY_STEP_px],
+      ArrowDown: [0, KEY_STEP_px],
     };
-    const zooms: Record<string, number> = { "+": ZOOM, "=": ZOOM, "-": 1 / ZOOM };
+    const zoomKeys: Record<string, number> = { "+": ZOOM_FACTOR, "=": ZOOM_FACTOR, "-": 1 / ZOOM_FACTOR };
     const { width, height } = this.size;
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     if (event.key in turns) this.look(turned(this.camera, ...turns[event.key]));
-    else if (event.key in zooms) this.look(zoomed(this.camera, zooms[event.key], this.extent, this.size, width / 2, height / 2));
-    else if (event.key === "0") this.look(firstCamera(this.side));
+    else if (event.key in zoomKeys) this.look(zoomCamera(this.camera, zoomKeys[event.key], this.extent, this.size, width / 2, height / 2));
+    else if (event.key === "0") this.look(initialCamera(this.side));
     else return;
     event.preventDefault();
   }
@@ -148,9 +148,9 @@ export class ContourView {
     context.scale(ratio, ratio);
     context.lineJoin = "round";
     this.lines = this.lines_mm.map((line) => drawn(line, this.extent, this.camera, size));
-    const [accent, dim] = [themeColour("--accent"), themeColour("--dim")];
+    const [accentColour, dimColour] = [themeColour("--accent"), themeColour("--dim")];
     const stroke = (i: number, width: number) => {
-      context.strokeStyle = this.isCut[i] ? accent : dim;
+      context.strokeStyle = this.isCut[i] ? accentColour : dimColour;
       context.lineWidth = width;
       context.setLineDash(this.isCut[i] ? [] : [4, 3]);
       context.beginPath();

@@ -8,7 +8,7 @@ import type { Store, Units } from "../../core/store";
 import { texts } from "../../texts";
 import { ContourFields, type ContourChoice } from "./contour_fields";
 import { ContourPicker } from "./contour_picker";
-import { materials, pathOfDrawing, type DrawnPath } from "./engine_requests";
+import { materials, generatePath, type GeneratedPath } from "./engine_requests";
 import { ChoiceRow, NumberRow, NumbersRow, TextRow, type Quantity } from "./fields";
 
 const words = texts.paths.drawing;
@@ -62,7 +62,7 @@ const numbers: Partial<Record<NumberKey, [quantity: Quantity, without: number | 
   curve_tolerance_mm: ["length", 0.005],
   gap_mm: ["length", 0.02],
 };
-const usual: NumberKey[] = ["thickness_mm", "quality"];
+const commonKeys: NumberKey[] = ["thickness_mm", "quality"];
 const own: NumberKey[] = ["speed_mm_min", "kerf_mm", "pierce_s"];
 const ways: NumberKey[] = ["lead_mm", "safe_height_mm", "cut_height_mm", "bevel_deg"];
 const rare: NumberKey[] = ["curve_tolerance_mm", "gap_mm"];
@@ -71,24 +71,24 @@ const rare: NumberKey[] = ["curve_tolerance_mm", "gap_mm"];
 const isSolid = (name: string): boolean => /\.(step|stp|iges|igs)$/i.test(name);
 
 /** Returns the files that a path can be made from. */
-export function drawingsOf({ documents }: Session): string[] {
+export function drawingFiles({ documents }: Session): string[] {
   return [...namesOfKind("drawing", documents), ...documents.names().filter(isSolid)];
 }
 
 /** undefined: all contours are cut. */
-const picksFor = (drawing: string, { picked }: DrawingChoice): string[] | undefined => (picked?.drawing === drawing ? picked.edges : undefined);
+const selectedEdgesFor = (drawing: string, { picked }: DrawingChoice): string[] | undefined => (picked?.drawing === drawing ? picked.edges : undefined);
 
 /** True if both choices select the same contours of a part. */
-const chooseTheSame = (a: ContourChoice | undefined, b: ContourChoice | undefined): boolean =>
+const haveSameContours = (a: ContourChoice | undefined, b: ContourChoice | undefined): boolean =>
   a?.kind === b?.kind && a?.side === b?.side && a?.faces?.join(";") === b?.faces?.join(";");
 
 /** Returns the options that apply to the drawing, of all that were chosen for this one and others. */
-function requestOf(drawing: string, choice: DrawingChoice, { machine, cell, machine_data }: Readonly<Setup>) {
+function drawingRequest(drawing: string, choice: DrawingChoice, { machine, cell, machine_data }: Readonly<Setup>) {
   const { material, up, flip, contours, picked, past, straighten, moving_pierce, bevel_deg, unit_mm, layers, ...rest } = choice;
   const common = { drawing, ...rest, material: material || undefined, place: past ? { machine, cell, machine_data } : undefined };
-  if (isSolid(drawing) && contours) return { ...common, contours: { ...contours, edges: picksFor(drawing, choice) } };
-  const ofJet = { straighten: material ? straighten : undefined, moving_pierce, bevel_deg };
-  return isSolid(drawing) ? { ...common, ...ofJet, up, flip } : { ...common, ...ofJet, unit_mm, layers };
+  if (isSolid(drawing) && contours) return { ...common, contours: { ...contours, edges: selectedEdgesFor(drawing, choice) } };
+  const jetOptions = { straighten: material ? straighten : undefined, moving_pierce, bevel_deg };
+  return isSolid(drawing) ? { ...common, ...jetOptions, up, flip } : { ...common, ...jetOptions, unit_mm, layers };
 }
 
 export const firstDrawingChoice: DrawingChoice = { material: "", origin_mm: [0, 0, 0] };
@@ -97,7 +97,7 @@ export interface DrawingEvents {
   /** Called with the choice, to offer it again. */
   chosen(choice: DrawingChoice): void;
   /** What was made, and what of. */
-  made(path: DrawnPath, drawing: string): void;
+  made(path: GeneratedPath, drawing: string): void;
 }
 
 export class DrawingDialog {
@@ -128,7 +128,7 @@ export class DrawingDialog {
   private readonly flip = check(words.flip, (flip) => this.set({ flip: flip || undefined }));
   private readonly ofPlate = element("div", { class: "group" }, this.up.element, this.flip.row);
   private readonly contours = new ContourFields((contours) =>
-    this.set(chooseTheSame(contours, this.choice.contours) ? { contours } : { contours, picked: undefined }),
+    this.set(haveSameContours(contours, this.choice.contours) ? { contours } : { contours, picked: undefined }),
   );
   private readonly picker: ContourPicker;
   private readonly ofSolid = element("div", { class: "group" }, this.contours.element, this.ofPlate);
@@ -169,13 +169,13 @@ export class DrawingDialog {
 
   private build(): HTMLDialogElement {
     const of = (keys: NumberKey[]) => keys.map((key) => this.rows.get(key)!.element);
-    const drawings = drawingsOf(this.session).map((name) => [name, shortName(name)] as const);
-    const chooser = choice(words.drawing, drawings, this.drawing, (name) => {
+    const drawingNames = drawingFiles(this.session).map((name) => [name, shortName(name)] as const);
+    const chooser = choice(words.drawing, drawingNames, this.drawing, (name) => {
       this.drawing = name;
       this.show();
     });
     this.ownGroup.append(...of(own));
-    this.ofMaterial.append(...of(usual), this.own.row);
+    this.ofMaterial.append(...of(commonKeys), this.own.row);
     const form = element(
       "form",
       { class: "form", onsubmit: (event) => this.submit(event) },
@@ -242,7 +242,7 @@ export class DrawingDialog {
     const { contours, curve_tolerance_mm } = choice;
     const source = isSolid(drawing) && contours ? { drawing, curve_tolerance_mm, contours } : null;
     this.element.classList.toggle("with-picture", source !== null);
-    this.picker.show(source, picksFor(drawing, choice), units);
+    this.picker.show(source, selectedEdgesFor(drawing, choice), units);
   }
 
   private refuse(sentence: string): void {
@@ -253,9 +253,9 @@ export class DrawingDialog {
   private async submit(event: Event): Promise<void> {
     event.preventDefault();
     const { drawing } = this;
-    if (this.choice.contours && isSolid(drawing) && picksFor(drawing, this.choice)?.length === 0) return this.refuse(texts.paths.contours.picture.noneCut);
+    if (this.choice.contours && isSolid(drawing) && selectedEdgesFor(drawing, this.choice)?.length === 0) return this.refuse(texts.paths.contours.picture.noneCut);
     this.make.disabled = true;
-    const made = await pathOfDrawing(this.session, requestOf(drawing, this.choice, this.session.setup));
+    const made = await generatePath(this.session, drawingRequest(drawing, this.choice, this.session.setup));
     this.make.disabled = false;
     // Cancelled meanwhile.
     if (!this.element.open) return;

@@ -1,19 +1,19 @@
 // Requests of the path forms to the engine (docs/studio.md).
 
-import type { Answered } from "../../core/answered";
+import type { EngineResponse } from "../../core/engine_response";
 import type { Session } from "../../core/session";
 import type { ListedContour } from "./contour_picks";
 
 const decode = (bytes: unknown): string => new TextDecoder().decode(bytes as Uint8Array);
 
 /** Returns the first message of a name; null: none came. */
-const messageOf = ({ messages }: Answered, name: string) => messages.find(({ is }) => is === name) ?? null;
+const findMessage = ({ messages }: EngineResponse, name: string) => messages.find(({ is }) => is === name) ?? null;
 
 /** Returns the messages of warnings. */
-const toldOf = ({ messages }: Answered): string[] =>
+const warningTexts = ({ messages }: EngineResponse): string[] =>
   messages.flatMap(({ is, header }) => (is === "told" ? [String(header.text)] : []));
 
-export interface Refused {
+export interface RejectedRequest {
   refused: string;
 }
 
@@ -38,11 +38,11 @@ export interface WriteChoice {
 }
 
 /** Writes a path as a part program for the machine of the setup. */
-export async function writeProgram(session: Session, path: string, choice: WriteChoice): Promise<WrittenProgram | Refused> {
+export async function writeProgram(session: Session, path: string, choice: WriteChoice): Promise<WrittenProgram | RejectedRequest> {
   const { machine, machine_data, cell } = session.setup;
-  const answer = await session.question({ do: "write", path, machine, machine_data, cell, ...choice });
-  const message = messageOf(answer, "program");
-  if (!answer.ok || !message) return { refused: answer.message };
+  const response = await session.sendRequest({ do: "write", path, machine, machine_data, cell, ...choice });
+  const message = findMessage(response, "program");
+  if (!response.ok || !message) return { refused: response.message };
   const names = message.header.files as string[];
   const files = Object.fromEntries(names.map((name, i) => [name, decode(message.columns.get(`file${i}`))]));
   return { text: decode(message.columns.get("text")), notes: message.header.notes as string[], files };
@@ -50,17 +50,17 @@ export async function writeProgram(session: Session, path: string, choice: Write
 
 /** Returns the names of the built-in posts. */
 export async function posts(session: Session): Promise<string[]> {
-  const message = messageOf(await session.question({ do: "posts" }), "posts");
+  const message = findMessage(await session.sendRequest({ do: "posts" }), "posts");
   return (message?.header.names as string[] | undefined) ?? [];
 }
 
 /** Returns the names of the built-in materials. */
 export async function materials(session: Session): Promise<string[]> {
-  const message = messageOf(await session.question({ do: "materials" }), "materials");
+  const message = findMessage(await session.sendRequest({ do: "materials" }), "materials");
   return ((message?.header.materials as { name: string }[] | undefined) ?? []).map(({ name }) => name);
 }
 
-export interface DrawnPath {
+export interface GeneratedPath {
   text: string;
   summary: string;
   job: string;
@@ -68,12 +68,12 @@ export interface DrawnPath {
 }
 
 /** Makes a path from a drawing, by the options of autopath. */
-export async function pathOfDrawing(session: Session, request: Record<string, unknown>): Promise<DrawnPath | Refused> {
-  const answer = await session.question({ do: "drawing", ...request });
-  const message = messageOf(answer, "path");
-  if (!answer.ok || !message) return { refused: answer.message };
+export async function generatePath(session: Session, request: Record<string, unknown>): Promise<GeneratedPath | RejectedRequest> {
+  const response = await session.sendRequest({ do: "drawing", ...request });
+  const message = findMessage(response, "path");
+  if (!response.ok || !message) return { refused: response.message };
   const { summary, job_text } = message.header as Record<string, string>;
-  return { text: decode(message.columns.get("text")), summary, job: job_text, told: toldOf(answer) };
+  return { text: decode(message.columns.get("text")), summary, job: job_text, told: warningTexts(response) };
 }
 
 export interface PartContours {
@@ -93,15 +93,15 @@ interface ContourHeader {
 }
 
 /** Returns the contours of a part that could be cut. */
-export async function contoursOfPart(session: Session, request: Record<string, unknown>): Promise<PartContours | Refused> {
-  const answer = await session.question({ do: "contours", ...request });
-  const message = messageOf(answer, "contours");
-  if (!answer.ok || !message) return { refused: answer.message };
+export async function readContours(session: Session, request: Record<string, unknown>): Promise<PartContours | RejectedRequest> {
+  const response = await session.sendRequest({ do: "contours", ...request });
+  const message = findMessage(response, "contours");
+  if (!response.ok || !message) return { refused: response.message };
   const lines = message.columns.get("lines") as Float64Array;
   let at = 0;
   const contours = (message.header.contours as ContourHeader[]).map(({ is_hole, points, ...rest }) => {
-    const line_mm = lines.subarray(at, (at += 3 * points));
-    return { ...rest, isHole: is_hole, line_mm };
+    const polyline_mm = lines.subarray(at, (at += 3 * points));
+    return { ...rest, isHole: is_hole, polyline_mm };
   });
   return { contours, notes: message.header.notes as string[] };
 }

@@ -2,13 +2,13 @@
 
 import { choice, element, offer } from "../../core/dom";
 import type { Units } from "../../core/store";
-import { length, lengthUnit, mmOf } from "../../core/units";
+import { length, lengthUnit, toMm } from "../../core/units";
 import { texts } from "../../texts";
 
 export type Quantity = "length" | "feed" | "acceleration" | "angle" | "turning" | "per_turn" | "time" | "none";
 
 const words = texts.paths.form;
-const areLengths: Quantity[] = ["length", "feed", "acceleration", "per_turn"];
+const lengthQuantities: Quantity[] = ["length", "feed", "acceleration", "per_turn"];
 
 export function unitText(quantity: Quantity, units: Units): string {
   const mm = lengthUnit(units);
@@ -27,20 +27,20 @@ export function unitText(quantity: Quantity, units: Units): string {
 
 /** Returns a number with as many digits as matter, without trailing zeros. */
 export function numberText(value: number, quantity: Quantity, units: Units): string {
-  const shown = areLengths.includes(quantity) ? length(value, units) : value;
-  return String(Number(shown.toFixed(units === "inch" ? 5 : 4)));
+  const displayed = lengthQuantities.includes(quantity) ? length(value, units) : value;
+  return String(Number(displayed.toFixed(units === "inch" ? 5 : 4)));
 }
 
 /** Returns null if the text is not a number, undefined if it is empty. */
-export function numberOf(text: string, quantity: Quantity, units: Units): number | null | undefined {
+export function parseNumber(text: string, quantity: Quantity, units: Units): number | null | undefined {
   const plain = text.trim().replace(",", ".");
   if (plain === "") return undefined;
   const value = Number(plain);
   if (!Number.isFinite(value)) return null;
-  return areLengths.includes(quantity) ? mmOf(value, units) : value;
+  return lengthQuantities.includes(quantity) ? toMm(value, units) : value;
 }
 
-export interface Shown {
+export interface FieldValue {
   value: number | undefined;
   /** Value that applies if the field is empty. */
   inherited?: number | undefined;
@@ -57,18 +57,18 @@ export class NumberInput {
     private readonly quantity: Quantity,
     private readonly change: (value: number | undefined) => void,
   ) {
-    this.element = element("input", { class: "number", inputmode: "decimal", autocomplete: "off", onchange: () => this.take() });
+    this.element = element("input", { class: "number", inputmode: "decimal", autocomplete: "off", onchange: () => this.applyInput() });
   }
 
-  private take(): void {
-    const value = numberOf(this.element.value, this.quantity, this.units);
+  private applyInput(): void {
+    const value = parseNumber(this.element.value, this.quantity, this.units);
     this.element.setAttribute("aria-invalid", String(value === null));
     this.element.title = value === null ? words.noNumber : "";
     if (value === null || this.element.value.trim() === this.text) return;
     this.change(value);
   }
 
-  show({ value, inherited }: Shown, units: Units): void {
+  show({ value, inherited }: FieldValue, units: Units): void {
     const { element: input, label, quantity } = this;
     this.units = units;
     const text = value === undefined ? "" : numberText(value, quantity, units);
@@ -104,8 +104,8 @@ export class NumberRow {
     this.element = row(label, this.input.element, this.unit);
   }
 
-  show(shown: Shown, units: Units): void {
-    this.input.show(shown, units);
+  show(displayed: FieldValue, units: Units): void {
+    this.input.show(displayed, units);
     this.unit.textContent = unitText(this.quantity, units);
   }
 }

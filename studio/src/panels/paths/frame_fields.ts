@@ -12,7 +12,7 @@ const words = texts.paths.form;
 const own = texts.paths.frame;
 type Origin = keyof typeof own.origins;
 
-interface FrameShown {
+interface FrameState {
   frame: WorkFrame;
   /** Frame that applies if the path sets none, in words. */
   inherited: string;
@@ -21,7 +21,7 @@ interface FrameShown {
 
 export class FrameFields {
   readonly element: HTMLElement;
-  private at: FrameShown | null = null;
+  private at: FrameState | null = null;
   private readonly offset = new TextRow(words.workOffset, (name) => this.setOffset(name.trim()));
   private readonly origin = new ChoiceRow<Origin>(own.origin, [["control", own.origins.control], ["program", own.origins.program]], (origin) =>
     this.change({ set_offset_mm: origin === "program" ? [0, 0, 0] : undefined }),
@@ -34,9 +34,9 @@ export class FrameFields {
     this.element = element("div", { class: "group" }, ...rows, this.note);
   }
 
-  show(shown: FrameShown): void {
-    this.at = shown;
-    const { frame, inherited, units } = shown;
+  show(displayed: FrameState): void {
+    this.at = displayed;
+    const { frame, inherited, units } = displayed;
     const { work_offset, set_offset_mm, probe_offset } = frame;
     this.offset.show(work_offset ?? "", inherited);
     this.origin.element.hidden = work_offset === undefined;

@@ -4,24 +4,24 @@
 import "./paths.css";
 import { choice, element } from "../../core/dom";
 import { namesOfKind, shortName } from "../../core/kinds";
-import { watchPath } from "../../core/path_desk";
-import type { PathShown } from "../../core/path_shown";
+import { watchPath } from "../../core/path_editing";
+import type { DisplayedPath } from "../../core/displayed_path";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
-import { isMachinePoint, isPoint, isSubPath, keyOfPlace, targetAt } from "../../run/path/path_file";
+import { isMachinePoint, isPoint, isSubPath, targetKey, targetAt } from "../../run/path/path_file";
 import { texts } from "../../texts";
-import type { Form } from "../form";
+import type { PanelForm } from "../form";
 import { PathActions } from "./actions";
-import { PointChoice } from "./choice_of_points";
-import { DrawingDialog, drawingsOf, firstDrawingChoice } from "./drawing_dialog";
-import type { DrawnPath } from "./engine_requests";
-import { KnownPointsOfSetup } from "./known_points";
+import { TargetSelection } from "./target_selection";
+import { DrawingDialog, drawingFiles, firstDrawingChoice } from "./drawing_dialog";
+import type { GeneratedPath } from "./engine_requests";
+import { SetupPoints } from "./known_points";
 import { LeadsForm } from "./leads_form";
 import { MachinePointForm } from "./machine_point_form";
-import { beginFile, freeFile, takeFile } from "./path_files";
+import { createFile, freeFileName, insertFile } from "./path_files";
 import { PathForm, SubPathForm } from "./path_form";
 import { PointForm } from "./point_form";
-import { pointOfRun } from "./point_of_run";
+import { currentPoint } from "./point_of_run";
 import { PathToolbar } from "./toolbar";
 import { PathTree } from "./tree";
 import { WriteForm } from "./write_form";
@@ -30,14 +30,14 @@ const words = texts.paths;
 
 class PathsPanel {
   readonly element: HTMLElement;
-  private readonly choice: PointChoice;
+  private readonly choice: TargetSelection;
   private readonly actions: PathActions;
   private readonly files = element("div", { class: "files" });
   private readonly said = element("div", { class: "said", role: "status" });
   private readonly fault = element("p", { class: "fault", role: "alert" });
   private readonly toolbar: PathToolbar;
   private readonly tree: PathTree;
-  private readonly known: KnownPointsOfSetup;
+  private readonly known: SetupPoints;
   private readonly forms: { point: PointForm; machinePoint: MachinePointForm; subPath: SubPathForm; path: PathForm };
   private readonly heading = element("h3", { class: "heading" });
   private readonly leads: LeadsForm;
@@ -50,8 +50,8 @@ class PathsPanel {
     private readonly session: Session,
   ) {
     const say = (sentence: string) => this.say(sentence);
-    this.choice = new PointChoice(store);
-    this.known = new KnownPointsOfSetup(session, () => this.showProperties(store.get("path")));
+    this.choice = new TargetSelection(store);
+    this.known = new SetupPoints(session, () => this.showProperties(store.get("path")));
     this.actions = new PathActions(store, session, this.choice, say);
     this.toolbar = new PathToolbar(this.actions, this.choice, this.known);
     this.tree = new PathTree(store, this.choice, this.actions);
@@ -61,7 +61,7 @@ class PathsPanel {
       subPath: new SubPathForm(store, session, say),
       path: new PathForm(store, session, say),
     };
-    this.leads = new LeadsForm((wanted) => this.actions.addLeads(wanted));
+    this.leads = new LeadsForm((requested) => this.actions.addLeads(requested));
     this.write = new WriteForm(store, session);
     const forms = Object.values(this.forms).map((form) => form.element);
     const parts = [this.toolbar.element, this.tree.element, this.heading, ...forms, this.leads.element, this.write.element];
@@ -84,10 +84,10 @@ class PathsPanel {
     });
   }
 
-  shown(): void {
+  displayed(): void {
     this.store.set("showPath", true);
     void this.write.begin();
-    this.known.shown();
+    this.known.displayed();
     this.show();
   }
 
@@ -114,7 +114,7 @@ class PathsPanel {
     this.files.replaceChildren(
       select,
       button(words.file.new, words.file.newTitle, () => this.begin()),
-      button(words.file.drawing, words.file.drawingTitle, () => this.askDrawing(drawingsOf(session)[0] ?? "")),
+      button(words.file.drawing, words.file.drawingTitle, () => this.askDrawing(drawingFiles(session)[0] ?? "")),
       button(words.file.save, words.file.saveTitle, () => void session.save(name), name === ""),
     );
     const again = [...this.files.children].find((child) => child.textContent === focused);
@@ -122,46 +122,46 @@ class PathsPanel {
   }
 
   private show(): void {
-    const shown = this.store.get("path");
+    const displayed = this.store.get("path");
     this.say("");
-    this.body.hidden = shown === null;
-    this.fault.hidden = !shown?.fault;
-    this.fault.textContent = shown?.fault ?? "";
-    this.toolbar.show(shown);
-    this.tree.show(shown);
-    this.showProperties(shown);
+    this.body.hidden = displayed === null;
+    this.fault.hidden = !displayed?.fault;
+    this.fault.textContent = displayed?.fault ?? "";
+    this.toolbar.show(displayed);
+    this.tree.show(displayed);
+    this.showProperties(displayed);
     const units = this.store.get("units");
     this.leads.show(units);
-    this.write.show(shown, units);
+    this.write.show(displayed, units);
   }
 
-  private showProperties(shown: PathShown | null): void {
+  private showProperties(displayed: DisplayedPath | null): void {
     const { range } = this.choice;
     const place = this.choice.point;
-    const target = shown && place ? targetAt(shown.file, place) : undefined;
+    const target = displayed && place ? targetAt(displayed.file, place) : undefined;
     const { point, machinePoint, subPath, path } = this.forms;
     point.element.hidden = !target || !isPoint(target);
     machinePoint.element.hidden = !target || !isMachinePoint(target);
     subPath.element.hidden = !target || !isSubPath(target);
-    path.element.hidden = !shown || place === null || place.target >= 0;
+    path.element.hidden = !displayed || place === null || place.target >= 0;
     this.heading.hidden = place === null;
-    if (!shown || !place) return;
-    const { name } = shown.file.paths[place.path];
+    if (!displayed || !place) return;
+    const { name } = displayed.file.paths[place.path];
     if (place.target < 0) {
       this.heading.textContent = words.form.ofPath(name);
-      path.show(shown, place.path);
+      path.show(displayed, place.path);
     } else if (target) {
       this.heading.textContent = words.form.ofTarget(name, place.target + 1, range?.count ?? 1);
-      if (isSubPath(target)) subPath.show(shown, place, target);
-      else if (isMachinePoint(target)) machinePoint.show(shown, place, target);
-      else point.show({ shown, place, point: target, before: shown.walk.before.get(keyOfPlace(place)) ?? {} });
+      if (isSubPath(target)) subPath.show(displayed, place, target);
+      else if (isMachinePoint(target)) machinePoint.show(displayed, place, target);
+      else point.show({ displayed, place, point: target, before: displayed.walk.before.get(targetKey(place)) ?? {} });
     }
   }
 
   /** Creates a new file that begins at the tool. */
   private begin(): void {
-    const point = pointOfRun(this.store);
-    if (point) beginFile(this.store, this.session, { motion: "rapid", ...point });
+    const point = currentPoint(this.store);
+    if (point) createFile(this.store, this.session, { motion: "rapid", ...point });
     else this.store.set("notice", texts.run.notHere);
   }
 
@@ -172,15 +172,15 @@ class PathsPanel {
     });
   }
 
-  private drawn({ text, summary, told, job }: DrawnPath, drawing: string): void {
+  private drawn({ text, summary, told, job }: GeneratedPath, drawing: string): void {
     const stem = shortName(drawing).replace(/\.[^.]*$/, "");
     const { store, session } = this;
-    takeFile(store, session, words.labels.drawing(shortName(drawing)), freeFile(session.documents, stem), text);
+    insertFile(store, session, words.labels.drawing(shortName(drawing)), freeFileName(session.documents, stem), text);
     this.say([summary, ...told].filter((each) => each !== "").join("\n"), job);
   }
 }
 
-export function createPaths(store: Store, session: Session): Form {
+export function createPaths(store: Store, session: Session): PanelForm {
   watchPath(store, session);
   return new PathsPanel(store, session);
 }

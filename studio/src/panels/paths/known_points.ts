@@ -2,14 +2,14 @@
 
 import type { Session } from "../../core/session";
 import { noPoints, type KnownPoint, type KnownPoints } from "../../run/path/machine_points";
-import { askData, type Entry } from "../data/asked";
+import { requestData, type Entry } from "../data/data_request";
 
-const pointsOf = (entries: readonly Entry[] | undefined): KnownPoint[] =>
+const toKnownPoints = (entries: readonly Entry[] | undefined): KnownPoint[] =>
   (entries ?? []).map(({ id, NAME }) => ({ number: Number(id), name: String(NAME ?? "") }));
 
-export class KnownPointsOfSetup {
+export class SetupPoints {
   private known: KnownPoints | null = noPoints;
-  private isShown = false;
+  private isVisible = false;
   private question = 0;
   private asked = "";
 
@@ -17,10 +17,10 @@ export class KnownPointsOfSetup {
     private readonly session: Session,
     private readonly changed: () => void,
   ) {
-    session.on(() => this.renew(this.asked));
+    session.on(() => this.refresh(this.asked));
     session.documents.on((name) => {
       const { machine_data, machine, cell } = session.setup;
-      if ([machine_data, machine, cell].includes(name)) this.renew();
+      if ([machine_data, machine, cell].includes(name)) this.refresh();
     });
   }
 
@@ -34,20 +34,20 @@ export class KnownPointsOfSetup {
     return this.session.setup.machine_data;
   }
 
-  shown(): void {
-    this.isShown = true;
-    this.renew();
+  displayed(): void {
+    this.isVisible = true;
+    this.refresh();
   }
 
   hidden(): void {
-    this.isShown = false;
+    this.isVisible = false;
   }
 
   /** Requests the points again, unless the last request was the same. */
-  private renew(last = ""): void {
+  private refresh(last = ""): void {
     const { machine_data, machine, cell } = this.session.setup;
     const asked = [machine_data, machine, cell].join("\n");
-    if (!this.isShown || asked === last) return;
+    if (!this.isVisible || asked === last) return;
     this.asked = asked;
     void this.ask();
   }
@@ -55,10 +55,10 @@ export class KnownPointsOfSetup {
   private async ask(): Promise<void> {
     const question = ++this.question;
     const { file } = this;
-    const data = file ? (await askData(this.session, file, [])).data : null;
+    const data = file ? (await requestData(this.session, file, [])).data : null;
     // A later request has the later points.
     if (question !== this.question) return;
-    const found = data && { fixed: pointsOf(data.entries.FIXED), reference: pointsOf(data.entries.REFERENCE) };
+    const found = data && { fixed: toKnownPoints(data.entries.FIXED), reference: toKnownPoints(data.entries.REFERENCE) };
     this.known = file ? found : noPoints;
     this.changed();
   }

@@ -4,9 +4,9 @@ import { element } from "../../core/dom";
 import type { Chain } from "../../run/chain";
 import type { PointChange } from "../../run/path/path_edit";
 import type { Point } from "../../run/path/path_file";
-import type { State } from "../../run/path/path_walk";
-import { rotaryFor } from "../../run/path/rotary_search";
-import { kindOfOrientation, orientationKinds, rpyOf, toolDirection, type OrientationKind } from "../../run/path/tool_direction";
+import type { State } from "../../run/path/path_traversal";
+import { solveRotaryAxes } from "../../run/path/rotary_solver";
+import { orientationKind, orientationKinds, toRpy, toolDirection, type OrientationKind } from "../../run/path/tool_direction";
 import { rounded, roundedVector, type Vector } from "../../run/path/vector";
 import { Quaternion, Vector3 } from "three";
 import { texts } from "../../texts";
@@ -51,11 +51,11 @@ export class OrientationFields {
   show(point: Point, before: State): void {
     this.point = point;
     this.before = before;
-    const own = kindOfOrientation(point);
-    const inherited = kindOfOrientation(before);
-    const offered = orientationKinds.filter((kind) => kind !== "rotary_deg" || this.letters().length > 0);
+    const own = orientationKind(point);
+    const inherited = orientationKind(before);
+    const listedOptions = orientationKinds.filter((kind) => kind !== "rotary_deg" || this.letters().length > 0);
     const asBefore = inherited ? words.asBefore(words.orientations[inherited]) : words.noOrientation;
-    const options = [["inherited", asBefore] as const, ...offered.map((kind) => [kind, words.orientations[kind]] as const)];
+    const options = [["inherited", asBefore] as const, ...listedOptions.map((kind) => [kind, words.orientations[kind]] as const)];
     this.kind.offer(options, own ?? "inherited");
     const kind = own ?? inherited;
     this.axis.element.hidden = kind !== "tool_axis";
@@ -74,8 +74,8 @@ export class OrientationFields {
       this.rotary = { letters: key, row };
       this.host.replaceChildren(row.element);
     }
-    const valuesOf = (values: Record<string, number> | undefined) => letters.map((letter) => values?.[letter]);
-    this.rotary.row.show(valuesOf(point.rotary_deg), "mm", valuesOf(before.rotary_deg));
+    const axisValues = (values: Record<string, number> | undefined) => letters.map((letter) => values?.[letter]);
+    this.rotary.row.show(axisValues(point.rotary_deg), "mm", axisValues(before.rotary_deg));
   }
 
   private setRotary(letters: string[], values: (number | undefined)[]): void {
@@ -90,18 +90,18 @@ export class OrientationFields {
     if (!point) return;
     if (kind === "inherited") return this.change(noOrientation);
     const chain = this.chain();
-    const now = kindOfOrientation(point) ? point : before;
+    const now = orientationKind(point) ? point : before;
     const direction = toolDirection(now, chain) ?? new Vector3(0, 0, 1);
     this.change({ ...noOrientation, [kind]: now[kind] ?? this.said(kind, direction, chain) });
   }
 
   private said(kind: OrientationKind, direction: Vector3, chain: Chain | null): Vector | Record<string, number> {
     if (kind === "tool_axis") return roundedVector(direction.toArray() as Vector);
-    if (kind === "rpy_deg") return roundedVector(rpyOf(new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), direction)));
+    if (kind === "rpy_deg") return roundedVector(toRpy(new Quaternion().setFromUnitVectors(new Vector3(0, 0, 1), direction)));
     const home = Object.fromEntries(
       chain?.scene.axes.flatMap(({ letter, rotary, home: value }) => (rotary ? [[letter, value] as const] : [])) ?? [],
     );
-    const found = (chain && rotaryFor(direction, home, chain)) ?? home;
+    const found = (chain && solveRotaryAxes(direction, home, chain)) ?? home;
     return Object.fromEntries(Object.entries(found).map(([letter, value]) => [letter, rounded(value)]));
   }
 }

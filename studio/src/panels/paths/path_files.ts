@@ -10,21 +10,21 @@ import { texts } from "../../texts";
 const words = texts.paths;
 
 /** Returns a name that no file has yet: "part 2.path.json". */
-export function freeFile(documents: Documents, stem: string): string {
+export function freeFileName(documents: Documents, stem: string): string {
   let name = `${stem}.path.json`;
   for (let i = 2; documents.exists(name); ++i) name = `${stem} ${i}.path.json`;
   return name;
 }
 
 /** Inserts a path file by a step of the history, and opens it for editing. */
-export function takeFile(store: Store, session: Session, label: string, name: string, text: string): void {
+export function insertFile(store: Store, session: Session, label: string, name: string, text: string): void {
   session.history.edit(label, { documents: { [name]: text } });
   store.set("pathFile", name);
 }
 
 /** Creates a file with one point, which is selected. */
-export function beginFile(store: Store, session: Session, point: Point): void {
-  const name = freeFile(session.documents, words.file.part);
-  takeFile(store, session, words.labels.begin, name, newPathFile(words.file.part, point));
+export function createFile(store: Store, session: Session, point: Point): void {
+  const name = freeFileName(session.documents, words.file.part);
+  insertFile(store, session, words.labels.begin, name, newPathFile(words.file.part, point));
   store.set("pathPoint", { path: 0, target: 0 });
 }

@@ -2,23 +2,23 @@
 // fields in grey.
 
 import { element } from "../../core/dom";
-import { editPath } from "../../core/path_desk";
-import type { PathShown } from "../../core/path_shown";
+import { editPath } from "../../core/path_editing";
+import type { DisplayedPath } from "../../core/displayed_path";
 import type { Session } from "../../core/session";
-import { robotOf } from "../../core/shown";
+import { shownRobot } from "../../core/display_state";
 import type { Store } from "../../core/store";
 import { movePoint, setTarget, type PointChange } from "../../run/path/path_edit";
-import { isRecorded, motionOf, motionTypes, type MotionType, type Place, type Point } from "../../run/path/path_file";
-import { upOf } from "../../run/path/leads";
+import { isRecorded, pointMotion, motionTypes, type MotionType, type TargetId, type Point } from "../../run/path/path_file";
+import { upDirection } from "../../run/path/leads";
 import { motionChange } from "../../run/path/path_motion";
-import type { State } from "../../run/path/path_walk";
-import { faultOfTarget } from "../../run/path/target_faults";
+import type { State } from "../../run/path/path_traversal";
+import { targetError } from "../../run/path/target_checks";
 import type { Vector } from "../../run/path/vector";
 import type { JsonValue } from "../../core/json_text";
 import { texts } from "../../texts";
 import { ActionList } from "./action_list";
 import { ArcFields } from "./arc_fields";
-import { FaultLine } from "./fault_line";
+import { ErrorLine } from "./error_line";
 import { ChoiceRow, NumberRow, NumbersRow, TextRow, type Quantity } from "./fields";
 import { OrientationFields } from "./orientation_fields";
 
@@ -36,17 +36,17 @@ const numbers: { key: NumberKey; quantity: Quantity; rare?: true }[] = [
 ];
 
 /** Point as used by forms: its data, its position, and the state before it. */
-export interface PointShown {
-  shown: PathShown;
-  place: Place;
+export interface PointState {
+  displayed: DisplayedPath;
+  place: TargetId;
   point: Point;
   before: State;
 }
 
 export class PointForm {
   readonly element: HTMLElement;
-  private at: PointShown | null = null;
-  private readonly fault = new FaultLine();
+  private at: PointState | null = null;
+  private readonly fault = new ErrorLine();
   private readonly name = new TextRow(words.name, (name) => this.change({ name: name || undefined }));
   private readonly motion = new ChoiceRow<MotionType>(
     words.motion,
@@ -68,10 +68,10 @@ export class PointForm {
     private readonly say: (sentence: string) => void,
   ) {
     this.orientation = new OrientationFields(
-      () => robotOf(store)?.chain ?? null,
+      () => shownRobot(store)?.chain ?? null,
       (change) => this.change(change),
     );
-    const usual = this.numbers.filter((_, i) => !numbers[i].rare).map((row) => row.element);
+    const commonRows = this.numbers.filter((_, i) => !numbers[i].rare).map((row) => row.element);
     const rare = this.numbers.filter((_, i) => numbers[i].rare).map((row) => row.element);
     this.element = element(
       "div",
@@ -82,19 +82,19 @@ export class PointForm {
       this.position.element,
       this.arc.element,
       this.orientation.element,
-      ...usual,
+      ...commonRows,
       this.actions.element,
       element("details", {}, element("summary", {}, words.more), ...rare, this.offset.element),
     );
   }
 
-  show(at: PointShown): void {
+  show(at: PointState): void {
     this.at = at;
-    const { shown, place, point, before } = at;
+    const { displayed, place, point, before } = at;
     const units = this.store.get("units");
-    this.fault.show(shown, place);
+    this.fault.show(displayed, place);
     this.name.show(point.name ?? "");
-    this.motion.show(motionOf(point));
+    this.motion.show(pointMotion(point));
     this.position.show(point.position_mm, units);
     this.arc.show(point, before.position_mm ?? null, units);
     this.orientation.show(point, before);
@@ -103,7 +103,7 @@ export class PointForm {
       this.numbers[i].show({ value: point[each.key], inherited: inherited as number | undefined }, units);
     });
     // Other paths set the work offset themselves.
-    this.offset.element.hidden = !isRecorded(shown.file) && point.work_offset === undefined;
+    this.offset.element.hidden = !isRecorded(displayed.file) && point.work_offset === undefined;
     this.offset.show(point.work_offset ?? "", before.work_offset ?? "");
     this.actions.show(point.actions ?? []);
   }
@@ -111,28 +111,28 @@ export class PointForm {
   /** Sets members of the point; a change that makes it invalid is refused with a message. */
   private change(change: PointChange): void {
     if (!this.at) return;
-    const { shown, place, point } = this.at;
-    const wanted = { ...point, ...change } as unknown as JsonValue;
-    const fault = faultOfTarget(wanted);
+    const { displayed, place, point } = this.at;
+    const requested = { ...point, ...change } as unknown as JsonValue;
+    const fault = targetError(requested);
     this.say(fault ? words.refused(fault) : "");
     if (fault) return this.show(this.at);
-    editPath(this.store, this.session, texts.paths.labels.change, setTarget(shown.text, place, change));
+    editPath(this.store, this.session, texts.paths.labels.change, setTarget(displayed.text, place, change));
   }
 
   private setMotion(motion: MotionType): void {
     if (!this.at) return;
     const { point, before } = this.at;
-    this.change(motionChange(point, motion, before.position_mm ?? null, upOf({ ...before, ...point })));
+    this.change(motionChange(point, motion, before.position_mm ?? null, upDirection({ ...before, ...point })));
   }
 
   private setPosition(values: (number | undefined)[]): void {
     if (!this.at) return;
-    const { shown, place, point } = this.at;
+    const { displayed, place, point } = this.at;
     const position_mm = point.position_mm.map((before, i) => values[i] ?? before) as Vector;
-    const fault = faultOfTarget({ ...point, position_mm } as unknown as JsonValue);
+    const fault = targetError({ ...point, position_mm } as unknown as JsonValue);
     this.say(fault ? words.refused(fault) : "");
     if (fault || values.includes(undefined)) return this.show(this.at);
-    const text = movePoint(shown.text, shown.file, shown.walk, place, position_mm);
+    const text = movePoint(displayed.text, displayed.file, displayed.walk, place, position_mm);
     editPath(this.store, this.session, texts.paths.labels.move, text);
   }
 }

@@ -1,7 +1,7 @@
 // Round trip in words: the distance between the path of a run and the path that its program was written from.
 
 import { element } from "../../core/dom";
-import { robotOf } from "../../core/shown";
+import { shownRobot } from "../../core/display_state";
 import type { Store } from "../../core/store";
 import { lengthText } from "../../core/units";
 import { roundTrip, type RoundTrip } from "../../run/path/round_trip";
@@ -10,7 +10,7 @@ import { texts } from "../../texts";
 
 const words = texts.paths.roundTrip;
 /** Distance above the accuracy of drawn paths, and above the rounding of programs. */
-const FAR_MM = 0.05;
+const MAX_DEVIATION_MM = 0.05;
 
 /** Path that a program was written from. */
 export interface Origin {
@@ -29,7 +29,7 @@ export class RoundTripNote {
 
   constructor(
     private readonly store: Store,
-    private readonly originOf: (program: string) => Origin | null,
+    private readonly snapshotOf: (program: string) => Origin | null,
   ) {
     this.element = element("div", {}, this.title, this.said, this.button);
     store.watch(["run", "running", "path"], () => this.show());
@@ -38,17 +38,17 @@ export class RoundTripNote {
   /** Shows the values. The path of a program is only known if it was written here. */
   show(): void {
     const { store } = this;
-    const [run, shown] = [store.get("run"), store.get("path")];
+    const [run, displayed] = [store.get("run"), store.get("path")];
     const program = run?.report?.program ?? "";
-    const origin = this.originOf(program);
-    const isOwn = origin !== null && origin.path === shown?.name;
-    const isKnown = this.of?.run === run && this.of?.text === shown?.text;
-    this.button.hidden = !run?.report || !shown || shown.fault !== "" || isKnown || (isOwn && origin.text === shown.text);
-    if (!run?.report || !shown) this.tell("");
+    const origin = this.snapshotOf(program);
+    const isOwn = origin !== null && origin.path === displayed?.name;
+    const isKnown = this.of?.run === run && this.of?.text === displayed?.text;
+    this.button.hidden = !run?.report || !displayed || displayed.fault !== "" || isKnown || (isOwn && origin.text === displayed.text);
+    if (!run?.report || !displayed) this.tell("");
     else if (store.get("running")) this.tell(words.running);
     else if (isKnown) this.tellFigures(program);
     else if (!isOwn) this.tell(words.other(program));
-    else if (origin.text !== shown.text) this.tell(words.changed(program));
+    else if (origin.text !== displayed.text) this.tell(words.changed(program));
     else if (this.isVisible) this.measure();
   }
 
@@ -63,10 +63,10 @@ export class RoundTripNote {
 
   private measure(): void {
     const { store } = this;
-    const [run, shown, robot] = [store.get("run"), store.get("path"), robotOf(store)];
-    if (!run || !shown) return;
-    this.of = { run, text: shown.text };
-    this.figures = robot ? roundTrip(shown.walk, robot.segments) : null;
+    const [run, displayed, robot] = [store.get("run"), store.get("path"), shownRobot(store)];
+    if (!run || !displayed) return;
+    this.of = { run, text: displayed.text };
+    this.figures = robot ? roundTrip(displayed.walk, robot.segments) : null;
     this.show();
   }
 
@@ -74,8 +74,8 @@ export class RoundTripNote {
     const { figures } = this;
     const units = this.store.get("units");
     if (!figures) return this.tell(words.noWay(program));
-    const { wayOff_mm, pathOff_mm } = figures;
-    const text = words.figures(program, lengthText(wayOff_mm, units), lengthText(pathOff_mm, units));
-    this.tell(this.of?.run.report?.status === "completed" ? text : words.unfinished(text), Math.max(wayOff_mm, pathOff_mm) > FAR_MM);
+    const { runDeviation_mm, pathDeviation_mm } = figures;
+    const text = words.figures(program, lengthText(runDeviation_mm, units), lengthText(pathDeviation_mm, units));
+    this.tell(this.of?.run.report?.status === "completed" ? text : words.unfinished(text), Math.max(runDeviation_mm, pathDeviation_mm) > MAX_DEVIATION_MM);
   }
 }

@@ -3,8 +3,8 @@
 import { element } from "../../core/dom";
 import type { Units } from "../../core/store";
 import type { SetUpChange } from "../../run/path/path_edit";
-import { isRecorded, rootOf, type PathFile } from "../../run/path/path_file";
-import { setUpKeys } from "../../run/path/target_faults";
+import { isRecorded, rootIndex, type PathFile } from "../../run/path/path_file";
+import { setUpKeys } from "../../run/path/target_checks";
 import { texts } from "../../texts";
 import { NumberRow } from "./fields";
 import { FrameFields } from "./frame_fields";
@@ -15,7 +15,7 @@ const words = texts.paths.frame;
  * True if fields for frames and tools are useful: a recorded path takes none, but existing ones can be
  * removed.
  */
-export const takesSetUp = (file: PathFile, of: object): boolean => !isRecorded(file) || setUpKeys.some((key) => key in of);
+export const acceptsSetup = (file: PathFile, of: object): boolean => !isRecorded(file) || setUpKeys.some((key) => key in of);
 
 export class SetUpFields {
   readonly element: HTMLElement;
@@ -41,9 +41,9 @@ export class SetUpFields {
 
   show(file: PathFile, path: number, units: Units): void {
     const own = file.paths[path];
-    this.fields.hidden = !takesSetUp(file, own);
+    this.fields.hidden = !acceptsSetup(file, own);
     this.recorded.hidden = !isRecorded(file);
-    this.frame.show({ frame: own, inherited: rootOf(file) === path ? words.ofPost : words.ofUser, units });
+    this.frame.show({ frame: own, inherited: rootIndex(file) === path ? words.ofPost : words.ofUser, units });
     this.tool.show({ value: own.tool }, units);
     this.length.element.hidden = this.diameter.element.hidden = own.tool === undefined;
     // The length offset of a tool has the number of the tool, unless another one is given.

@@ -1,12 +1,12 @@
 // Buttons for actions on the chosen points.
 
 import { choice, element, offer } from "../../core/dom";
-import type { PathShown } from "../../core/path_shown";
+import type { DisplayedPath } from "../../core/displayed_path";
 import { firstMachinePoint, noPoints } from "../../run/path/machine_points";
 import { texts } from "../../texts";
 import type { PathActions } from "./actions";
-import type { PointChoice } from "./choice_of_points";
-import type { KnownPointsOfSetup } from "./known_points";
+import type { TargetSelection } from "./target_selection";
+import type { SetupPoints } from "./known_points";
 
 const words = texts.paths.toolbar;
 type Name = "add" | "addMachinePoint" | "duplicate" | "remove" | "up" | "down" | "makeSubPath";
@@ -18,8 +18,8 @@ export class PathToolbar {
 
   constructor(
     actions: PathActions,
-    private readonly chosen: PointChoice,
-    known: KnownPointsOfSetup,
+    private readonly chosen: TargetSelection,
+    known: SetupPoints,
   ) {
     const button = (name: Name, act: () => void) =>
       element("button", { type: "button", title: words.titles[name], "aria-label": words.titles[name], onclick: act }, words.names[name]);
@@ -44,15 +44,15 @@ export class PathToolbar {
     );
   }
 
-  show(shown: PathShown | null): void {
+  show(displayed: DisplayedPath | null): void {
     const { range } = this.chosen;
     const isTarget = range !== null && range.place.target >= 0;
-    const count = shown && range ? (shown.file.paths[range.place.path]?.targets.length ?? 0) : 0;
+    const count = displayed && range ? (displayed.file.paths[range.place.path]?.targets.length ?? 0) : 0;
     this.buttons.duplicate.disabled = this.buttons.makeSubPath.disabled = !isTarget;
     this.buttons.remove.disabled = range === null;
     this.buttons.up.disabled = !isTarget || range.place.target === 0;
     this.buttons.down.disabled = !isTarget || range.place.target + range.count >= count;
-    const names = shown?.file.paths.map(({ name }) => name) ?? [];
+    const names = displayed?.file.paths.map(({ name }) => name) ?? [];
     offer(this.uses, [["", words.use] as const, ...names.map((name) => [name, name] as const)], "");
   }
 }

@@ -2,13 +2,13 @@
 // they extend the selection, with Alt they move it; a dragged row moves to the row that it is dropped on.
 
 import { element } from "../../core/dom";
-import type { PathShown } from "../../core/path_shown";
+import type { DisplayedPath } from "../../core/displayed_path";
 import type { Store } from "../../core/store";
 import { lengthNumber } from "../../core/units";
-import { isMachinePoint, isSubPath, type MachinePoint, type Place, type Point } from "../../run/path/path_file";
+import { isMachinePoint, isSubPath, type MachinePoint, type TargetId, type Point } from "../../run/path/path_file";
 import { texts } from "../../texts";
-import type { PointChoice } from "./choice_of_points";
-import { isRowOf, reveal, rowsOf, TreeState, type TreeRow } from "./tree_rows";
+import type { TargetSelection } from "./target_selection";
+import { isRowForTarget, reveal, visibleRows, TreeState, type TreeRow } from "./tree_rows";
 
 const words = texts.paths.tree;
 
@@ -17,7 +17,7 @@ export interface TreeActions {
   /** Moves the selection by so many positions. */
   move(by: number): void;
   /** Moves the selection to the position of another target. */
-  moveTo(place: Place): void;
+  moveTo(place: TargetId): void;
   remove(): void;
   duplicate(): void;
 }
@@ -32,11 +32,11 @@ export class PathTree {
 
   constructor(
     private readonly store: Store,
-    private readonly choice: PointChoice,
+    private readonly choice: TargetSelection,
     private readonly actions: TreeActions,
   ) {
     const { element: tree } = this;
-    tree.addEventListener("click", (event) => this.clicked(event));
+    tree.addEventListener("click", (event) => this.handleClick(event));
     tree.addEventListener("keydown", (event) => this.pressed(event));
     tree.addEventListener("dragstart", (event) => this.dragged(event));
     tree.addEventListener("dragover", (event) => {
@@ -46,22 +46,22 @@ export class PathTree {
   }
 
   /** Redraws the tree; the focus is kept, and follows the selection. */
-  show(shown: PathShown | null): void {
-    if (shown && shown.name !== this.name) this.begin(shown);
-    this.name = shown?.name ?? "";
+  show(displayed: DisplayedPath | null): void {
+    if (displayed && displayed.name !== this.name) this.begin(displayed);
+    this.name = displayed?.name ?? "";
     const { point } = this.choice;
-    if (shown && point) reveal(shown, this.state, point);
-    this.rows = shown ? [...rowsOf(shown, this.state)] : [];
+    if (displayed && point) reveal(displayed, this.state, point);
+    this.rows = displayed ? [...visibleRows(displayed, this.state)] : [];
     const hadFocus = this.element.contains(document.activeElement);
     const now = this.rows[this.current];
-    if (!now || !isRowOf(now, point)) {
-      const chosen = this.rows.findIndex((row) => isRowOf(row, point));
+    if (!now || !isRowForTarget(now, point)) {
+      const chosen = this.rows.findIndex((row) => isRowForTarget(row, point));
       if (chosen >= 0) this.current = chosen;
     }
     this.current = Math.min(this.current, Math.max(this.rows.length - 1, 0));
     while (this.element.childElementCount > this.rows.length) this.element.lastElementChild!.remove();
     while (this.element.childElementCount < this.rows.length) this.element.append(element("div", { role: "treeitem" }));
-    this.rows.forEach((row, i) => this.fill(this.element.children[i] as HTMLElement, row, i, shown!));
+    this.rows.forEach((row, i) => this.fill(this.element.children[i] as HTMLElement, row, i, displayed!));
     const item = this.element.children[this.current] as HTMLElement | undefined;
     if (hadFocus) item?.focus({ preventScroll: true });
     if (item) this.bringToSight(item);
@@ -75,7 +75,7 @@ export class PathTree {
     else if (top + item.offsetHeight > tree.scrollTop + tree.clientHeight) tree.scrollTop = top + item.offsetHeight - tree.clientHeight;
   }
 
-  private begin({ file, walk }: PathShown): void {
+  private begin({ file, walk }: DisplayedPath): void {
     this.current = 0;
     // Short paths are open.
     file.paths.forEach((_, path) => {
@@ -84,10 +84,10 @@ export class PathTree {
     this.state.set(String(Math.max(0, file.paths.findIndex(({ name }) => name === file.root))), true);
   }
 
-  private fill(item: HTMLElement, row: TreeRow, i: number, shown: PathShown): void {
-    const isChosen = row.more === 0 && this.choice.has(row.place);
+  private fill(item: HTMLElement, row: TreeRow, i: number, displayed: DisplayedPath): void {
+    const isSelected = row.more === 0 && this.choice.has(row.place);
     item.setAttribute("aria-level", String(row.level));
-    item.setAttribute("aria-selected", String(isChosen));
+    item.setAttribute("aria-selected", String(isSelected));
     if (row.below >= 0) item.setAttribute("aria-expanded", String(row.open));
     else item.removeAttribute("aria-expanded");
     item.tabIndex = i === this.current ? 0 : -1;
@@ -95,7 +95,7 @@ export class PathTree {
     item.className = ["row", row.motion ?? (row.more > 0 ? "more" : "path"), row.fault ? "faulty" : ""].join(" ");
     item.title = row.fault;
     item.style.setProperty("--level", String(row.level));
-    const parts = row.more > 0 ? [words.more(row.more)] : this.partsOf(row, shown);
+    const parts = row.more > 0 ? [words.more(row.more)] : this.partsOf(row, displayed);
     const text = parts.join("\n");
     if (item.dataset.text === text) return;
     item.dataset.text = text;
@@ -106,11 +106,11 @@ export class PathTree {
   }
 
   /** Returns number, kind and actions of a row. */
-  private partsOf({ place, target, below }: TreeRow, { file, walk }: PathShown): string[] {
+  private partsOf({ place, target, below }: TreeRow, { file, walk }: DisplayedPath): string[] {
     if (!target) {
       const { name, targets } = file.paths[below];
-      const isUsed = walk.used.has(below);
-      return ["", name, isUsed ? words.targets(targets.length) : words.unused];
+      const isReferenced = walk.used.has(below);
+      return ["", name, isReferenced ? words.targets(targets.length) : words.unused];
     }
     const number = String(place.target + 1);
     if (isSubPath(target)) return [number, target.path, target.repeats ? words.times(target.repeats) : ""];
@@ -132,24 +132,24 @@ export class PathTree {
     return parts.join(", ");
   }
 
-  private rowOf(event: Event): number {
+  private eventRow(event: Event): number {
     const item = (event.target as HTMLElement).closest("[role=treeitem]");
     return item ? [...this.element.children].indexOf(item) : -1;
   }
 
-  private clicked(event: MouseEvent): void {
-    const i = this.rowOf(event);
+  private handleClick(event: MouseEvent): void {
+    const i = this.eventRow(event);
     if (i < 0) return;
     this.current = i;
     const row = this.rows[i];
     (this.element.children[i] as HTMLElement).focus();
     if ((event.target as HTMLElement).classList.contains("twisty") && row.below >= 0) return this.open(row, !row.open);
-    this.take(row, event.shiftKey);
+    this.select(row, event.shiftKey);
   }
 
-  private take(row: TreeRow, extended: boolean): void {
+  private select(row: TreeRow, extended: boolean): void {
     if (row.more === 0) return this.choice.choose(row.place, extended);
-    this.state.widen(row.key.replace(/\/more$/, ""), row.place.target);
+    this.state.expand(row.key.replace(/\/more$/, ""), row.place.target);
     this.show(this.store.get("path"));
   }
 
@@ -200,8 +200,8 @@ export class PathTree {
       End: () => this.step(this.rows.length, shift),
       ArrowRight: () => (row.below >= 0 && !row.open ? this.open(row, true) : this.step(row.below >= 0 ? 1 : 0, false)),
       ArrowLeft: () => (row.open ? this.open(row, false) : this.step(this.parentOf(row) - this.current, false)),
-      Enter: () => this.take(row, shift),
-      " ": () => this.take(row, shift),
+      Enter: () => this.select(row, shift),
+      " ": () => this.select(row, shift),
       Delete: () => this.actions.remove(),
       Insert: () => this.actions.duplicate(),
     };
@@ -214,7 +214,7 @@ export class PathTree {
   }
 
   private dragged(event: DragEvent): void {
-    const row = this.rows[this.rowOf(event)];
+    const row = this.rows[this.eventRow(event)];
     if (!row || !event.dataTransfer) return;
     if (!this.choice.has(row.place)) this.choice.choose(row.place);
     event.dataTransfer.setData("text/plain", row.key);
@@ -222,8 +222,8 @@ export class PathTree {
   }
 
   /** Returns the position for a drop: next to targets of the same path. */
-  private dropPlace(event: DragEvent): Place | null {
-    const row = this.rows[this.rowOf(event)];
+  private dropPlace(event: DragEvent): TargetId | null {
+    const row = this.rows[this.eventRow(event)];
     const { range } = this.choice;
     const isOwn = range && row?.more === 0 && row.place.path === range.place.path && row.place.target >= 0;
     return isOwn ? row.place : null;

@@ -2,7 +2,7 @@
 // of the run and the given path.
 
 import { check, element } from "../../core/dom";
-import type { PathShown } from "../../core/path_shown";
+import type { DisplayedPath } from "../../core/displayed_path";
 import { baseName, shortName } from "../../core/kinds";
 import type { Session } from "../../core/session";
 import type { Store, Units } from "../../core/store";
@@ -26,13 +26,13 @@ const first: WriteChoice = {
   decimals_mm: undefined,
 };
 type Switch = "inch" | "rotary_as_given" | "verbose_words" | "separate_files" | "go_on";
-const usual: Switch[] = ["inch", "rotary_as_given"];
+const commonSwitches: Switch[] = ["inch", "rotary_as_given"];
 const rare: Switch[] = ["verbose_words", "separate_files", "go_on"];
 
 const isPost = (text: string): boolean => /^\s*reads_as\s*=/m.test(text);
 
 /** "wheel" of "parts/wheel.path.json" */
-const stemOf = (name: string): string => name.replace(/(\.path)?\.json$/i, "").replace(/^samples\//, "");
+const pathStem = (name: string): string => name.replace(/(\.path)?\.json$/i, "").replace(/^samples\//, "");
 
 /** Returns the name of a file in the same folder. */
 const beside = (name: string, file: string): string => name.slice(0, name.lastIndexOf("/") + 1) + file;
@@ -57,7 +57,7 @@ export class WriteForm {
     offsets.map((each) => [each, words.offsetsOf[each]] as const),
     (value) => this.set({ offsets: value }),
   );
-  private readonly switches = new Map([...usual, ...rare].map((key) => [key, check(words.switches[key], (on) => this.set({ [key]: on }))] as const));
+  private readonly switches = new Map([...commonSwitches, ...rare].map((key) => [key, check(words.switches[key], (on) => this.set({ [key]: on }))] as const));
   private readonly tolerance = new NumberRow(words.tolerance, "length", (tolerance_mm) => this.set({ tolerance_mm }));
   private readonly decimals = new NumberRow(words.decimals, "none", (decimals_mm) => this.set({ decimals_mm }));
   private readonly button = element("button", { type: "button", class: "primary", onclick: () => void this.write() }, words.write);
@@ -78,7 +78,7 @@ export class WriteForm {
       this.post.element,
       this.program.element,
       this.offsets.element,
-      rows(usual),
+      rows(commonSwitches),
       element("details", {}, element("summary", {}, texts.paths.form.more), rows(rare), this.tolerance.element, this.decimals.element),
       this.button,
       this.refused,
@@ -100,7 +100,7 @@ export class WriteForm {
   }
 
   /** Returns the built-in posts, and files that are posts. */
-  private offered(): [string, string][] {
+  private listedOptions(): [string, string][] {
     const { documents } = this.session;
     const own = documents.ownNames().filter((name) => /\.toml$/i.test(name) && isPost(documents.text(name)));
     return [...this.names, ...own].map((name) => [name, shortName(name)]);
@@ -114,8 +114,8 @@ export class WriteForm {
   }
 
   private get programName(): string {
-    const ending = this.dialectOf(this.choice.post) === "rs274ngc" ? ".ngc" : ".nc";
-    return this.name || `${stemOf(this.path)}${ending}`;
+    const extension = this.dialectOf(this.choice.post) === "rs274ngc" ? ".ngc" : ".nc";
+    return this.name || `${pathStem(this.path)}${extension}`;
   }
 
   /** True if writing would replace a file that was not written from this path. */
@@ -124,35 +124,35 @@ export class WriteForm {
     return this.session.documents.get(name) !== undefined && this.written.get(name)?.path !== this.path;
   }
 
-  show(shown: PathShown | null, units: Units): void {
+  show(displayed: DisplayedPath | null, units: Units): void {
     this.units = units;
-    if (shown && shown.name !== this.path) [this.path, this.name] = [shown.name, ""];
+    if (displayed && displayed.name !== this.path) [this.path, this.name] = [displayed.name, ""];
     const { choice } = this;
-    this.post.offer(this.offered(), choice.post);
+    this.post.offer(this.listedOptions(), choice.post);
     this.program.show(this.name, this.programName);
     this.offsets.show(choice.offsets as (typeof offsets)[number]);
     for (const [key, { box }] of this.switches) box.checked = choice[key];
     this.tolerance.show({ value: choice.tolerance_mm, inherited: 0.01 }, units);
     this.decimals.show({ value: choice.decimals_mm }, "mm");
     this.button.textContent = this.replaces ? words.replace(this.programName) : words.write;
-    this.button.disabled = !shown || shown.fault !== "";
+    this.button.disabled = !displayed || displayed.fault !== "";
     this.roundTrip.show();
   }
 
   private async write(): Promise<void> {
-    const shown = this.store.get("path");
-    if (!shown) return;
+    const displayed = this.store.get("path");
+    if (!displayed) return;
     const name = this.programName;
     const { choice } = this;
     this.button.disabled = true;
-    const made = await writeProgram(this.session, shown.name, { ...choice, program_name: baseName(name).replace(/\.[^.]*$/, "") });
+    const made = await writeProgram(this.session, displayed.name, { ...choice, program_name: baseName(name).replace(/\.[^.]*$/, "") });
     this.button.disabled = false;
     this.refused.hidden = !("refused" in made);
     this.refused.textContent = "refused" in made ? made.refused : "";
     this.notes.replaceChildren();
     if ("refused" in made) return;
     this.notes.append(...made.notes.map((note) => element("li", {}, note)));
-    this.written.set(name, { path: shown.name, text: shown.text });
+    this.written.set(name, { path: displayed.name, text: displayed.text });
     this.keep(name, this.dialectOf(choice.post), made);
     this.show(this.store.get("path"), this.units);
   }

@@ -13,7 +13,7 @@ export interface Context {
 }
 
 /** Returns null if nothing has run. */
-export function contextOf(store: Store): Context | null {
+export function runContext(store: Store): Context | null {
   const run = store.get("run");
   if (!run) return null;
   const index = store.get("robot");

@@ -4,12 +4,12 @@ import "./results.css";
 import { choice, element } from "../../core/dom";
 import type { Store } from "../../core/store";
 import { texts } from "../../texts";
-import { contextOf, type Tab } from "./context";
+import { runContext, type Tab } from "./context";
 import { createStatus } from "./status";
 import { createBlocks } from "./tabs/blocks";
 import { createCompare } from "./tabs/compare";
 import { createEvents } from "./tabs/events";
-import { createShares } from "./tabs/shares";
+import { createTimeShares } from "./tabs/shares";
 import { createSummary } from "./tabs/summary";
 import { createTabs } from "../tab_bar";
 
@@ -26,14 +26,14 @@ export function createResults(host: HTMLElement, store: Store): void {
   const all: Record<keyof typeof words.tabs, Tab> = {
     summary: createSummary(store),
     blocks,
-    shares: createShares(store, links),
+    shares: createTimeShares(store, links),
     events: createEvents(store),
     compare: createCompare(store),
   };
-  const stale = new Set<string>();
+  const staleTabs = new Set<string>();
   const draw = (name: string) => {
-    const context = contextOf(store);
-    if (context && stale.delete(name)) all[name as keyof typeof all].draw(context);
+    const context = runContext(store);
+    if (context && staleTabs.delete(name)) all[name as keyof typeof all].draw(context);
   };
   const tabs = createTabs(words.results, words.tabs, all, "results", draw);
   const robots = element("div", { class: "robots" });
@@ -50,13 +50,13 @@ export function createResults(host: HTMLElement, store: Store): void {
       element("label", {}, `${words.robot} `),
       choice(words.robot, options, String(store.get("robot")), (value) => store.set("robot", Number(value))),
     );
-    content.hidden = !run?.report || run.failure !== null;
+    content.hidden = !run?.report || run.error !== null;
   });
   store.watch(["run", "robot", "units", "previous"], () => {
-    const isLookedAt = (name: string) => name === tabs.chosen && contextOf(store) !== null;
+    const isVisible = (name: string) => name === tabs.chosen && runContext(store) !== null;
     for (const [name, tab] of Object.entries(all) as [string, Tab][]) {
-      stale.add(name);
-      if (!isLookedAt(name)) tab.forget?.();
+      staleTabs.add(name);
+      if (!isVisible(name)) tab.forget?.();
     }
     draw(tabs.chosen);
   });

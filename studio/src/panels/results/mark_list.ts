@@ -1,7 +1,7 @@
 // List of marks with position and time; a click on one jumps to it.
 
 import { element } from "../../core/dom";
-import { goTo } from "../../core/go";
+import { goTo } from "../../core/navigation";
 import { markText } from "../../core/names";
 import type { Store } from "../../core/store";
 import { countText, timeText } from "../../core/units";
@@ -28,7 +28,7 @@ export const markItem = (mark: Mark, store: Store): Item => ({
   choose: () => goTo(store, mark, mark.t_s),
 });
 
-const rowOf = (item: Item): HTMLElement =>
+const createRow = (item: Item): HTMLElement =>
   element(
     "li",
     { role: "option", "aria-selected": "false", title: item.title, class: `mark ${item.kind}` },
@@ -41,7 +41,7 @@ export function itemList(label: string, items: Item[], first: number): HTMLEleme
   const list = element("ul", { class: "rows", role: "listbox", "aria-label": label });
   const more = element("button", { class: "more", onclick: () => show(list.childElementCount + 10 * first) });
   const show = (count: number) => {
-    list.append(...items.slice(list.childElementCount, count).map(rowOf));
+    list.append(...items.slice(list.childElementCount, count).map(createRow));
     beginRows(list);
     more.hidden = list.childElementCount >= items.length;
     more.textContent = words.more(Math.min(items.length - list.childElementCount, 10 * first));

@@ -28,7 +28,7 @@ export function makeRows(
   container.addEventListener("keydown", (event) => {
     const row = indexOf(event.target);
     if (row < 0 || event.ctrlKey || event.metaKey || event.altKey) return;
-    const acts: Record<string, () => void> = {
+    const actions: Record<string, () => void> = {
       ArrowDown: () => focus(row + 1),
       ArrowUp: () => focus(row - 1),
       PageDown: () => focus(row + 10),
@@ -39,7 +39,7 @@ export function makeRows(
       " ": () => choose(row),
     };
     const own = keys[event.key];
-    const act = own ? () => own(row) : acts[event.key];
+    const act = own ? () => own(row) : actions[event.key];
     if (!act) return;
     event.preventDefault();
     act();

@@ -1,18 +1,18 @@
 // Result of a run as a message, with the source locations of its errors.
 
 import { element } from "../../core/dom";
-import { goTo } from "../../core/go";
+import { goTo } from "../../core/navigation";
 import type { Store } from "../../core/store";
 import { countText, timeText } from "../../core/units";
 import type { Report } from "../../run/report";
-import type { Run, Told } from "../../run/run";
+import type { Run, EngineDiagnostic } from "../../run/run";
 import { texts } from "../../texts";
-import { contextOf } from "./context";
+import { runContext } from "./context";
 import { itemList, type Item } from "./mark_list";
 
 const words = texts.panels;
 
-const toldItem = (told: Told, store: Store): Item => ({
+const diagnosticItem = (told: EngineDiagnostic, store: Store): Item => ({
   kind: told.severity,
   text: told.hint ? `${told.text}. ${told.hint}` : told.text,
   title: told.file,
@@ -21,26 +21,26 @@ const toldItem = (told: Told, store: Store): Item => ({
 });
 
 /** "No contact" means little if nothing was checked. */
-function touchingOf({ cell }: Report): string {
+function contactText({ cell }: Report): string {
   const pairs = (cell?.looked_at?.pairs ?? 0) + (cell?.looked_at?.with_robots ?? 0);
   return pairs > 0 ? words.touchesNothing(pairs) : words.notLooked;
 }
 
 /** Returns the message and its severity. */
-function sentenceOf(run: Run, report: Report | null): [text: string, severity: string] {
-  if (run.failure) return [words.refused(run.failure.message), "error"];
+function statusText(run: Run, report: Report | null): [text: string, severity: string] {
+  if (run.error) return [words.refused(run.error.message), "error"];
   const status = run.report?.status;
   if (!report || !status) return [words.nothing, ""];
   const alarm = report.alarm ?? run.report?.alarm;
-  if (status === "alarm") return [words.alarmed(alarm?.message ?? ""), "error"];
+  if (status === "alarm") return [words.has_alarm(alarm?.message ?? ""), "error"];
   if (status === "stopped") {
-    const isOfPage = alarm?.code === "run-limit" && /--max-blocks/.test(alarm.message) && run.keptAs === "";
-    return [words.stopped(alarm?.message ?? "") + (isOfPage ? ` ${words.longerRuns}` : ""), "error"];
+    const isPageLimit = alarm?.code === "run-limit" && /--max-blocks/.test(alarm.message) && run.storageKey === "";
+    return [words.stopped(alarm?.message ?? "") + (isPageLimit ? ` ${words.longerRuns}` : ""), "error"];
   }
   const violations = report.violation_count ?? 0;
   const contacts = report.collisions?.length ?? 0;
   const said = [violations > 0 ? words.violated(violations) : words.completed];
-  said.push(contacts > 0 ? words.collided(contacts) : touchingOf(report));
+  said.push(contacts > 0 ? words.collided(contacts) : contactText(report));
   if (report.valid_until_s != null) said.push(words.validUntil(timeText(report.valid_until_s, 1)));
   return [said.join(" "), violations + contacts > 0 ? "error" : "good"];
 }
@@ -66,14 +66,14 @@ export function createStatus(store: Store): HTMLElement {
     done.textContent = words.runningBlocks(countText(state.done), state.total > 0 ? countText(state.total) : "");
   });
   store.watch(["run", "robot"], () => {
-    const context = contextOf(store);
-    const [text, severity] = context ? sentenceOf(context.run, context.report) : [words.nothing, ""];
+    const context = runContext(store);
+    const [text, severity] = context ? statusText(context.run, context.report) : [words.nothing, ""];
     sentence.textContent = text;
     const report = context?.run.report;
     of.textContent = report?.program ? words.ofProgram(report.program, context?.robot?.scene.machine ?? "") : "";
     sentence.className = `sentence ${severity}`;
     const told = context?.run.told ?? [];
-    const items = told.map((one) => toldItem(one, store));
+    const items = told.map((one) => diagnosticItem(one, store));
     places.replaceChildren(...(items.length > 0 ? [itemList(words.told, items, 20)] : []));
   });
   return element("div", { class: "status" }, running, of, sentence, places);

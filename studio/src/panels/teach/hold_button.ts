@@ -2,8 +2,8 @@
 
 import { element } from "../../core/dom";
 
-const FIRST_MS = 350;
-const NEXT_MS = 70;
+const INITIAL_DELAY_MS = 350;
+const REPEAT_DELAY_MS = 70;
 
 /** Waits for slow work before it is repeated. */
 export function holdButton(text: string, label: string, act: () => void | Promise<void>): HTMLButtonElement {
@@ -16,7 +16,7 @@ export function holdButton(text: string, label: string, act: () => void | Promis
   };
   const work = async (pause_ms: number) => {
     await act();
-    if (isHeld) timer = setTimeout(() => void work(NEXT_MS), pause_ms);
+    if (isHeld) timer = setTimeout(() => void work(REPEAT_DELAY_MS), pause_ms);
   };
   const button = element(
     "button",
@@ -30,7 +30,7 @@ export function holdButton(text: string, label: string, act: () => void | Promis
         button.setPointerCapture((event as PointerEvent).pointerId);
         end();
         isHeld = true;
-        void work(FIRST_MS);
+        void work(INITIAL_DELAY_MS);
       },
       onpointerup: end,
       onpointercancel: end,

@@ -8,23 +8,23 @@ import { element } from "../../core/dom";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
 import type { Point } from "../../run/path/path_file";
-import type { State } from "../../run/path/path_walk";
+import type { State } from "../../run/path/path_traversal";
 import { axisValue } from "../../run/chain";
-import { jointsWith, rpyOf } from "../../run/path/tool_direction";
+import { jointsWith, toRpy } from "../../run/path/tool_direction";
 import { texts } from "../../texts";
-import type { Form } from "../form";
+import type { PanelForm } from "../form";
 import { numberText } from "../paths/fields";
-import { JogState, rangeOf } from "./jog_state";
+import { JogState, axisRange } from "./jog_state";
 import { JointRow } from "./joint_row";
-import { poseOf, type Pose, type PoseWanted } from "./pose";
-import { Recording } from "./record";
+import { requestPose, type Pose, type PoseRequest } from "./pose";
+import { PointRecorder } from "./point_recorder";
 import { Steps } from "./steps";
-import { TipPad } from "./tip_pad";
+import { TcpPad } from "./tcp_pad";
 
 const words = texts.teach;
 const CHECK_MS = 150;
 /** With so many rotary axes the rotation of the tool about its own axis can be set. */
-const FREE = 3;
+const MIN_REDUNDANT_AXES = 3;
 
 class TeachPanel {
   readonly element: HTMLElement;
@@ -34,11 +34,11 @@ class TeachPanel {
   private readonly steps = new Steps();
   private readonly joints = element("div", { class: "joints" });
   private rows: JointRow[] = [];
-  private readonly pad: TipPad;
-  private readonly recording: Recording;
+  private readonly pad: TcpPad;
+  private readonly recording: PointRecorder;
   private readonly said = element("p", { class: "said", role: "status" });
   private readonly checking = new Debounced(() => void this.check());
-  private isShown = false;
+  private isVisible = false;
   /** Whether that is what is said. */
   private touches = false;
 
@@ -47,11 +47,11 @@ class TeachPanel {
     private readonly session: Session,
   ) {
     this.state = new JogState(store);
-    this.pad = new TipPad({
+    this.pad = new TcpPad({
       move: (axis, sense) => this.moveTip(axis, sense),
       turn: (axis, sense) => this.turnTip(axis, sense),
     });
-    this.recording = new Recording(store, session, this.state, {
+    this.recording = new PointRecorder(store, session, this.state, {
       goTo: (point, state) => void this.goTo(point, state),
       say: (sentence) => this.say(sentence),
     });
@@ -63,15 +63,15 @@ class TeachPanel {
     store.watch(["jog", "units"], () => this.show());
   }
 
-  shown(): void {
-    this.isShown = true;
+  displayed(): void {
+    this.isVisible = true;
     this.store.set("showPath", true);
     this.state.begin();
     this.show();
   }
 
   hidden(): void {
-    this.isShown = false;
+    this.isVisible = false;
     this.state.end();
     this.store.set("showPath", false);
   }
@@ -90,7 +90,7 @@ class TeachPanel {
       this.joints.replaceChildren(...this.rows.map((row) => row.element));
       this.say("");
     }
-    if (this.isShown) this.state.begin();
+    if (this.isVisible) this.state.begin();
     this.show();
   }
 
@@ -103,15 +103,15 @@ class TeachPanel {
     this.steps.show(units);
     if (!frame || rows.length === 0) return;
     state.values.forEach((value, i) => rows[i].show(value, units));
-    const isAlone = (store.get("run")?.robots.length ?? 0) === 1;
-    this.pad.show(frame, units, isAlone && this.session.canRun, state.axes.some(({ rotary }) => rotary));
-    if (this.isShown && isAlone) this.checking.after(CHECK_MS);
+    const isSingleRobot = (store.get("run")?.robots.length ?? 0) === 1;
+    this.pad.show(frame, units, isSingleRobot && this.session.canRun, state.axes.some(({ rotary }) => rotary));
+    if (this.isVisible && isSingleRobot) this.checking.after(CHECK_MS);
   }
 
   private set(axis: number, value: number): void {
     const { letter, rotary } = this.state.axes[axis];
     const isWithin = this.state.setValue(axis, value);
-    const [low, high] = rangeOf(this.state.axes[axis]);
+    const [low, high] = axisRange(this.state.axes[axis]);
     const end = numberText(value < low ? low : high, rotary ? "angle" : "length", this.store.get("units"));
     this.say(isWithin ? "" : words.limit(letter, end), !isWithin);
   }
@@ -127,18 +127,18 @@ class TeachPanel {
    * Returns the engine's result for the current pose; null if the machine has changed, has moved or is not
    * shown any more.
    */
-  private async ask(wanted: PoseWanted): Promise<Pose | string | null> {
+  private async ask(requested: PoseRequest): Promise<Pose | string | null> {
     const { robot } = this.state;
     const jog = this.store.get("jog");
-    const pose = await poseOf(this.session, wanted, this.state.tool_mm);
-    if (!this.isShown) return null;
+    const pose = await requestPose(this.session, requested, this.state.tool_mm);
+    if (!this.isVisible) return null;
     return this.state.robot === robot && this.store.get("jog") === jog ? pose : null;
   }
 
   /** Checks for contacts at the current pose. */
   private async check(): Promise<void> {
     const { values } = this.state;
-    if (!this.isShown || values.length === 0) return;
+    if (!this.isVisible || values.length === 0) return;
     const pose = await this.ask({ joints: values });
     if (pose === null || typeof pose === "string") return;
     const touches = pose.collisions.length > 0;
@@ -151,11 +151,11 @@ class TeachPanel {
    * Moves to the joints that the engine returns for the TCP pose; if it is not possible, a message says why,
    * and nothing moves.
    */
-  private async goBy(wanted: PoseWanted): Promise<void> {
+  private async goBy(requested: PoseRequest): Promise<void> {
     const { robot } = this.state;
-    const pose = await this.ask(wanted);
+    const pose = await this.ask(requested);
     if (pose === null) {
-      if (this.isShown && this.state.robot !== robot) this.say(words.otherRun, true);
+      if (this.isVisible && this.state.robot !== robot) this.say(words.otherRun, true);
       return;
     }
     if (typeof pose === "string") return this.say(words.unreachable(pose), true);
@@ -179,10 +179,10 @@ class TeachPanel {
     const tip_mm = new Vector3().setFromMatrixPosition(frame).toArray();
     const about = new Vector3().setComponent(axis, 1);
     const turn = new Quaternion().setFromAxisAngle(about, (sense * this.steps.step_deg * Math.PI) / 180);
-    const isFree = axes.filter(({ rotary }) => rotary).length >= FREE;
+    const isFree = axes.filter(({ rotary }) => rotary).length >= MIN_REDUNDANT_AXES;
     if (isFree) {
       const rotation = turn.multiply(new Quaternion().setFromRotationMatrix(frame));
-      await this.goBy({ tip_mm, rpy_deg: rpyOf(rotation), near: values });
+      await this.goBy({ tip_mm, rpy_deg: toRpy(rotation), near: values });
       return;
     }
     const tool_axis = new Vector3().setFromMatrixColumn(frame, 2).applyQuaternion(turn).toArray();
@@ -199,6 +199,6 @@ class TeachPanel {
   }
 }
 
-export function createTeach(store: Store, session: Session): Form {
+export function createTeach(store: Store, session: Session): PanelForm {
   return new TeachPanel(store, session);
 }

@@ -1,7 +1,7 @@
 // Joints as moved by hand, in place of those of the run.
 
 import { Vector3, type Matrix4 } from "three";
-import { robotOf } from "../../core/shown";
+import { shownRobot } from "../../core/display_state";
 import type { Store } from "../../core/store";
 import { axisValue, jointValue } from "../../run/chain";
 import { toolInWork } from "../../run/path/tool_direction";
@@ -9,20 +9,20 @@ import type { Robot } from "../../run/run";
 import type { Axis } from "../../run/scene";
 
 /** Returns the lowest and highest value of an axis, mm or deg. */
-export const rangeOf = ({ min, max }: Axis): [number, number] => [min ?? -Infinity, max ?? Infinity];
-export const clamped = (value: number, axis: Axis): number => Math.min(Math.max(value, rangeOf(axis)[0]), rangeOf(axis)[1]);
+export const axisRange = ({ min, max }: Axis): [number, number] => [min ?? -Infinity, max ?? Infinity];
+export const clamped = (value: number, axis: Axis): number => Math.min(Math.max(value, axisRange(axis)[0]), axisRange(axis)[1]);
 
 export class JogState {
   /** Joints kept while the form is not visible. */
   private kept: ArrayLike<number> | null = null;
   /** Machine that the moved joints belong to. */
   private machine = "";
-  private isLookedAt = false;
+  private isVisible = false;
 
   constructor(private readonly store: Store) {}
 
   get robot(): Robot | undefined {
-    return robotOf(this.store);
+    return shownRobot(this.store);
   }
 
   get axes(): Axis[] {
@@ -35,7 +35,7 @@ export class JogState {
 
   /** Called when the form becomes visible: restores the last joints, else takes those of the run. */
   begin(): void {
-    this.isLookedAt = true;
+    this.isVisible = true;
     const now = this.store.get("jog") ?? this.kept;
     const { robot } = this;
     const machine = robot ? JSON.stringify([robot.name, robot.scene.machine, this.axes]) : "";
@@ -46,7 +46,7 @@ export class JogState {
   }
 
   end(): void {
-    this.isLookedAt = false;
+    this.isVisible = false;
     this.kept = this.store.get("jog");
     this.store.set("jog", null);
   }
@@ -59,7 +59,7 @@ export class JogState {
     this.store.set("jog", joints ? Array.from(joints) : null);
     if (!robot || joints) return;
     void robot.segments.need(robot.segments.at(t_s)).then((isHere) => {
-      if (isHere && this.isLookedAt && this.robot === robot && !this.store.get("jog")) this.fromRun();
+      if (isHere && this.isVisible && this.robot === robot && !this.store.get("jog")) this.fromRun();
     });
   }
 
@@ -86,7 +86,7 @@ export class JogState {
    */
   private get tip(): Vector3 {
     const { robot } = this;
-    return new Vector3(...(robot?.scene.tips_mm[robot.tip_at(this.store.get("time_s")) ?? 0] ?? [0, 0, 0]));
+    return new Vector3(...(robot?.scene.tips_mm[robot.tcp_at(this.store.get("time_s")) ?? 0] ?? [0, 0, 0]));
   }
 
   /**

@@ -7,13 +7,13 @@ import type { Axis } from "../../run/scene";
 import { texts } from "../../texts";
 import { NumberInput, numberText } from "../paths/fields";
 import { holdButton } from "./hold_button";
-import { rangeOf } from "./jog_state";
+import { axisRange } from "./jog_state";
 
 const words = texts.teach;
 /** Range of the slider on both sides of the current value, for an axis without ends. */
-const FAR = { mm: 1000, deg: 360 };
+const SLIDER_RANGE = { mm: 1000, deg: 360 };
 /** Share of the range; a value closer to an end than this counts as near. */
-const NEAR = 0.05;
+const NEAR_LIMIT_SHARE = 0.05;
 
 export interface JointEvents {
   set(value: number): void;
@@ -57,14 +57,14 @@ export class JointRow {
   show(value: number, units: Units): void {
     const { axis, slider } = this;
     const quantity = axis.rotary ? "angle" : "length";
-    const [low, high] = rangeOf(axis);
+    const [low, high] = axisRange(axis);
     this.setSlider(value, low, high);
     this.input.show({ value }, units);
     this.ends[0].textContent = Number.isFinite(low) ? numberText(low, quantity, units) : words.noEnd;
     this.ends[1].textContent = Number.isFinite(high) ? numberText(high, quantity, units) : words.noEnd;
     const left = Math.min(value - low, high - value);
     const distance = axis.rotary ? `${left.toFixed(2)}°` : lengthText(left, units);
-    const isNear = left <= NEAR * (high - low) && Number.isFinite(high - low);
+    const isNear = left <= NEAR_LIMIT_SHARE * (high - low) && Number.isFinite(high - low);
     this.near.textContent = left <= 0 ? words.atEnd : isNear ? words.toEnd(distance) : "";
     this.element.classList.toggle("is-near", isNear || left <= 0);
     slider.setAttribute("aria-valuetext", axis.rotary ? `${value.toFixed(2)}°` : lengthText(value, units));
@@ -72,7 +72,7 @@ export class JointRow {
 
   private setSlider(value: number, low: number, high: number): void {
     const { slider, axis } = this;
-    const far = axis.rotary ? FAR.deg : FAR.mm;
+    const far = axis.rotary ? SLIDER_RANGE.deg : SLIDER_RANGE.mm;
     // For an axis without ends, the slider is centred again after the value has left its range.
     if (!(Math.abs(value - this.middle) < far)) this.middle = value;
     slider.min = String(Number.isFinite(low) ? low : this.middle - far);

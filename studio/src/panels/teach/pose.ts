@@ -13,14 +13,14 @@ export interface Pose {
   collisions: [string, string][];
 }
 
-export type PoseWanted =
+export type PoseRequest =
   | { joints: readonly number[] }
   | { tip_mm: readonly number[]; tool_axis?: readonly number[]; rpy_deg?: readonly number[]; near: readonly number[] };
 
 /** Returns a message if such a pose does not exist. */
-export async function poseOf(session: Session, wanted: PoseWanted, tool_mm: number): Promise<Pose | string> {
+export async function requestPose(session: Session, requested: PoseRequest, tool_mm: number): Promise<Pose | string> {
   const { machine, machine_data, cell } = session.setup;
-  const { ok, message, messages } = await session.question({ do: "pose", machine, machine_data, cell, ...wanted, tool_mm });
+  const { ok, message, messages } = await session.sendRequest({ do: "pose", machine, machine_data, cell, ...requested, tool_mm });
   const found = messages.find(({ is }) => is === "pose");
   return ok && found ? (found.header as unknown as Pose) : message;
 }

@@ -2,7 +2,7 @@
 
 import { element, choice, offer } from "../../core/dom";
 import type { Units } from "../../core/store";
-import { lengthUnit, mmOf } from "../../core/units";
+import { lengthUnit, toMm } from "../../core/units";
 import { texts } from "../../texts";
 
 const words = texts.teach;
@@ -33,7 +33,7 @@ export class Steps {
   }
 
   get step_mm(): number {
-    return mmOf(lengths[this.units][this.place], this.units);
+    return toMm(lengths[this.units][this.place], this.units);
   }
 
   get step_deg(): number {

@@ -2,28 +2,28 @@
 
 import { check, choice, element, offer } from "../../core/dom";
 import { Debounced } from "../../core/debounced";
-import { goTo, goToBlock } from "../../core/go";
+import { goTo, goToBlock } from "../../core/navigation";
 import type { Session } from "../../core/session";
 import type { Store } from "../../core/store";
 import { countText } from "../../core/units";
 import type { Run } from "../../run/run";
 import { texts } from "../../texts";
 import { Differences } from "./data/differences";
-import { isFresh, type Standing } from "./data/results";
+import { isCurrent, type VariantStatus } from "./data/results";
 import type { Variant } from "./data/variants_file";
 import { DifferenceRows } from "./difference_rows";
-import type { Listed } from "./list";
-import { notesOf, sentencesOf } from "./sentences";
-import { standingText } from "./words";
+import type { ListedVariant } from "./list";
+import { comparisonNotes, comparisonMessages } from "./comparison_messages";
+import { statusText } from "./words";
 
 const words = texts.variants;
-const FIRST = 200;
+const FIRST_ROWS = 200;
 const TYPING_PAUSE_MS = 150;
 
 /** Variant with current results. */
-interface Fresh {
+interface CurrentVariant {
   variant: Variant;
-  standing: Standing;
+  standing: VariantStatus;
   run: Run;
 }
 
@@ -42,14 +42,14 @@ export class Compare {
   private readonly rows: DifferenceRows;
   private readonly more = element("button", { class: "more", type: "button", onclick: () => this.showMore() });
   private readonly results: HTMLElement;
-  private readonly typing = new Debounced(() => this.showRows(FIRST));
+  private readonly typing = new Debounced(() => this.showRows(FIRST_ROWS));
   private chosen: [string, string] = ["", ""];
-  private listed: readonly Listed[] = [];
-  private pair: [Fresh, Fresh] | null = null;
+  private listed: readonly ListedVariant[] = [];
+  private pair: [CurrentVariant, CurrentVariant] | null = null;
   /** Inputs of the differences, as a text. */
   private compared = "";
   private differences: Differences | null = null;
-  private most = FIRST;
+  private most = FIRST_ROWS;
   private shows = false;
 
   constructor(
@@ -77,7 +77,7 @@ export class Compare {
   }
 
   /** Called when the list of variants has changed. */
-  show(listed: readonly Listed[]): void {
+  show(listed: readonly ListedVariant[]): void {
     this.listed = listed;
     this.draw();
   }
@@ -98,9 +98,9 @@ export class Compare {
     if (!isSame || !this.differences) this.compare();
   }
 
-  private freshOf(name: string): Fresh | null {
+  private freshOf(name: string): CurrentVariant | null {
     const found = this.listed.find(({ variant }) => variant.name === name);
-    return found && isFresh(found.standing) ? { ...found, run: found.standing.run } : null;
+    return found && isCurrent(found.standing) ? { ...found, run: found.standing.run } : null;
   }
 
   private compare(): void {
@@ -110,23 +110,23 @@ export class Compare {
     if (!pair) return this.said.replaceChildren(...this.whyNot().map(note));
     const robot = this.store.get("robot");
     const [a, b] = pair.map(({ run }) => ({ run, robot: run.robots[robot] }));
-    const lacking = pair.find(({ run }) => !run.robots[robot]);
-    if (lacking) return this.said.replaceChildren(note(words.noRobot(lacking.variant.name, robot + 1)));
+    const missingRun = pair.find(({ run }) => !run.robots[robot]);
+    if (missingRun) return this.said.replaceChildren(note(words.noRobot(missingRun.variant.name, robot + 1)));
     const from = pair[1].variant.from ?? pair[0].variant.from;
     const differences = new Differences(a, b, from);
-    const named = { differences, names: this.chosen };
-    const sentences = sentencesOf(named).map((text, i) => element("p", { class: i === 0 ? "great" : "" }, text));
-    this.said.replaceChildren(...sentences, ...notesOf(named).map(note));
+    const namedComparison = { differences, names: this.chosen };
+    const sentences = comparisonMessages(namedComparison).map((text, i) => element("p", { class: i === 0 ? "great" : "" }, text));
+    this.said.replaceChildren(...sentences, ...comparisonNotes(namedComparison).map(note));
     this.differences = differences;
-    this.results.hidden = !differences.isReached;
-    this.showRows(FIRST);
+    this.results.hidden = !differences.reachesStart;
+    this.showRows(FIRST_ROWS);
   }
 
   private whyNot(): string[] {
     if (this.chosen[0] === this.chosen[1]) return [words.twoNeeded];
     const found = this.chosen.flatMap((name) => {
       const listed = this.listed.find(({ variant }) => variant.name === name);
-      return listed && !isFresh(listed.standing) ? [words.notFresh(name, standingText(listed.standing)[0])] : [];
+      return listed && !isCurrent(listed.standing) ? [words.notFresh(name, statusText(listed.standing)[0])] : [];
     });
     return [words.twoNeeded, ...found];
   }
@@ -155,12 +155,12 @@ export class Compare {
     if (!pair) return;
     const [one, other] = pair;
     if (a >= 0) {
-      this.shown(one);
+      this.displayed(one);
       return goToBlock(store, a);
     }
     const beside = store.get("beside");
     if (!beside) {
-      this.shown(other);
+      this.displayed(other);
       return goToBlock(store, b);
     }
     const robot = other.run.robots[store.get("robot")];
@@ -168,7 +168,7 @@ export class Compare {
     goTo(store, { file: robot.files[file], line }, start_s);
   }
 
-  private shown({ run, variant }: Fresh): void {
+  private displayed({ run, variant }: CurrentVariant): void {
     this.session.showRun(run, words.steps.toBar(variant.name));
   }
 
@@ -177,7 +177,7 @@ export class Compare {
     if (!on || !pair) return store.set("beside", null);
     // The run of the first variant is shown, which would otherwise end the comparison view.
     this.shows = true;
-    this.shown(pair[0]);
+    this.displayed(pair[0]);
     this.shows = false;
     store.set("beside", { run: pair[1].run, names: [this.chosen[0], this.chosen[1]] });
     const { from } = pair[1].variant.from ? pair[1].variant : pair[0].variant;
@@ -190,8 +190,8 @@ export class Compare {
     const { store, pair } = this;
     const beside = store.get("beside");
     if (!beside || this.shows) return;
-    const isOurs = pair !== null && store.get("run") === pair[0].run && beside.run === pair[1].run;
-    if (!isOurs) store.set("beside", null);
+    const isShownPair = pair !== null && store.get("run") === pair[0].run && beside.run === pair[1].run;
+    if (!isShownPair) store.set("beside", null);
   }
 }
 

@@ -5,8 +5,8 @@ import { timeText } from "../../core/units";
 import { texts } from "../../texts";
 import { beginRows, makeRows } from "../results/rows";
 import type { Differences, Row } from "./data/differences";
-import { limitIn, passText } from "./sentences";
-import { signed } from "./words";
+import { limitInRun, passText } from "./comparison_messages";
+import { signedTime } from "./words";
 
 const words = texts.variants;
 
@@ -27,23 +27,23 @@ export class DifferenceRows {
     this.rows = rows;
     const heads = [words.rowColumns.line, ...names, words.rowColumns.difference];
     this.head.replaceChildren(...heads.map((name) => element("th", { scope: "col" }, name)));
-    this.body.replaceChildren(...rows.map((row) => rowOf(row, differences)));
+    this.body.replaceChildren(...rows.map((row) => createRow(row, differences)));
     this.element.hidden = rows.length === 0;
     beginRows(this.body);
   }
 }
 
-function rowOf(row: Row, differences: Differences): HTMLElement {
+function createRow(row: Row, differences: Differences): HTMLElement {
   const { kind, file, line, text, blocks, times_s } = row;
   const difference_s = times_s[1] - times_s[0];
   const time = (side: 0 | 1) =>
-    element("td", {}, blocks[side] < 0 ? "–" : timeText(times_s[side]), element("small", {}, limitIn(differences, side, blocks[side])));
+    element("td", {}, blocks[side] < 0 ? "–" : timeText(times_s[side]), element("small", {}, limitInRun(differences, side, blocks[side])));
   return element(
     "tr",
     { class: kind, title: `${file}: ${text}` },
     element("td", {}, `${line} `, element("small", {}, `${words.kinds[kind]}${passText(row)}`.replace(/^, /, ""))),
     time(0),
     time(1),
-    element("td", { class: difference_s < 0 ? "faster" : "slower" }, signed(difference_s)),
+    element("td", { class: difference_s < 0 ? "faster" : "slower" }, signedTime(difference_s)),
   );
 }

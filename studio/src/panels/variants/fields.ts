@@ -2,9 +2,9 @@
 
 import { check, choice, element, offer } from "../../core/dom";
 import { dialectOfName, namesOfKind, shortName } from "../../core/kinds";
-import { controlNames } from "../../core/other_control";
+import { controllerNames } from "../../core/controller_override";
 import type { Session } from "../../core/session";
-import { MOST_OVERRIDE_PERCENT, fileKeys, overrideKeys, type Setup } from "../../core/setup";
+import { MAX_OVERRIDE_PERCENT, fileKeys, overrideKeys, type Setup } from "../../core/setup";
 import { texts } from "../../texts";
 import type { Variant } from "./data/variants_file";
 import { fromText } from "./words";
@@ -27,8 +27,8 @@ interface Field {
 
 /** Shows a value. Text that is being typed stays, unless the value has changed meanwhile. */
 function showValue(input: HTMLInputElement, value: string): void {
-  if (input.dataset.shown === value) return;
-  input.value = input.dataset.shown = value;
+  if (input.dataset.displayed === value) return;
+  input.value = input.dataset.displayed = value;
 }
 
 const row = (label: string, control: HTMLElement): HTMLElement => element("label", { class: "field" }, element("span", {}, label), control);
@@ -48,7 +48,7 @@ export class Fields {
       this.from(),
       this.file(program),
       this.file(machine),
-      this.choice("controller", () => [["", words.asTheMachineSays], ...controlNames(session.documents).map(named)]),
+      this.choice("controller", () => [["", words.asTheMachineSays], ...controllerNames(session.documents).map(fileOption)]),
       this.override(feed),
     ];
     const rare = [
@@ -74,7 +74,7 @@ export class Fields {
 
   /** Renames the variant; reverts an invalid name. */
   private rename(input: HTMLInputElement): void {
-    if (!this.events.rename(input.value.trim())) input.value = input.dataset.shown ?? "";
+    if (!this.events.rename(input.value.trim())) input.value = input.dataset.displayed ?? "";
   }
 
   private choice(key: (typeof fileKeys)[number] | "controller" | "dialect", options: () => [string, string][]): Field {
@@ -94,17 +94,17 @@ export class Fields {
 
   private file(key: (typeof fileKeys)[number]): Field {
     const none: [string, string][] = key === "program" ? [] : [["", key === "machine" ? words.builtInMachine : words.none]];
-    return this.choice(key, () => [...none, ...namesOfKind(key, this.session.documents).map(named)]);
+    return this.choice(key, () => [...none, ...namesOfKind(key, this.session.documents).map(fileOption)]);
   }
 
   private override(key: (typeof overrideKeys)[number]): Field {
     const label = words.of[key];
-    const attributes = { type: "number", class: "number", min: 0, max: MOST_OVERRIDE_PERCENT, step: 5 };
+    const attributes = { type: "number", class: "number", min: 0, max: MAX_OVERRIDE_PERCENT, step: 5 };
     const input = element("input", {
       ...attributes,
       onchange: () => {
-        const percent = Math.min(MOST_OVERRIDE_PERCENT, Math.max(0, Number(input.value) || 0));
-        input.value = input.dataset.shown = String(percent);
+        const percent = Math.min(MAX_OVERRIDE_PERCENT, Math.max(0, Number(input.value) || 0));
+        input.value = input.dataset.displayed = String(percent);
         this.events.change(label, { [key]: percent });
       },
     });
@@ -128,4 +128,4 @@ export class Fields {
   }
 }
 
-const named = (name: string): [string, string] => [name, shortName(name)];
+const fileOption = (name: string): [string, string] => [name, shortName(name)];

@@ -3,35 +3,35 @@
 import "./variants.css";
 import { element, offer, choice } from "../../core/dom";
 import { Debounced } from "../../core/debounced";
-import { goTo } from "../../core/go";
+import { goTo } from "../../core/navigation";
 import { shortName } from "../../core/kinds";
 import type { Session } from "../../core/session";
 import { isSameSetup, type Setup } from "../../core/setup";
 import type { Store } from "../../core/store";
 import { countText } from "../../core/units";
-import { marksOf } from "../../run/marks";
+import { runMarks } from "../../run/marks";
 import { texts } from "../../texts";
-import type { Form } from "../form";
+import type { PanelForm } from "../form";
 import { itemList, markItem } from "../results/mark_list";
 import { Compare } from "./compare";
 import { ListFile } from "./data/list_file";
-import { Results, isFresh } from "./data/results";
+import { Results, isCurrent } from "./data/results";
 import { Runner } from "./data/runner";
 import type { From, Variant } from "./data/variants_file";
 import { Fields } from "./fields";
-import { Here } from "./here";
-import { VariantList, type Listed } from "./list";
+import { Here } from "./block_panel";
+import { VariantList, type ListedVariant } from "./list";
 
 const words = texts.variants;
 const FIRST_MARKS = 8;
 
 /** Errors only, without other marks. */
-const FAULTS: readonly string[] = ["alarm", "collision", "violation", "zone"];
+const ERROR_KINDS: readonly string[] = ["alarm", "collision", "violation", "zone"];
 
 const button = (text: string, title: string, act: () => void): HTMLButtonElement =>
   element("button", { type: "button", title, onclick: act }, text);
 
-class VariantsPanel implements Form {
+class VariantsPanel implements PanelForm {
   readonly element: HTMLElement;
   private readonly file: ListFile;
   private readonly results: Results;
@@ -50,10 +50,10 @@ class VariantsPanel implements Form {
   private readonly marks = element("div", { class: "places" });
   private readonly compare: Compare;
   private readonly here: Here;
-  private readonly soon = new Debounced(() => this.draw());
-  private listed: Listed[] = [];
+  private readonly redrawTimer = new Debounced(() => this.draw());
+  private listed: ListedVariant[] = [];
   private chosen = 0;
-  private isShown = false;
+  private isVisible = false;
 
   constructor(
     private readonly store: Store,
@@ -70,9 +70,9 @@ class VariantsPanel implements Form {
     this.compare = new Compare(store, session);
     this.here = new Here(store, session, (from) => this.fromHere(from));
     const head = element("div", { class: "buttons" }, this.files, this.saveButton);
-    const makers = [button(words.add, words.addHint, () => this.add()), button(words.keep, words.keepHint, () => this.keep())];
-    const add = element("div", { class: "buttons" }, ...makers, this.runAll);
-    const acts = element(
+    const actionButtons = [button(words.add, words.addHint, () => this.add()), button(words.keep, words.keepHint, () => this.keep())];
+    const add = element("div", { class: "buttons" }, ...actionButtons, this.runAll);
+    const actionBar = element(
       "div",
       { class: "buttons" },
       button(words.run, "", () => this.runChosen()),
@@ -80,7 +80,7 @@ class VariantsPanel implements Form {
       button(words.copy, "", () => this.copy()),
       button(words.remove, "", () => this.remove(this.chosen)),
     );
-    this.chosenRow = element("div", { class: "chosen" }, acts, this.fields.element, this.marks);
+    this.chosenRow = element("div", { class: "chosen" }, actionBar, this.fields.element, this.marks);
     const parts = [head, add, this.progress, this.fault, this.about, element("div", { class: "wide" }, this.list.element), this.chosenPlace];
     this.element = element("div", { class: "variants" }, ...parts, this.compare.element, this.here.element);
     this.listen();
@@ -88,32 +88,32 @@ class VariantsPanel implements Form {
   }
 
   private listen(): void {
-    const { store, session, soon } = this;
-    const renew = () => soon.after(0);
-    session.documents.on(renew);
-    session.on(renew);
-    for (const key of ["variantsFile", "robot", "units"] as const) store.on(key, renew);
+    const { store, session, redrawTimer } = this;
+    const refresh = () => redrawTimer.after(0);
+    session.documents.on(refresh);
+    session.on(refresh);
+    for (const key of ["variantsFile", "robot", "units"] as const) store.on(key, refresh);
     store.on("run", (run) => {
       // The page's own run counts for a variant with the same setup.
       const setup = run && session.origin(run)?.setup;
-      if (setup && this.variants.some((variant) => isSameSetup(variant.setup, setup))) this.results.take(run);
-      renew();
+      if (setup && this.variants.some((variant) => isSameSetup(variant.setup, setup))) this.results.accept(run);
+      refresh();
     });
     store.on("hereAsked", (isAsked) => {
       if (!isAsked) return;
       store.set("hereAsked", false);
       this.here.reveal();
     });
-    for (const key of ["selection", "run"] as const) store.on(key, () => this.isShown && this.here.show());
+    for (const key of ["selection", "run"] as const) store.on(key, () => this.isVisible && this.here.show());
   }
 
-  shown(): void {
-    this.isShown = true;
+  displayed(): void {
+    this.isVisible = true;
     this.draw();
   }
 
   hidden(): void {
-    this.isShown = false;
+    this.isVisible = false;
   }
 
   private get variants(): readonly Variant[] {
@@ -126,7 +126,7 @@ class VariantsPanel implements Form {
 
   /** Redraws only visible parts, and the data that the view shows. */
   private draw(): void {
-    if (!this.isShown && this.store.get("beside") === null) return;
+    if (!this.isVisible && this.store.get("beside") === null) return;
     const read = this.file.read();
     this.fault.textContent = read.variants ? "" : words.unreadable(shortName(this.file.name), read.fault);
     this.listed = (read.variants ?? []).map((variant) => ({ variant, standing: this.results.standing(variant.setup) }));
@@ -161,8 +161,8 @@ class VariantsPanel implements Form {
   private showMarks(): void {
     const { standing } = this.listed[this.chosen];
     const robot = this.store.get("robot");
-    const run = isFresh(standing) ? standing.run : null;
-    const marks = run ? marksOf(run, robot).filter(({ kind }) => FAULTS.includes(kind)) : [];
+    const run = isCurrent(standing) ? standing.run : null;
+    const marks = run ? runMarks(run, robot).filter(({ kind }) => ERROR_KINDS.includes(kind)) : [];
     const items = marks.map((mark) => ({
       ...markItem(mark, this.store),
       choose: () => {
@@ -174,12 +174,12 @@ class VariantsPanel implements Form {
   }
 
   private showRunning(): void {
-    const { underWay } = this.runner;
+    const { runProgress } = this.runner;
     const wasHidden = this.progress.hidden;
-    this.progress.hidden = underWay === null;
-    if (wasHidden !== this.progress.hidden || this.progress.dataset.name !== underWay?.name) this.soon.after(0);
-    if (!underWay) return;
-    const { name, done, total } = underWay;
+    this.progress.hidden = runProgress === null;
+    if (wasHidden !== this.progress.hidden || this.progress.dataset.name !== runProgress?.name) this.redrawTimer.after(0);
+    if (!runProgress) return;
+    const { name, done, total } = runProgress;
     this.progress.dataset.name = name;
     const blocks = done > 0 ? `, ${words.runningBlocks(countText(done), total > 0 ? countText(total) : "")}` : "";
     const text = `${words.running(name)}${blocks} `;
@@ -197,8 +197,8 @@ class VariantsPanel implements Form {
   private append(label: (name: string) => string, variant: Variant): void {
     const { fault } = this.file.read();
     if (fault) return this.store.set("notice", words.unreadable(shortName(this.file.name), fault));
-    const named = { ...variant, name: this.file.free(variant.name) };
-    this.file.change(label(named.name), (variants) => [...variants, named]);
+    const renamedVariant = { ...variant, name: this.file.free(variant.name) };
+    this.file.change(label(renamedVariant.name), (variants) => [...variants, renamedVariant]);
     this.chosen = this.variants.length - 1;
     this.draw();
   }
@@ -211,7 +211,7 @@ class VariantsPanel implements Form {
     const run = this.store.get("run");
     const origin = run && this.session.origin(run);
     if (!origin) return this.store.set("notice", words.nothingRan);
-    this.results.take(run);
+    this.results.accept(run);
     this.append(words.steps.kept, { name: words.names.kept, setup: { ...origin.setup }, from: null });
   }
 
@@ -225,7 +225,7 @@ class VariantsPanel implements Form {
     // Lines of an earlier text may have moved.
     const changed = this.session.changedSince(run);
     if (changed.length > 0) return this.store.set("notice", words.here.changed(changed.map(shortName)));
-    this.results.take(run);
+    this.results.accept(run);
     this.append(words.steps.added, { name: words.here.name(from.line), setup: { ...setup }, from });
   }
 
@@ -262,7 +262,7 @@ class VariantsPanel implements Form {
 
   /** Returns the variants with results that are not current. */
   private get stale(): Variant[] {
-    return this.listed.filter(({ standing }) => !isFresh(standing) && standing.is !== "failed").map(({ variant }) => variant);
+    return this.listed.filter(({ standing }) => !isCurrent(standing) && standing.is !== "failed").map(({ variant }) => variant);
   }
 
   private runStale(): void {
@@ -277,9 +277,9 @@ class VariantsPanel implements Form {
     const { variant, standing } = this.listed[this.chosen] ?? {};
     if (!variant || !standing) return;
     const label = words.steps.toBar(variant.name);
-    if (isFresh(standing)) this.session.showRun(standing.run, label);
+    if (isCurrent(standing)) this.session.showRun(standing.run, label);
     else this.session.history.edit(label, { setup: variant.setup });
   }
 }
 
-export const createVariants = (store: Store, session: Session): Form => new VariantsPanel(store, session);
+export const createVariants = (store: Store, session: Session): PanelForm => new VariantsPanel(store, session);

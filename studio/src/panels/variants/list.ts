@@ -3,15 +3,15 @@
 import { element } from "../../core/dom";
 import { texts } from "../../texts";
 import { beginRows, makeRows } from "../results/rows";
-import { isFresh, type Standing } from "./data/results";
+import { isCurrent, type VariantStatus } from "./data/results";
 import type { Variant } from "./data/variants_file";
-import { countedTime_s, signed, standingText, timeOfRun, variantText } from "./words";
+import { countedTime_s, signedTime, statusText, runTime, variantText } from "./words";
 
 const words = texts.variants;
 
-export interface Listed {
+export interface ListedVariant {
   variant: Variant;
-  standing: Standing;
+  standing: VariantStatus;
 }
 
 export interface ListEvents {
@@ -30,7 +30,7 @@ export class VariantList {
     makeRows(this.body, (row) => events.choose(row), { Delete: (row) => events.remove(row) });
   }
 
-  show(all: readonly Listed[], chosen: number, robot: number): void {
+  show(all: readonly ListedVariant[], chosen: number, robot: number): void {
     const hadFocus = this.body.contains(document.activeElement);
     this.body.replaceChildren(...all.map((each, i) => this.row(each, all[0], i === chosen, robot)));
     this.element.hidden = all.length === 0;
@@ -40,25 +40,25 @@ export class VariantList {
     if (hadFocus) rows[chosen]?.focus();
   }
 
-  private row({ variant, standing }: Listed, first: Listed, isChosen: boolean, robot: number): HTMLElement {
-    const [text, severity] = standingText(standing);
+  private row({ variant, standing }: ListedVariant, first: ListedVariant, isSelected: boolean, robot: number): HTMLElement {
+    const [text, severity] = statusText(standing);
     const { setup, from, name } = variant;
-    const [time, timeNote] = isFresh(standing) ? timeOfRun(standing.run, from, robot, standing.is === "stopped") : ["–", ""];
+    const [time, timeNote] = isCurrent(standing) ? runTime(standing.run, from, robot, standing.is === "stopped") : ["–", ""];
     return element(
       "tr",
-      { "aria-selected": String(isChosen), class: standing.is },
+      { "aria-selected": String(isSelected), class: standing.is },
       element("td", { class: "name", title: setup.program }, name, element("small", {}, variantText(variant, first.variant))),
       element("td", { class: "time" }, time, element("small", {}, timeNote)),
-      element("td", { class: "difference" }, againstFirst({ variant, standing }, first, robot)),
+      element("td", { class: "difference" }, differenceFromFirst({ variant, standing }, first, robot)),
       element("td", { class: `standing ${severity}` }, text),
     );
   }
 }
 
 /** Returns the difference only if both came to their ends and count from the same position. */
-function againstFirst(one: Listed, first: Listed, robot: number): string {
+function differenceFromFirst(one: ListedVariant, first: ListedVariant, robot: number): string {
   if (one.variant === first.variant || one.standing.is !== "done" || first.standing.is !== "done") return "";
   const { from } = one.variant;
   const [time_s, first_s] = [one, first].map(({ standing }) => countedTime_s(standing.run!, from, robot));
-  return time_s === null || first_s === null ? "" : signed(time_s - first_s);
+  return time_s === null || first_s === null ? "" : signedTime(time_s - first_s);
 }

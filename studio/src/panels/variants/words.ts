@@ -6,13 +6,13 @@ import { timeText } from "../../core/units";
 import type { Run } from "../../run/run";
 import { texts } from "../../texts";
 import { blockOf } from "./data/differences";
-import type { Standing } from "./data/results";
+import type { VariantStatus } from "./data/results";
 import type { From, Variant } from "./data/variants_file";
 
 const words = texts.variants;
 
 /** "+1.250 s" */
-export const signed = (difference_s: number): string => `${difference_s < 0 ? "−" : "+"}${timeText(Math.abs(difference_s))}`;
+export const signedTime = (difference_s: number): string => `${difference_s < 0 ? "−" : "+"}${timeText(Math.abs(difference_s))}`;
 
 export const fromText = ({ line, pass }: From): string => words.from(line, pass);
 
@@ -40,7 +40,7 @@ export function variantText({ setup, from }: Variant, first: Variant): string {
 }
 
 /** Returns the status of a run and its severity. */
-export function standingText(standing: Standing): [text: string, severity: "" | "error" | "good"] {
+export function statusText(standing: VariantStatus): [text: string, severity: "" | "error" | "good"] {
   switch (standing.is) {
     case "none":
     case "dropped":
@@ -50,11 +50,11 @@ export function standingText(standing: Standing): [text: string, severity: "" | 
     case "failed":
       return [words.standing.failed(standing.why), "error"];
     default:
-      return faultsText(standing.run, standing.is === "stopped");
+      return errorText(standing.run, standing.is === "stopped");
   }
 }
 
-function faultsText(run: Run, stopped: boolean): [string, "error" | "good"] {
+function errorText(run: Run, stopped: boolean): [string, "error" | "good"] {
   const said: string[] = [];
   const reports = run.robots.length > 0 ? run.robots.map((_, i) => run.reportOf(i)) : [run.report];
   const count = (of: (report: NonNullable<Run["report"]>) => number) => reports.reduce((sum, report) => sum + (report ? of(report) : 0), 0);
@@ -74,7 +74,7 @@ export function countedTime_s(run: Run, from: From | null, robot: number): numbe
 }
 
 /** Returns the time of a run with results, and a note on it. */
-export function timeOfRun(run: Run, from: From | null, robot: number, stopped: boolean): [text: string, note: string] {
+export function runTime(run: Run, from: From | null, robot: number, stopped: boolean): [text: string, note: string] {
   if (stopped) return [words.stoppedAt(timeText(run.end_s)), ""];
   const counted_s = countedTime_s(run, from, robot);
   if (counted_s === null) return ["–", words.neverThere(from!.line)];

@@ -2,11 +2,11 @@
 // last one.
 
 import { texts } from "../../texts";
-import { directionOfArc } from "./path_arc";
+import { arcDirection } from "./path_arc";
 import { insertTargets, setTarget } from "./path_edit";
-import { isPoint, isSamePlace, keyOfPlace, pointAt, type PathFile, type Place, type Point, type Target } from "./path_file";
-import { stateBehind, type Motion, type State, type Walk } from "./path_walk";
-import { add, cross, distance, dot, lengthOf, roundedVector, scaled, subtract, unit, type Vector } from "./vector";
+import { isPoint, isSameTarget, targetKey, pointAt, type PathFile, type TargetId, type Point, type Target } from "./path_file";
+import { stateAfter, type Motion, type State, type PathTraversal } from "./path_traversal";
+import { add, cross, distance, dot, vectorLength, roundedVector, scaled, subtract, unit, type Vector } from "./vector";
 
 export interface LeadChoice {
   kind: "arc" | "line";
@@ -21,37 +21,37 @@ export interface LeadChoice {
 }
 
 const words = texts.paths.leads;
-const NEAR_MM = 1e-4;
-const RAD = Math.PI / 180;
+const TOLERANCE_MM = 1e-4;
+const RAD_PER_DEG = Math.PI / 180;
 
 const directionAt = (motion: Motion, share: number): Vector | null =>
-  motion.arc ? directionOfArc(motion.arc, share) : unit(subtract(motion.to_mm, motion.from_mm!));
+  motion.arc ? arcDirection(motion.arc, share) : unit(subtract(motion.to_mm, motion.from_mm!));
 
 /** Returns the direction from the TCP to the tool holder, if the path defines it by a direction. */
-export const upOf = ({ tool_axis }: State): Vector => (tool_axis && unit(tool_axis)) ?? [0, 0, 1];
+export const upDirection = ({ tool_axis }: State): Vector => (tool_axis && unit(tool_axis)) ?? [0, 0, 1];
 
 const isCut = (motion: Motion): boolean =>
-  !motion.rapid && motion.from_mm !== null && (motion.arc !== null || distance(motion.from_mm, motion.to_mm) > NEAR_MM);
+  !motion.rapid && motion.from_mm !== null && (motion.arc !== null || distance(motion.from_mm, motion.to_mm) > TOLERANCE_MM);
 
 /** Returns the outer end of a lead: `sense` is -1 for a lead-in, 1 for a lead-out. */
-function endOfLead(at: Vector, along: Vector, aside: Vector, choice: LeadChoice, sense: 1 | -1): Vector {
+function leadEnd(at: Vector, along: Vector, lateral: Vector, choice: LeadChoice, sense: 1 | -1): Vector {
   const { kind, size_mm, angle_deg } = choice;
-  const forward = kind === "arc" ? 1 : Math.cos(angle_deg * RAD);
-  const sideways = kind === "arc" ? 1 : Math.sin(angle_deg * RAD);
-  return roundedVector(add(at, add(scaled(along, sense * forward * size_mm), scaled(aside, sideways * size_mm))));
+  const forward = kind === "arc" ? 1 : Math.cos(angle_deg * RAD_PER_DEG);
+  const sideways = kind === "arc" ? 1 : Math.sin(angle_deg * RAD_PER_DEG);
+  return roundedVector(add(at, add(scaled(along, sense * forward * size_mm), scaled(lateral, sideways * size_mm))));
 }
 
-function motionOfLead(to: Vector, at: Vector, along: Vector, aside: Vector, { kind, size_mm }: LeadChoice): Point {
+function leadPoint(to: Vector, at: Vector, along: Vector, lateral: Vector, { kind, size_mm }: LeadChoice): Point {
   if (kind === "line") return { motion: "linear", position_mm: to };
-  const center_mm = roundedVector(add(at, scaled(aside, size_mm)));
-  return { motion: "circular", position_mm: to, center_mm, normal: roundedVector(cross(along, aside)), turn_deg: 90 };
+  const center_mm = roundedVector(add(at, scaled(lateral, size_mm)));
+  return { motion: "circular", position_mm: to, center_mm, normal: roundedVector(cross(along, lateral)), turn_deg: 90 };
 }
 
 /** True if a target is at a position, or above it along the tool. */
-function standsOver(target: Target | undefined, at: Vector, up: Vector): target is Point {
+function isAbove(target: Target | undefined, at: Vector, up: Vector): target is Point {
   if (!target || !isPoint(target)) return false;
   const off = subtract(target.position_mm, at);
-  return lengthOf(subtract(off, scaled(up, dot(off, up)))) < NEAR_MM;
+  return vectorLength(subtract(off, scaled(up, dot(off, up)))) < TOLERANCE_MM;
 }
 
 class Leads {
@@ -60,7 +60,7 @@ class Leads {
   constructor(
     private text: string,
     private readonly file: PathFile,
-    private readonly walk: Walk,
+    private readonly walk: PathTraversal,
     private readonly path: number,
     private readonly choice: LeadChoice,
   ) {
@@ -78,22 +78,22 @@ class Leads {
     return this.text;
   }
 
-  private place(target: number): Place {
+  private place(target: number): TargetId {
     return { path: this.path, target };
   }
 
   private before({ place }: Motion): State {
-    return this.walk.before.get(keyOfPlace(place)) ?? {};
+    return this.walk.before.get(targetKey(place)) ?? {};
   }
 
-  private sideOf(along: Vector, up: Vector): Vector {
+  private sideDirection(along: Vector, up: Vector): Vector {
     const left = unit(cross(up, along)) ?? [1, 0, 0];
     return this.choice.side === "left" ? left : scaled(left, -1);
   }
 
   /** Moves the targets at an end of the cut, and above it, to the end of the lead. */
   private shift(from: number, step: 1 | -1, at: Vector, by: Vector, up: Vector): void {
-    for (let i = from; standsOver(this.targets[i], at, up); i += step) {
+    for (let i = from; isAbove(this.targets[i], at, up); i += step) {
       const { position_mm } = this.targets[i] as Point;
       this.text = setTarget(this.text, this.place(i), { position_mm: roundedVector(add(position_mm, by)) });
     }
@@ -101,29 +101,29 @@ class Leads {
 
   private leadIn(cut: Motion): void {
     const at = cut.from_mm!;
-    const up = upOf(this.before(cut));
+    const up = upDirection(this.before(cut));
     const along = directionAt(cut, 0)!;
-    const aside = this.sideOf(along, up);
-    const start = endOfLead(at, along, aside, this.choice, -1);
+    const lateral = this.sideDirection(along, up);
+    const start = leadEnd(at, along, lateral, this.choice, -1);
     const { target } = cut.place;
     const { feed_mm_min } = pointAt(this.file, cut.place)!;
-    const lead = { ...motionOfLead(at, at, along, aside, this.choice), feed_mm_min };
+    const lead = { ...leadPoint(at, at, along, lateral, this.choice), feed_mm_min };
     // A cut that continues from another path is left, and begun again.
-    const goesOn = !isSamePlace(cut.after, this.place(target - 1));
-    if (!goesOn) this.shift(target - 1, -1, at, subtract(start, at), up);
-    const added: Point[] = goesOn ? [{ motion: "rapid", position_mm: start }, lead] : [lead];
+    const isContinued = !isSameTarget(cut.after, this.place(target - 1));
+    if (!isContinued) this.shift(target - 1, -1, at, subtract(start, at), up);
+    const added: Point[] = isContinued ? [{ motion: "rapid", position_mm: start }, lead] : [lead];
     this.text = insertTargets(this.text, this.path, target, added);
   }
 
   private leadOut(cut: Motion): void {
     const at = cut.to_mm;
     const point = pointAt(this.file, cut.place)!;
-    const up = upOf(stateBehind(this.before(cut), point));
+    const up = upDirection(stateAfter(this.before(cut), point));
     const along = directionAt(cut, 1)!;
-    const aside = this.sideOf(along, up);
-    const end = endOfLead(at, along, aside, this.choice, 1);
+    const lateral = this.sideDirection(along, up);
+    const end = leadEnd(at, along, lateral, this.choice, 1);
     const { actions, dwell_s } = point;
-    const lead = { ...motionOfLead(end, at, along, aside, this.choice), dwell_s, actions };
+    const lead = { ...leadPoint(end, at, along, lateral, this.choice), dwell_s, actions };
     const { target } = cut.place;
     this.shift(target + 1, 1, at, subtract(end, at), up);
     this.text = setTarget(this.text, cut.place, { dwell_s: undefined, actions: undefined });
@@ -138,8 +138,8 @@ class Leads {
 export const addLeads = (
   text: string,
   file: PathFile,
-  walk: Walk,
-  { path, target }: Place,
+  walk: PathTraversal,
+  { path, target }: TargetId,
   count: number,
   choice: LeadChoice,
 ): string | { fault: string } => new Leads(text, file, walk, path, choice).add(target, count);

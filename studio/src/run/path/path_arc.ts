@@ -2,7 +2,7 @@
 
 import { texts } from "../../texts";
 import type { Point } from "./path_file";
-import { add, cross, distance, dot, lengthOf, scaled, subtract, turned, unit, type Vector } from "./vector";
+import { add, cross, distance, dot, vectorLength, scaled, subtract, turned, unit, type Vector } from "./vector";
 
 export interface Arc {
   center: Vector;
@@ -15,36 +15,36 @@ export interface Arc {
   rise_mm: number;
 }
 
-const LEAST_MM = 1e-6;
+const MIN_LENGTH_MM = 1e-6;
 /** Max distance of the ends of an arc from its circle. */
 const TOLERANCE_MM = 0.01;
-const FULL = 2 * Math.PI;
+const FULL_TURN_rad = 2 * Math.PI;
 const DEG = 180 / Math.PI;
 const words = texts.paths.faults;
 
 /** Returns the angle from one radius to another about the normal, from 0 to a full turn. */
 function angleBetween(from: Vector, to: Vector, normal: Vector): number {
   const angle = Math.atan2(dot(normal, cross(from, to)), dot(from, to));
-  return angle < 0 ? angle + FULL : angle;
+  return angle < 0 ? angle + FULL_TURN_rad : angle;
 }
 
 function through(start: Vector, via: Vector, end: Vector): Arc | string {
   const chord = subtract(end, start);
   const toVia = subtract(via, start);
-  if (lengthOf(chord) < LEAST_MM) return words.viaNoWay;
+  if (vectorLength(chord) < MIN_LENGTH_MM) return words.viaNoWay;
   const across = cross(chord, toVia);
-  if (lengthOf(across) < LEAST_MM * lengthOf(chord)) return words.viaOnLine;
+  if (vectorLength(across) < MIN_LENGTH_MM * vectorLength(chord)) return words.viaOnLine;
   const sum = add(scaled(cross(across, chord), dot(toVia, toVia)), scaled(cross(toVia, across), dot(chord, chord)));
   const toCenter = scaled(sum, 1 / (2 * dot(across, across)));
   const center = add(start, toCenter);
   const first = scaled(toCenter, -1);
-  const normal = scaled(across, -1 / lengthOf(across));
+  const normal = scaled(across, -1 / vectorLength(across));
   const turn_rad = angleBetween(first, subtract(end, center), normal);
-  return { center, first, normal, endRadius_mm: lengthOf(first), turn_rad, rise_mm: 0 };
+  return { center, first, normal, endRadius_mm: vectorLength(first), turn_rad, rise_mm: 0 };
 }
 
 /** The remainder nearest to 0. */
-const wrapped = (angle: number): number => angle - FULL * Math.round(angle / FULL);
+const wrapped = (angle: number): number => angle - FULL_TURN_rad * Math.round(angle / FULL_TURN_rad);
 
 function about(start: Vector, { center_mm, normal, turn_deg }: Point, end: Vector): Arc | string {
   const axis = unit(normal ?? [0, 0, 1]) ?? [0, 0, 1];
@@ -53,8 +53,8 @@ function about(start: Vector, { center_mm, normal, turn_deg }: Point, end: Vecto
   const first = subtract(start, center);
   const rise_mm = dot(axis, subtract(end, center));
   const last = subtract(subtract(end, center), scaled(axis, rise_mm));
-  const [radius_mm, endRadius_mm] = [lengthOf(first), lengthOf(last)];
-  if (radius_mm < LEAST_MM) return words.startsAtCenter;
+  const [radius_mm, endRadius_mm] = [vectorLength(first), vectorLength(last)];
+  if (radius_mm < MIN_LENGTH_MM) return words.startsAtCenter;
   if (Math.abs(endRadius_mm - radius_mm) > TOLERANCE_MM) return words.radiiDiffer(radius_mm.toPrecision(6), endRadius_mm.toPrecision(6));
   const turn_rad = turn_deg! / DEG;
   const off = wrapped(turn_rad - angleBetween(first, last, axis));
@@ -71,15 +71,15 @@ export function arcTo(start: Vector, point: Point): Arc | string {
 }
 
 /** Returns a point of an arc, at a share from 0 to 1 of its length. */
-export function pointOfArc({ center, first, normal, endRadius_mm, turn_rad, rise_mm }: Arc, share: number): Vector {
-  const scale = 1 + share * (endRadius_mm / lengthOf(first) - 1);
+export function arcPoint({ center, first, normal, endRadius_mm, turn_rad, rise_mm }: Arc, share: number): Vector {
+  const scale = 1 + share * (endRadius_mm / vectorLength(first) - 1);
   return add(add(center, scaled(turned(first, normal, share * turn_rad), scale)), scaled(normal, share * rise_mm));
 }
 
-export const arcLength_mm = ({ first, turn_rad, rise_mm }: Arc): number => Math.hypot(lengthOf(first) * turn_rad, rise_mm);
+export const arcLength_mm = ({ first, turn_rad, rise_mm }: Arc): number => Math.hypot(vectorLength(first) * turn_rad, rise_mm);
 
 /** Returns the direction at a share of its length, a vector of length 1. */
-export function directionOfArc(arc: Arc, share: number): Vector {
+export function arcDirection(arc: Arc, share: number): Vector {
   const around = scaled(turned(cross(arc.normal, arc.first), arc.normal, share * arc.turn_rad), arc.turn_rad);
   return unit(add(around, scaled(arc.normal, arc.rise_mm)))!;
 }
@@ -87,13 +87,13 @@ export function directionOfArc(arc: Arc, share: number): Vector {
 /**
  * Returns points of an arc, without its start, so that the chords between them deviate by no more than this.
  */
-export function sampleArc(arc: Arc, off_mm: number, most = 20_000): Vector[] {
-  const radius_mm = Math.max(lengthOf(arc.first), arc.endRadius_mm);
-  const step_rad = 2 * Math.acos(Math.max(1 - off_mm / radius_mm, 0.5));
+export function sampleArc(arc: Arc, deviation_mm: number, most = 20_000): Vector[] {
+  const radius_mm = Math.max(vectorLength(arc.first), arc.endRadius_mm);
+  const step_rad = 2 * Math.acos(Math.max(1 - deviation_mm / radius_mm, 0.5));
   const count = Math.min(Math.max(Math.ceil(arc.turn_rad / step_rad), 2), most);
-  return Array.from({ length: count }, (_, i) => pointOfArc(arc, (i + 1) / count));
+  return Array.from({ length: count }, (_, i) => arcPoint(arc, (i + 1) / count));
 }
 
 /** True if a via point can define it: less than a full turn in one plane. */
 export const isPlainArc = (arc: Arc, start: Vector, end: Vector): boolean =>
-  arc.turn_rad < FULL && Math.abs(arc.rise_mm) < LEAST_MM && distance(start, end) > LEAST_MM;
+  arc.turn_rad < FULL_TURN_rad && Math.abs(arc.rise_mm) < MIN_LENGTH_MM && distance(start, end) > MIN_LENGTH_MM;

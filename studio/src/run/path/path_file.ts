@@ -1,8 +1,8 @@
 // Path file (docs/paths.md) in the page: paths of points and sub-paths, and errors of its text.
 
-import { JsonFault, readJson, spanOf, type JsonPlace, type JsonValue } from "../../core/json_text";
+import { JsonError, readJson, valueSpan, type JsonPath, type JsonValue } from "../../core/json_text";
 import { texts } from "../../texts";
-import { faultOfSetUp, faultOfTarget, setUpKeys } from "./target_faults";
+import { setupValuesError, targetError, setUpKeys } from "./target_checks";
 import type { Vector } from "./vector";
 
 export const motionTypes = ["rapid", "linear", "circular", "none"] as const;
@@ -92,42 +92,42 @@ export interface PathFile {
 }
 
 /** Target of a path, both by number; a target of -1 is the path itself. */
-export interface Place {
+export interface TargetId {
   path: number;
   target: number;
 }
 
 /** Error of a path file, and its position. */
-export interface Fault {
+export interface Error {
   text: string;
   /** null: with all of it. */
-  place: Place | null;
+  place: TargetId | null;
 }
 
 export const isSubPath = (target: Target): target is SubPath => "path" in target;
 export const isMachinePoint = (target: Target): target is MachinePoint => "fixed" in target || "reference" in target;
 export const isPoint = (target: Target): target is Point => !isSubPath(target) && !isMachinePoint(target);
-export const motionOf = ({ motion }: Point): MotionType => motion ?? "linear";
+export const pointMotion = ({ motion }: Point): MotionType => motion ?? "linear";
 
-export const keyOfPlace = ({ path, target }: Place): string => `${path}/${target}`;
-export const isSamePlace = (one: Place | null, other: Place | null): boolean =>
+export const targetKey = ({ path, target }: TargetId): string => `${path}/${target}`;
+export const isSameTarget = (one: TargetId | null, other: TargetId | null): boolean =>
   one?.path === other?.path && one?.target === other?.target;
 
 /** Returns the position of a place in the text. */
-export const jsonPlaceOf = ({ path, target }: Place): JsonPlace =>
+export const targetJsonPath = ({ path, target }: TargetId): JsonPath =>
   target < 0 ? ["paths", path] : ["paths", path, "targets", target];
 
-export const targetAt = (file: PathFile, { path, target }: Place): Target | undefined => file.paths[path]?.targets[target];
+export const targetAt = (file: PathFile, { path, target }: TargetId): Target | undefined => file.paths[path]?.targets[target];
 
-export function pointAt(file: PathFile, place: Place): Point | undefined {
+export function pointAt(file: PathFile, place: TargetId): Point | undefined {
   const target = targetAt(file, place);
   return target && isPoint(target) ? target : undefined;
 }
 
-export const indexOfPath = (file: PathFile, name: string): number => file.paths.findIndex((path) => path.name === name);
+export const findPathIndex = (file: PathFile, name: string): number => file.paths.findIndex((path) => path.name === name);
 
 /** Returns the number of the path to begin with; -1: no path has that name. */
-export const rootOf = (file: PathFile): number => (file.root === undefined ? 0 : indexOfPath(file, file.root));
+export const rootIndex = (file: PathFile): number => (file.root === undefined ? 0 : findPathIndex(file, file.root));
 
 /**
  * True if it was recorded from a run: its points set work offsets, their actions set tools, and it has no
@@ -151,7 +151,7 @@ const strange = (value: object, known: string[], where: string): string | null =
 };
 
 /** Returns why JSON values are not a path file; the place is a position in the text. */
-function faultOfShape(value: JsonValue): { text: string; at: JsonPlace } | null {
+function shapeError(value: JsonValue): { text: string; at: JsonPath } | null {
   if (!isObject(value)) return { text: words.noObject, at: [] };
   const unknown = strange(value, FILE_KEYS, words.ofFile);
   if (unknown) return { text: unknown, at: [] };
@@ -161,45 +161,45 @@ function faultOfShape(value: JsonValue): { text: string; at: JsonPlace } | null 
   const { paths } = value;
   if (!Array.isArray(paths) || paths.length === 0) return { text: words.noPaths, at: [] };
   for (let i = 0; i < paths.length; ++i) {
-    const fault = faultOfPath(paths[i]);
+    const fault = pathError(paths[i]);
     if (fault) return { text: fault.text, at: ["paths", i, ...fault.at] };
   }
   return null;
 }
 
-function faultOfPath(path: JsonValue): { text: string; at: JsonPlace } | null {
+function pathError(path: JsonValue): { text: string; at: JsonPath } | null {
   if (!isObject(path)) return { text: words.noPathObject, at: [] };
   const unknown = strange(path, pathKeys, words.ofPath);
   if (unknown) return { text: unknown, at: [] };
   if (typeof path.name !== "string" || path.name === "") return { text: words.noName, at: [] };
-  const ofSetUp = faultOfSetUp(path);
-  if (ofSetUp) return { text: ofSetUp, at: [] };
+  const setupError = setupValuesError(path);
+  if (setupError) return { text: setupError, at: [] };
   const { targets } = path;
   if (!Array.isArray(targets) || targets.length === 0) return { text: words.noTargets(path.name), at: [] };
   for (let i = 0; i < targets.length; ++i) {
-    const text = faultOfTarget(targets[i]);
+    const text = targetError(targets[i]);
     if (text) return { text, at: ["targets", i] };
   }
   return null;
 }
 
 /** With line and column. */
-function faultAt(text: string, at: number, sentence: string): Fault {
+function errorAt(text: string, at: number, sentence: string): Error {
   const before = text.slice(0, at);
   return { text: words.at(before.split("\n").length, at - before.lastIndexOf("\n"), sentence), place: null };
 }
 
 /** Returns the path file, or the error of the text with line and column. */
-export function readPathFile(text: string): PathFile | Fault {
+export function readPathFile(text: string): PathFile | Error {
   try {
     const value = readJson(text);
-    const fault = faultOfShape(value);
+    const fault = shapeError(value);
     if (!fault) return value as unknown as PathFile;
-    return faultAt(text, spanOf(text, fault.at).from, fault.text);
+    return errorAt(text, valueSpan(text, fault.at).from, fault.text);
   } catch (fault) {
-    if (!(fault instanceof JsonFault)) throw fault;
-    return faultAt(text, fault.at, fault.message);
+    if (!(fault instanceof JsonError)) throw fault;
+    return errorAt(text, fault.at, fault.message);
   }
 }
 
-export const isPathFile = (read: PathFile | Fault): read is PathFile => "paths" in read;
+export const isPathFile = (read: PathFile | Error): read is PathFile => "paths" in read;

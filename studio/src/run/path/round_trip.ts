@@ -3,8 +3,8 @@
 
 import { isRapid, type Segments } from "../segments";
 import { sampleArc } from "./path_arc";
-import type { Walk } from "./path_walk";
-import { Pieces } from "./pieces";
+import type { PathTraversal } from "./path_traversal";
+import { LineSegmentTree } from "./line_segment_tree";
 import { between, distance, type Vector } from "./vector";
 
 export interface RoundTrip {
@@ -12,19 +12,19 @@ export interface RoundTrip {
    * Largest distance of the path of the run from the given path, mm, and of the given path from that of the
    * run.
    */
-  wayOff_mm: number;
-  pathOff_mm: number;
+  runDeviation_mm: number;
+  pathDeviation_mm: number;
 }
 
 /** Max deviation of chords from their arcs. */
 const CHORD_MM = 1e-4;
 /** Distance between the points at which long lines are also compared. */
 const STEP_MM = 1;
-const MOST_STEPS = 32;
+const MAX_STEPS = 32;
 /** Distance from the path's first point at which a run is on the path. */
-const BEGUN_MM = 0.1;
+const ON_PATH_MM = 0.1;
 /** Max number of compared points; beyond it only samples are compared. */
-const MOST_PLACES = 400_000;
+const MAX_POINTS = 400_000;
 
 /** List of points with the parts between them. */
 class Polyline {
@@ -33,19 +33,19 @@ class Polyline {
 
   add(from: Vector, to: Vector): void {
     this.ends.push(...from, ...to);
-    const steps = Math.min(Math.ceil(distance(from, to) / STEP_MM), MOST_STEPS);
+    const steps = Math.min(Math.ceil(distance(from, to) / STEP_MM), MAX_STEPS);
     for (let i = 0; i < steps; ++i) this.places.push(...between(from, to, i / steps));
     this.places.push(...to);
   }
 
-  pieces(): Pieces {
-    return new Pieces(Float64Array.from(this.ends));
+  pieces(): LineSegmentTree {
+    return new LineSegmentTree(Float64Array.from(this.ends));
   }
 
   /** Returns the largest distance of its points from the given parts, mm. */
-  farthestFrom(pieces: Pieces): number {
+  maxDistanceFrom(pieces: LineSegmentTree): number {
     const { places } = this;
-    const stride = 3 * Math.ceil(places.length / 3 / MOST_PLACES);
+    const stride = 3 * Math.ceil(places.length / 3 / MAX_POINTS);
     let farthest = 0;
     for (let i = 0; i < places.length; i += stride) {
       farthest = Math.max(farthest, pieces.distanceTo(places[i], places[i + 1], places[i + 2]));
@@ -57,7 +57,7 @@ class Polyline {
 /**
  * Returns motions at feed; rapids count only by their ends, because machines have their own paths between.
  */
-function lineOfPath(walk: Walk): Polyline {
+function pathPolyline(walk: PathTraversal): Polyline {
   const line = new Polyline();
   for (const { from_mm, to_mm, rapid, arc } of walk.motions) {
     if (rapid || !from_mm) {
@@ -77,17 +77,17 @@ function lineOfPath(walk: Walk): Polyline {
  * Returns the drawn path of a run: all of it, or its moves at feed from the first contact with the path,
  * because a path does not define the approach.
  */
-function lineOfRun({ stretches }: Segments, cutsFrom: Vector | null): Polyline {
+function runPolyline({ sections }: Segments, cutsFrom: Vector | null): Polyline {
   const line = new Polyline();
   let before: Vector | null = null;
   let hasBegun = cutsFrom === null;
-  for (const stretch of stretches) {
-    const { vertex_mm, vertices } = stretch;
+  for (const section of sections) {
+    const { vertex_mm, vertices } = section;
     for (let i = 0; i < vertices; ++i) {
       const at: Vector = [vertex_mm[3 * i], vertex_mm[3 * i + 1], vertex_mm[3 * i + 2]];
-      const counts = cutsFrom === null || !isRapid(stretch.flagsOf(i));
+      const counts = cutsFrom === null || !isRapid(section.vertexFlags(i));
       if (before && hasBegun && counts) line.add(before, at);
-      hasBegun ||= distance(at, cutsFrom!) < BEGUN_MM;
+      hasBegun ||= distance(at, cutsFrom!) < ON_PATH_MM;
       before = at;
     }
   }
@@ -95,12 +95,12 @@ function lineOfRun({ stretches }: Segments, cutsFrom: Vector | null): Polyline {
 }
 
 /** Returns null if one of both has no path. */
-export function roundTrip(walk: Walk, segments: Segments): RoundTrip | null {
-  const path = lineOfPath(walk);
-  const way = lineOfRun(segments, null);
+export function roundTrip(walk: PathTraversal, segments: Segments): RoundTrip | null {
+  const path = pathPolyline(walk);
+  const way = runPolyline(segments, null);
   if (path.ends.length === 0 || way.ends.length === 0) return null;
-  const cuts = lineOfRun(segments, walk.motions[0].to_mm);
+  const cuts = runPolyline(segments, walk.motions[0].to_mm);
   // A run that never reaches the path is compared completely.
   const held = cuts.ends.length > 0 ? cuts : way;
-  return { wayOff_mm: held.farthestFrom(path.pieces()), pathOff_mm: path.farthestFrom(way.pieces()) };
+  return { runDeviation_mm: held.maxDistanceFrom(path.pieces()), pathDeviation_mm: path.maxDistanceFrom(way.pieces()) };
 }

@@ -12,15 +12,15 @@ export const orientationKinds = ["tool_axis", "rpy_deg", "rotary_deg"] as const;
 export type OrientationKind = (typeof orientationKinds)[number];
 
 /** Returns null without an orientation. */
-export const kindOfOrientation = (orientation: Orientation): OrientationKind | null =>
+export const orientationKind = (orientation: Orientation): OrientationKind | null =>
   orientationKinds.find((kind) => orientation[kind] !== undefined) ?? null;
 
 /** Returns R = Rz(roll) Ry(pitch) Rx(yaw). */
-export function rotationOf([roll, pitch, yaw]: Vector): Quaternion {
+export function toQuaternion([roll, pitch, yaw]: Vector): Quaternion {
   return new Quaternion().setFromEuler(new Euler(yaw * RAD_PER_DEG, pitch * RAD_PER_DEG, roll * RAD_PER_DEG, "ZYX"));
 }
 
-export function rpyOf(rotation: Quaternion): Vector {
+export function toRpy(rotation: Quaternion): Vector {
   const { x, y, z } = new Euler().setFromQuaternion(rotation, "ZYX");
   return [z / RAD_PER_DEG, y / RAD_PER_DEG, x / RAD_PER_DEG];
 }
@@ -39,7 +39,7 @@ export const jointsWith = (axes: Axis[], rotary_deg: Record<string, number>, oth
 export function toolDirection(orientation: Orientation, chain: Chain | null): Vector3 | null {
   const { tool_axis, rpy_deg, rotary_deg } = orientation;
   if (tool_axis) return new Vector3(...tool_axis).normalize();
-  if (rpy_deg) return new Vector3(0, 0, 1).applyQuaternion(rotationOf(rpy_deg));
+  if (rpy_deg) return new Vector3(0, 0, 1).applyQuaternion(toQuaternion(rpy_deg));
   if (!rotary_deg || !chain) return null;
   const { axes } = chain.scene;
   const joints = jointsWith(axes, rotary_deg, new Float64Array(axes.length));

@@ -11,11 +11,11 @@ export const cross = (a: Vector, b: Vector): Vector => [
   a[2] * b[0] - a[0] * b[2],
   a[0] * b[1] - a[1] * b[0],
 ];
-export const lengthOf = (a: Vector): number => Math.hypot(a[0], a[1], a[2]);
-export const distance = (a: Vector, b: Vector): number => lengthOf(subtract(a, b));
+export const vectorLength = (a: Vector): number => Math.hypot(a[0], a[1], a[2]);
+export const distance = (a: Vector, b: Vector): number => vectorLength(subtract(a, b));
 /** Returns a vector of length 1, or null if `a` has no length. */
 export function unit(a: Vector): Vector | null {
-  const length = lengthOf(a);
+  const length = vectorLength(a);
   return length > 1e-12 ? scaled(a, 1 / length) : null;
 }
 export const between = (a: Vector, b: Vector, share: number): Vector => add(a, scaled(subtract(b, a), share));

@@ -64,7 +64,7 @@ export class Chart {
   }
 
   private options(actions: ChartActions): uPlot.Options {
-    const scales: uPlot.Scales = { x: { time: false, auto: false, range: () => this.shown } };
+    const scales: uPlot.Scales = { x: { time: false, auto: false, range: () => this.displayed } };
     for (const scale of this.scales) scales[scale] = { range: (_, low, high) => this.range(scale, low, high) };
     return {
       width: 300,
@@ -88,7 +88,7 @@ export class Chart {
     };
   }
 
-  private get shown(): [number, number] {
+  private get displayed(): [number, number] {
     return [this.window.start_s, this.window.end_s];
   }
 
@@ -99,7 +99,7 @@ export class Chart {
       gap: 0,
       ticks: { show: false },
       grid: { stroke: () => themeColour("--line"), width: 1 },
-      splits: () => ticks(...this.shown, this.plot ? this.plot.bbox.width / devicePixelRatio / 90 : 8).at_s,
+      splits: () => ticks(...this.displayed, this.plot ? this.plot.bbox.width / devicePixelRatio / 90 : 8).at_s,
       values: (_, splits) => splits.map(() => ""),
     };
   }
@@ -239,12 +239,12 @@ export class Chart {
 
   show(curves: Curves): void {
     this.areColumns = curves.areColumns;
-    const shown = this.traces.map((trace) => curves.values[trace.channel].map((value) => shownBy(trace, value)));
+    const displayed = this.traces.map((trace) => curves.values[trace.channel].map((value) => displayedValue(trace, value)));
     this.nearest = this.traces.flatMap(({ isLimit, scale }, i) => {
-      return isLimit ? [{ scale, value: nearestToZero(shown[i]) }] : [];
+      return isLimit ? [{ scale, value: nearestToZero(displayed[i]) }] : [];
     });
     this.plot.batch(() => {
-      this.plot.setData([curves.t_s, ...shown] as uPlot.AlignedData, false);
+      this.plot.setData([curves.t_s, ...displayed] as uPlot.AlignedData, false);
       this.plot.setScale("x", { min: this.window.start_s, max: this.window.end_s });
     });
   }
@@ -256,7 +256,7 @@ export class Chart {
     this.now.style.transform = `translateX(${x}px)`;
     this.now.hidden = !inside;
     this.traces.forEach((trace, i) => {
-      const value = shownBy(trace, values[trace.channel]);
+      const value = displayedValue(trace, values[trace.channel]);
       this.values[i].textContent = value === null ? "–" : withUnit(value, trace.unit);
     });
   }
@@ -273,7 +273,7 @@ function nearestToZero(values: readonly (number | null)[]): number {
   return nearest;
 }
 
-const shownBy = (trace: Trace, value: number): number | null =>
+const displayedValue = (trace: Trace, value: number): number | null =>
   Number.isFinite(value) ? trace.offset + trace.factor * value : null;
 
 /** "12.3°", "1234 mm/min" */

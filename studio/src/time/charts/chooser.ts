@@ -8,7 +8,7 @@ import { chartIds, type ChartId } from "./traces";
 
 const words = texts.time;
 
-export interface Chosen {
+export interface ChartSelection {
   charts: ChartId[];
   axes: Set<number>;
   percent: boolean;
@@ -16,28 +16,28 @@ export interface Chosen {
 
 export interface Chooser {
   element: HTMLElement;
-  readonly chosen: Chosen;
+  readonly chosen: ChartSelection;
   /** Starts with another machine and its available charts: all its axes are shown. */
-  begin(axes: Axis[], offered: readonly ChartId[]): void;
+  begin(axes: Axis[], listedOptions: readonly ChartId[]): void;
 }
 
 /** Creates a box that is initially checked or not. */
-function tick(label: Node | string, title: string, checked: boolean, change: (on: boolean) => void): HTMLElement {
+function createCheckbox(label: Node | string, title: string, checked: boolean, change: (on: boolean) => void): HTMLElement {
   const { row, box } = check(label, change, { title });
   box.checked = checked;
   return row;
 }
 
-export function createChooser(changed: (chosen: Chosen) => void): Chooser {
-  const shown = new Set<ChartId>(["speed"]);
+export function createChooser(changed: (chosen: ChartSelection) => void): Chooser {
+  const displayed = new Set<ChartId>(["speed"]);
   const hidden = new Set<string>();
   let letters: string[] = [];
-  let offered: readonly ChartId[] = [];
+  let listedOptions: readonly ChartId[] = [];
   let percent = true;
   const axes = element("div", { class: "axes", role: "group", "aria-label": words.axes });
 
-  const chosen = (): Chosen => ({
-    charts: offered.filter((id) => shown.has(id)),
+  const chosen = (): ChartSelection => ({
+    charts: listedOptions.filter((id) => displayed.has(id)),
     axes: new Set(letters.flatMap((letter, i) => (hidden.has(letter) ? [] : [i]))),
     percent,
   });
@@ -47,9 +47,9 @@ export function createChooser(changed: (chosen: Chosen) => void): Chooser {
     changed(chosen());
   };
   const charts = chartIds.map((id) =>
-    tick(words.charts[id], words.chartHints[id], shown.has(id), (on) => put(shown, id, on)),
+    createCheckbox(words.charts[id], words.chartHints[id], displayed.has(id), (on) => put(displayed, id, on)),
   );
-  const measure = tick(words.percent, words.percentHint, percent, (on) => {
+  const measure = createCheckbox(words.percent, words.percentHint, percent, (on) => {
     percent = on;
     changed(chosen());
   });
@@ -59,13 +59,13 @@ export function createChooser(changed: (chosen: Chosen) => void): Chooser {
       return chosen();
     },
     begin(all, those) {
-      offered = those;
-      charts.forEach((row, i) => (row.hidden = !offered.includes(chartIds[i])));
+      listedOptions = those;
+      charts.forEach((row, i) => (row.hidden = !listedOptions.includes(chartIds[i])));
       letters = all.map((axis) => axis.letter);
       axes.replaceChildren(
         ...letters.map((letter, i) => {
           const name = element("span", { style: `--colour:${axisColour(i)}` }, letter);
-          return tick(name, words.axisHint(letter), !hidden.has(letter), (on) => put(hidden, letter, !on));
+          return createCheckbox(name, words.axisHint(letter), !hidden.has(letter), (on) => put(hidden, letter, !on));
         }),
       );
     },

@@ -2,8 +2,8 @@
 // pixels for many.
 
 import type { Segments } from "../../run/segments";
-import type { Leaves } from "./leaves";
-import { BEHIND_S, type Probe, type Spot } from "./probe";
+import type { ExtremaTree } from "./extrema_tree";
+import { AFTER_S, type CurveSampler, type SegmentRef } from "./curve_sampler";
 
 /** Instants of the run (s) in order, and a value for each channel there; NaN: none. */
 export interface Curves {
@@ -25,17 +25,17 @@ export function push(curves: Curves, t_s: number, values: ArrayLike<number>): vo
 }
 
 /** Returns the curves. `columns`: width of the stretch in pixels. Data that is not loaded is left out. */
-export function curvesOf(segments: Segments, leaves: Leaves, from_s: number, to_s: number, columns: number): Curves {
+export function createCurves(segments: Segments, leaves: ExtremaTree, from_s: number, to_s: number, columns: number): Curves {
   const first = segments.at(from_s);
   if (first < 0 || !(to_s > from_s)) return empty(leaves.probe.width);
   const last = segments.at(to_s);
   const step_s = (to_s - from_s) / columns;
-  if (last - first < columns / 4) return sampled(leaves.probe, first, last, from_s, to_s, step_s);
-  if (!leaves.ready) return single(segments, leaves.probe, from_s, columns, step_s);
-  return extremes(segments, leaves, from_s, columns, step_s);
+  if (last - first < columns / 4) return is_sampled(leaves.probe, first, last, from_s, to_s, step_s);
+  if (!leaves.ready) return samplePerColumn(segments, leaves.probe, from_s, columns, step_s);
+  return columnExtremes(segments, leaves, from_s, columns, step_s);
 }
 
-function sampled(probe: Probe, first: number, last: number, from_s: number, to_s: number, step_s: number): Curves {
+function is_sampled(probe: CurveSampler, first: number, last: number, from_s: number, to_s: number, step_s: number): Curves {
   const curves = empty(probe.width);
   const point = new Float64Array(probe.width);
   for (let index = first; index <= last; ++index) {
@@ -54,17 +54,17 @@ function sampled(probe: Probe, first: number, last: number, from_s: number, to_s
 }
 
 /** Returns one instant a pixel, and both sides of each change of a law. */
-function instants(probe: Probe, spot: Spot, begin_s: number, end_s: number, step_s: number): number[] {
+function instants(probe: CurveSampler, spot: SegmentRef, begin_s: number, end_s: number, step_s: number): number[] {
   const all = [begin_s, end_s];
   for (let t_s = begin_s + step_s; t_s < end_s; t_s += step_s) all.push(t_s);
   for (const t_s of probe.breaks_s(spot)) {
-    if (t_s > begin_s && t_s + BEHIND_S < end_s) all.push(t_s, t_s + BEHIND_S);
+    if (t_s > begin_s && t_s + AFTER_S < end_s) all.push(t_s, t_s + AFTER_S);
   }
   return all.sort((a, b) => a - b);
 }
 
 /** Returns one value a pixel, until the extremes are known. */
-function single(segments: Segments, probe: Probe, from_s: number, columns: number, step_s: number): Curves {
+function samplePerColumn(segments: Segments, probe: CurveSampler, from_s: number, columns: number, step_s: number): Curves {
   const curves = empty(probe.width);
   const point = new Float64Array(probe.width);
   for (let column = 0; column < columns; ++column) {
@@ -77,7 +77,7 @@ function single(segments: Segments, probe: Probe, from_s: number, columns: numbe
   return curves;
 }
 
-function extremes(segments: Segments, leaves: Leaves, from_s: number, columns: number, step_s: number): Curves {
+function columnExtremes(segments: Segments, leaves: ExtremaTree, from_s: number, columns: number, step_s: number): Curves {
   const curves = empty(leaves.probe.width, true);
   const low = new Float32Array(leaves.probe.width);
   const high = new Float32Array(leaves.probe.width);
@@ -87,9 +87,9 @@ function extremes(segments: Segments, leaves: Leaves, from_s: number, columns: n
     const next = segments.at(begin_s + step_s);
     low.fill(Infinity);
     high.fill(-Infinity);
-    widenPart(leaves.probe, here, begin_s, begin_s + step_s, low, high);
-    leaves.widen(here + 1, next, low, high);
-    if (next > here) widenPart(leaves.probe, next, begin_s, begin_s + step_s, low, high);
+    extendBySegment(leaves.probe, here, begin_s, begin_s + step_s, low, high);
+    leaves.expand(here + 1, next, low, high);
+    if (next > here) extendBySegment(leaves.probe, next, begin_s, begin_s + step_s, low, high);
     // Not in the middle, because a chart may round that to either side and leave a column empty.
     push(curves, begin_s + step_s / 4, low);
     push(curves, begin_s + step_s / 4, high);
@@ -102,8 +102,8 @@ function extremes(segments: Segments, leaves: Leaves, from_s: number, columns: n
 }
 
 /** Widens by a segment that is partly in a column; one shorter than a column counts completely in both. */
-function widenPart(
-  probe: Probe,
+function extendBySegment(
+  probe: CurveSampler,
   index: number,
   from_s: number,
   to_s: number,
@@ -116,6 +116,6 @@ function widenPart(
   const begin_s = Math.max(from_s - start_s, 0);
   const end_s = Math.min(to_s - start_s, spot.part.duration_s);
   if (!(end_s > begin_s)) return;
-  if (spot.part.duration_s <= to_s - from_s) probe.widen(spot, low, high, 0);
+  if (spot.part.duration_s <= to_s - from_s) probe.expand(spot, low, high, 0);
   else probe.widenWithin(spot, begin_s, end_s, low, high, 0);
 }

@@ -6,7 +6,7 @@ export interface Limit {
   colour: string;
 }
 
-export const bothWays = (value: number, label: string, colour: string): Limit[] => [
+export const symmetricLimits = (value: number, label: string, colour: string): Limit[] => [
   { value, label, colour },
   { value: -value, label, colour },
 ];

@@ -16,18 +16,18 @@ export const linePaths: uPlot.Series.PathBuilder = (plot, series, first, last) =
 export const areaPaths: uPlot.Series.PathBuilder = (plot, series, first, last) => {
   const [xs, ys] = [plot.data[0], plot.data[series]];
   const scale = plot.series[series].scale!;
-  const yOf = (value: number) => plot.valToPos(value, scale, true);
+  const valueY = (value: number) => plot.valToPos(value, scale, true);
   const half = HALF_WIDTH * devicePixelRatio;
   const path = new Path2D();
-  let stretch: number[] = [];
+  let section: number[] = [];
   const close = () => {
-    addArea(path, stretch, half);
-    stretch = [];
+    addArea(path, section, half);
+    section = [];
   };
   for (let i = first - (first % 2); i <= last; i += 2) {
     const [low, high] = [ys[i], ys[i + 1]];
     if (low == null || high == null) close();
-    else stretch.push(plot.valToPos(xs[i], "x", true), yOf(high), yOf(low));
+    else section.push(plot.valToPos(xs[i], "x", true), valueY(high), valueY(low));
   }
   close();
   return { stroke: null, fill: path };

@@ -9,13 +9,13 @@ export function seriesCurves(series: Series, from_s: number, to_s: number, colum
   const curves: Curves = { t_s: [], values: series.channels.map(() => []), areColumns: false };
   if (series.count === 0 || !(to_s > from_s)) return curves;
   const [first, last] = [series.indexAt(from_s), series.indexAt(to_s)];
-  if (series.step_s === 0 && last - first < 2 * columns) putInstants(series, first, last, from_s, to_s, curves);
-  else if (series.step_s > 0 && last - first < columns) putSteps(series, first, last, from_s, to_s, curves);
-  else putColumns(series, from_s, to_s, columns, curves);
+  if (series.step_s === 0 && last - first < 2 * columns) addInstants(series, first, last, from_s, to_s, curves);
+  else if (series.step_s > 0 && last - first < columns) addSteps(series, first, last, from_s, to_s, curves);
+  else addColumns(series, from_s, to_s, columns, curves);
   return curves;
 }
 
-function putInstants(series: Series, first: number, last: number, from_s: number, to_s: number, curves: Curves): void {
+function addInstants(series: Series, first: number, last: number, from_s: number, to_s: number, curves: Curves): void {
   const point = new Float32Array(series.width);
   const put = (t_s: number) => {
     series.put(t_s, point);
@@ -27,10 +27,10 @@ function putInstants(series: Series, first: number, last: number, from_s: number
 }
 
 /** Adds steps; each has the same value at its end as at its start. */
-function putSteps(series: Series, first: number, last: number, from_s: number, to_s: number, curves: Curves): void {
+function addSteps(series: Series, first: number, last: number, from_s: number, to_s: number, curves: Curves): void {
   curves.areColumns = true;
   for (let step = Math.max(first, 0); step <= Math.min(last, series.count - 1); ++step) {
-    const [low, high] = extremes(series, step, step);
+    const [low, high] = columnExtremes(series, step, step);
     for (const t_s of [Math.max(series.time_s(step), from_s), Math.min(series.time_s(step + 1), to_s)]) {
       push(curves, t_s, low);
       push(curves, t_s, high);
@@ -38,7 +38,7 @@ function putSteps(series: Series, first: number, last: number, from_s: number, t
   }
 }
 
-function putColumns(series: Series, from_s: number, to_s: number, columns: number, curves: Curves): void {
+function addColumns(series: Series, from_s: number, to_s: number, columns: number, curves: Curves): void {
   curves.areColumns = true;
   const step_s = (to_s - from_s) / columns;
   const edge = new Float32Array(series.width);
@@ -46,7 +46,7 @@ function putColumns(series: Series, from_s: number, to_s: number, columns: numbe
     const begin_s = from_s + column * step_s;
     const end_s = begin_s + step_s;
     const first = series.indexAt(begin_s) + (series.step_s > 0 ? 0 : 1);
-    const [low, high] = extremes(series, first, series.indexAt(end_s));
+    const [low, high] = columnExtremes(series, first, series.indexAt(end_s));
     // Between two instants, both edges have interpolated values.
     for (const t_s of series.step_s > 0 ? [] : [begin_s, end_s]) {
       series.put(t_s, edge);
@@ -61,11 +61,11 @@ function putColumns(series: Series, from_s: number, to_s: number, columns: numbe
 }
 
 /** Returns the extremes from one instant or step to another; NaN if without values. */
-function extremes(series: Series, first: number, last: number): [low: Float32Array, high: Float32Array] {
+function columnExtremes(series: Series, first: number, last: number): [low: Float32Array, high: Float32Array] {
   const low = new Float32Array(series.width).fill(Infinity);
   const high = new Float32Array(series.width).fill(-Infinity);
   const end = Math.min(last, series.count - 1);
-  for (let index = Math.max(first, 0); index <= end; ++index) series.widen(index, low, high);
+  for (let index = Math.max(first, 0); index <= end; ++index) series.expand(index, low, high);
   for (let j = 0; j < series.width; ++j) if (low[j] > high[j]) low[j] = high[j] = NaN;
   return [low, high];
 }

@@ -7,7 +7,7 @@ import { length, lengthUnit } from "../../core/units";
 import type { Axis, Scene } from "../../run/scene";
 import type { Series } from "../../run/series";
 import { texts } from "../../texts";
-import { bothWays } from "./limit_lines";
+import { symmetricLimits } from "./limit_lines";
 import type { Choice, Trace } from "./trace";
 
 const words = texts.time;
@@ -48,12 +48,12 @@ function effortTraces(series: Series, axis: Axis, joint: number, percent: boolea
   const own = { ...common, name: letter, channel: series.channel("effort", joint), colour };
   if (percent && (fades || peak !== null)) {
     const from = fades ? { channel: series.channel("share", joint), factor: 100 } : { factor: 100 / peak! };
-    return [{ ...own, ...from, scale: "percent", unit: "%", limits: bothWays(100, words.limit, orange) }];
+    return [{ ...own, ...from, scale: "percent", unit: "%", limits: symmetricLimits(100, words.limit, orange) }];
   }
   const scale = axis.rotary ? ("torque" as const) : ("force" as const);
   const effort = { ...own, scale, unit: axis.rotary ? "Nm" : "N" };
   const label = words.limitOf(letter);
-  if (!fades) return [{ ...effort, limits: peak === null ? [] : bothWays(peak, label, colour) }];
+  if (!fades) return [{ ...effort, limits: peak === null ? [] : symmetricLimits(peak, label, colour) }];
   const limit = { ...effort, name: label, channel: series.channel("motor_peak", joint), dashed: true, isLimit: true };
   return [effort, limit, { ...limit, factor: -1 }];
 }

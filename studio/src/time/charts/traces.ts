@@ -9,8 +9,8 @@ import type { Robot } from "../../run/run";
 import type { Axis, Scene } from "../../run/scene";
 import type { SeriesKind } from "../../run/series";
 import { texts } from "../../texts";
-import { bothWays } from "./limit_lines";
-import { PATH, type Group } from "./probe";
+import { symmetricLimits } from "./limit_lines";
+import { PATH, type Group } from "./curve_sampler";
 import { seriesTraces, type SeriesChartId } from "./series_traces";
 import type { Choice, ScaleId, Trace } from "./trace";
 
@@ -23,7 +23,7 @@ export type ChartId = LawChartId | SeriesChartId;
 export const chartIds: readonly ChartId[] = [...lawCharts, ...seriesCharts];
 
 /** Source of a chart's values: laws of segments, or a series. */
-export const sourceOf: Record<ChartId, Group | SeriesKind> = {
+export const chartSource: Record<ChartId, Group | SeriesKind> = {
   speed: "path",
   acceleration: "path",
   axis_position: "position",
@@ -38,8 +38,8 @@ export const sourceOf: Record<ChartId, Group | SeriesKind> = {
 const isSeriesChart = (id: ChartId): id is SeriesChartId => seriesCharts.some((each) => each === id);
 
 /** Returns the available charts of a robot. */
-export const chartsOf = (robot: Robot | undefined): ChartId[] =>
-  chartIds.filter((id) => !isSeriesChart(id) || robot?.series.has(sourceOf[id] as SeriesKind));
+export const availableCharts = (robot: Robot | undefined): ChartId[] =>
+  chartIds.filter((id) => !isSeriesChart(id) || robot?.series.has(chartSource[id] as SeriesKind));
 
 /** Returns the unit of a chart's values on a scale. */
 function unitOf(id: LawChartId, scale: ScaleId, units: Units): string {
@@ -49,9 +49,9 @@ function unitOf(id: LawChartId, scale: ScaleId, units: Units): string {
   return id.endsWith("speed") ? `${way}/min` : `${way}/s²`;
 }
 
-export function tracesOf(id: ChartId, { scene, series }: Robot, choice: Choice): Trace[] {
+export function createTraces(id: ChartId, { scene, series }: Robot, choice: Choice): Trace[] {
   if (isSeriesChart(id)) {
-    const from = series.get(sourceOf[id] as SeriesKind);
+    const from = series.get(chartSource[id] as SeriesKind);
     return from ? seriesTraces(id, from, scene, choice) : [];
   }
   if (id === "speed") return speedTraces(scene, choice.units);
@@ -87,7 +87,7 @@ function accelerationTrace(scene: Scene, units: Units): Trace {
     factor: length(1, units),
     offset: 0,
     fromZero: true,
-    limits: max === null ? [] : bothWays(length(max, units), words.limit, orange),
+    limits: max === null ? [] : symmetricLimits(length(max, units), words.limit, orange),
   };
 }
 
@@ -98,8 +98,8 @@ function axisTrace(id: LawChartId, axis: Axis, joint: number, { units, percent }
   const asPercent = id !== "axis_position" && percent && max !== null;
   const scale: ScaleId = asPercent ? "percent" : axis.rotary ? "deg" : "mm";
   const perSecond = id === "axis_speed" && !asPercent ? 60 : 1;
-  const shown = (value: number) => (axis.rotary ? value : length(value, units)) * perSecond;
-  const scaled = asPercent ? 100 / max : shown(1);
+  const displayed = (value: number) => (axis.rotary ? value : length(value, units)) * perSecond;
+  const scaled = asPercent ? 100 / max : displayed(1);
   const common = {
     name: axis.letter,
     channel: joint,
@@ -112,11 +112,11 @@ function axisTrace(id: LawChartId, axis: Axis, joint: number, { units, percent }
   const factor = scaled * (axis.rotary ? 1 / RAD_PER_DEG : 1);
   if (id === "axis_position") {
     const ends = [axis.min, axis.max].filter((end) => end !== null);
-    const limits = ends.map((end) => ({ value: shown(end), label, colour }));
-    return { ...common, factor, offset: shown(axis.zero), limits };
+    const limits = ends.map((end) => ({ value: displayed(end), label, colour }));
+    return { ...common, factor, offset: displayed(axis.zero), limits };
   }
-  if (asPercent) return { ...common, factor, offset: 0, limits: bothWays(100, words.limit, orange) };
-  return { ...common, factor, offset: 0, limits: max === null ? [] : bothWays(shown(max), label, colour) };
+  if (asPercent) return { ...common, factor, offset: 0, limits: symmetricLimits(100, words.limit, orange) };
+  return { ...common, factor, offset: 0, limits: max === null ? [] : symmetricLimits(displayed(max), label, colour) };
 }
 
 /** "1,234", "0.0567": four digits or so. */

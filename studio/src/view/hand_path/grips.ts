@@ -4,7 +4,7 @@
 import { Matrix4, Plane, Quaternion, Ray, Raycaster, Vector2, Vector3 } from "three";
 import type { CameraRig } from "../camera";
 
-export interface Grip {
+export interface HandleGrip {
   kind: "move" | "plane" | "turn";
   /** Axis of the work frame; for a plane its normal. */
   axis: 0 | 1 | 2;
@@ -13,14 +13,14 @@ export interface Grip {
 /** Sizes on the screen. */
 export const ARROW_PX = 64;
 export const RING_PX = 84;
-const REACH_PX = 7;
+const HIT_DISTANCE_PX = 7;
 const RING_STEPS = 64;
 /** Distance from the middle within which arrows cannot be distinguished. */
-const MIDDLE_PX = 9;
+const CENTRE_RADIUS_PX = 9;
 /** Sine of the smallest view angle of a plane that can be used for a drag. */
-const LEAST_SINE = 0.2;
+const MIN_SINE = 0.2;
 
-export const unitOf = (axis: number): Vector3 => new Vector3().setComponent(axis, 1);
+export const unitVector = (axis: number): Vector3 => new Vector3().setComponent(axis, 1);
 
 /** Returns a point of a ring about an axis, of radius 1. */
 export function ringPoint(axis: number, angle: number): Vector3 {
@@ -30,7 +30,7 @@ export function ringPoint(axis: number, angle: number): Vector3 {
 }
 
 /** Position of a handle in the work frame, and its view. */
-export interface Stand {
+export interface HandleContext {
   work: Matrix4;
   at: Vector3;
   rig: CameraRig;
@@ -39,17 +39,17 @@ export interface Stand {
   height_px: number;
 }
 
-export const scaleOf = ({ work, at, rig }: Stand): number => rig.mmPerPixelAt(at.clone().applyMatrix4(work));
+export const handleScale = ({ work, at, rig }: HandleContext): number => rig.mmPerPixelAt(at.clone().applyMatrix4(work));
 
-const onScreen = ({ work, rig }: Stand, point: Vector3): Vector2 | null => {
-  const seen = rig.project(point.clone().applyMatrix4(work));
-  return seen && new Vector2(seen.x, seen.y);
+const toScreen = ({ work, rig }: HandleContext, point: Vector3): Vector2 | null => {
+  const projected = rig.project(point.clone().applyMatrix4(work));
+  return projected && new Vector2(projected.x, projected.y);
 };
 
 /** Returns the direction towards the camera, in the work frame. */
-const backOf = ({ work, rig }: Stand): Vector3 => rig.basis().back.transformDirection(work.clone().invert());
+const viewDirection = ({ work, rig }: HandleContext): Vector3 => rig.basis().back.transformDirection(work.clone().invert());
 
-function distanceToPiece(p: Vector2, a: Vector2, b: Vector2): number {
+function distanceToSegment(p: Vector2, a: Vector2, b: Vector2): number {
   const way = b.clone().sub(a);
   const size = way.lengthSq();
   const share = size > 0 ? Math.min(Math.max(p.clone().sub(a).dot(way) / size, 0), 1) : 0;
@@ -57,40 +57,40 @@ function distanceToPiece(p: Vector2, a: Vector2, b: Vector2): number {
 }
 
 /** Returns the plane of the work with the best view. */
-export function planeSeen(stand: Stand): 0 | 1 | 2 {
-  const [x, y, z] = backOf(stand).toArray().map(Math.abs);
+export function mostVisiblePlane(handleContext: HandleContext): 0 | 1 | 2 {
+  const [x, y, z] = viewDirection(handleContext).toArray().map(Math.abs);
   // The horizontal plane, unless it is seen edge-on.
   return z > 0.35 ? 2 : x > y ? 0 : 1;
 }
 
 /** Returns null if no grip is at that position of the screen. */
-export function gripAt(stand: Stand, x_px: number, y_px: number, turns: boolean): Grip | null {
+export function gripAt(handleContext: HandleContext, x_px: number, y_px: number, turns: boolean): HandleGrip | null {
   const pointer = new Vector2(x_px, y_px);
-  const middle = onScreen(stand, stand.at);
+  const middle = toScreen(handleContext, handleContext.at);
   if (!middle) return null;
-  if (pointer.distanceTo(middle) < MIDDLE_PX) return { kind: "plane", axis: planeSeen(stand) };
-  const scale = scaleOf(stand);
-  let best: { grip: Grip; away_px: number } | null = null;
-  const take = (grip: Grip, away_px: number) => {
-    if (away_px < REACH_PX && away_px < (best?.away_px ?? Infinity)) best = { grip, away_px };
+  if (pointer.distanceTo(middle) < CENTRE_RADIUS_PX) return { kind: "plane", axis: mostVisiblePlane(handleContext) };
+  const scale = handleScale(handleContext);
+  let best: { grip: HandleGrip; distance_px: number } | null = null;
+  const consider = (grip: HandleGrip, distance_px: number) => {
+    if (distance_px < HIT_DISTANCE_PX && distance_px < (best?.distance_px ?? Infinity)) best = { grip, distance_px };
   };
   for (const axis of [0, 1, 2] as const) {
-    const end = onScreen(stand, stand.at.clone().addScaledVector(unitOf(axis), ARROW_PX * scale));
-    if (end && end.distanceTo(middle) > MIDDLE_PX) take({ kind: "move", axis }, distanceToPiece(pointer, middle, end));
+    const end = toScreen(handleContext, handleContext.at.clone().addScaledVector(unitVector(axis), ARROW_PX * scale));
+    if (end && end.distanceTo(middle) > CENTRE_RADIUS_PX) consider({ kind: "move", axis }, distanceToSegment(pointer, middle, end));
     if (!turns) continue;
     let before: Vector2 | null = null;
     for (let i = 0; i <= RING_STEPS; ++i) {
       const angle = (2 * Math.PI * i) / RING_STEPS;
-      const next = onScreen(stand, stand.at.clone().addScaledVector(ringPoint(axis, angle), RING_PX * scale));
-      if (before && next) take({ kind: "turn", axis }, distanceToPiece(pointer, before, next));
+      const next = toScreen(handleContext, handleContext.at.clone().addScaledVector(ringPoint(axis, angle), RING_PX * scale));
+      if (before && next) consider({ kind: "turn", axis }, distanceToSegment(pointer, before, next));
       before = next;
     }
   }
-  return (best as { grip: Grip } | null)?.grip ?? null;
+  return (best as { grip: HandleGrip } | null)?.grip ?? null;
 }
 
 /** Returns the ray from the camera through a position of the screen, in the work frame. */
-function rayAt({ work, rig, width_px, height_px }: Stand, x_px: number, y_px: number): Ray {
+function rayAt({ work, rig, width_px, height_px }: HandleContext, x_px: number, y_px: number): Ray {
   const caster = new Raycaster();
   caster.setFromCamera(new Vector2((2 * x_px) / width_px - 1, 1 - (2 * y_px) / height_px), rig.camera);
   return caster.ray.applyMatrix4(work.clone().invert());
@@ -99,19 +99,19 @@ function rayAt({ work, rig, width_px, height_px }: Stand, x_px: number, y_px: nu
 /** Returns the position along an axis that is nearest to a ray, mm from `at`. */
 function alongAxis(ray: Ray, at: Vector3, axis: Vector3): number | null {
   const between = at.clone().sub(ray.origin);
-  const slant = axis.dot(ray.direction);
-  const sine2 = 1 - slant * slant;
-  if (sine2 < LEAST_SINE ** 2 / 4) return null;
-  return (slant * ray.direction.dot(between) - axis.dot(between)) / sine2;
+  const cosine = axis.dot(ray.direction);
+  const sine2 = 1 - cosine * cosine;
+  if (sine2 < MIN_SINE ** 2 / 4) return null;
+  return (cosine * ray.direction.dot(between) - axis.dot(between)) / sine2;
 }
 
 /** Drag of a grip: converts the pointer position to a motion of the point. */
-export class Pull {
+export class HandleDrag {
   private readonly begun: number | Vector3 | null;
 
   constructor(
-    private readonly stand: Stand,
-    private readonly grip: Grip,
+    private readonly handleContext: HandleContext,
+    private readonly grip: HandleGrip,
     private readonly start_px: Vector2,
   ) {
     this.begun = this.measure(start_px.x, start_px.y);
@@ -119,15 +119,15 @@ export class Pull {
 
   /** Measures along the axis, in the plane, or the angle about the axis. */
   private measure(x_px: number, y_px: number): number | Vector3 | null {
-    const { stand, grip } = this;
-    const axis = unitOf(grip.axis);
-    const ray = rayAt(stand, x_px, y_px);
-    if (grip.kind === "move") return alongAxis(ray, stand.at, axis);
-    const plane = new Plane().setFromNormalAndCoplanarPoint(axis, stand.at);
-    const place = Math.abs(axis.dot(ray.direction)) > LEAST_SINE ? ray.intersectPlane(plane, new Vector3()) : null;
+    const { handleContext, grip } = this;
+    const axis = unitVector(grip.axis);
+    const ray = rayAt(handleContext, x_px, y_px);
+    if (grip.kind === "move") return alongAxis(ray, handleContext.at, axis);
+    const plane = new Plane().setFromNormalAndCoplanarPoint(axis, handleContext.at);
+    const place = Math.abs(axis.dot(ray.direction)) > MIN_SINE ? ray.intersectPlane(plane, new Vector3()) : null;
     if (grip.kind === "plane") return place;
     if (!place) return null;
-    const off = place.sub(stand.at);
+    const off = place.sub(handleContext.at);
     return Math.atan2(off.getComponent((grip.axis + 2) % 3), off.getComponent((grip.axis + 1) % 3));
   }
 
@@ -138,7 +138,7 @@ export class Pull {
     const shift = new Vector3();
     if (typeof now === "number" && typeof begun === "number") shift.setComponent(grip.axis, now - begun);
     else if (now instanceof Vector3 && begun instanceof Vector3) shift.copy(now).sub(begun);
-    const step = 10 ** Math.floor(Math.log10(scaleOf(this.stand)));
+    const step = 10 ** Math.floor(Math.log10(handleScale(this.handleContext)));
     return new Vector3(...shift.toArray().map((mm) => Math.round(mm / step) * step));
   }
 
@@ -148,14 +148,14 @@ export class Pull {
     const isOnRing = typeof now === "number" && typeof this.begun === "number";
     const angle = isOnRing ? now - (this.begun as number) : this.angleByTangent(x_px, y_px);
     const rounded = Math.round((angle * 180) / Math.PI) * (Math.PI / 180);
-    return new Quaternion().setFromAxisAngle(unitOf(this.grip.axis), rounded);
+    return new Quaternion().setFromAxisAngle(unitVector(this.grip.axis), rounded);
   }
 
   /** Measures a ring that is seen edge-on along its tangent. */
   private angleByTangent(x_px: number, y_px: number): number {
-    const away = backOf(this.stand).cross(unitOf(this.grip.axis)).negate();
-    const [from, to] = [this.stand.at, this.stand.at.clone().addScaledVector(away, scaleOf(this.stand))];
-    const [a, b] = [onScreen(this.stand, from), onScreen(this.stand, to)];
+    const away = viewDirection(this.handleContext).cross(unitVector(this.grip.axis)).negate();
+    const [from, to] = [this.handleContext.at, this.handleContext.at.clone().addScaledVector(away, handleScale(this.handleContext))];
+    const [a, b] = [toScreen(this.handleContext, from), toScreen(this.handleContext, to)];
     if (!a || !b) return 0;
     return new Vector2(x_px, y_px).sub(this.start_px).dot(b.sub(a).normalize()) / RING_PX;
   }

@@ -15,13 +15,13 @@ import {
   Vector3,
   type Matrix4,
 } from "three";
-import type { PathShown } from "../../core/path_shown";
-import { pointOfArc, sampleArc } from "../../run/path/path_arc";
-import { isPoint, type Place } from "../../run/path/path_file";
-import type { Motion } from "../../run/path/path_walk";
+import type { DisplayedPath } from "../../core/displayed_path";
+import { arcPoint, sampleArc } from "../../run/path/path_arc";
+import { isPoint, type TargetId } from "../../run/path/path_file";
+import type { Motion } from "../../run/path/path_traversal";
 import { between, distance, subtract, type Vector } from "../../run/path/vector";
 import type { CameraRig } from "../camera";
-import { putArrow } from "../marks/directions";
+import { addArrow } from "../marks/directions";
 import { setLines } from "../marks/grid";
 import type { Palette } from "../theme";
 
@@ -30,11 +30,11 @@ const DOT_PX = 7;
 const DASH_PX = 6;
 const ARROW_PX = 10;
 /** Shorter motions have no arrow. */
-const LEAST_ARROW_PX = 28;
+const MIN_ARROW_DISTANCE_PX = 28;
 const MOST_ARROWS = 400;
 
 interface Dot {
-  place: Place;
+  place: TargetId;
   at: Vector3;
 }
 
@@ -49,7 +49,7 @@ function roundDots(size_px: number): PointsMaterial {
 }
 
 /** Adds pairs of ends of the lines that draw a motion. */
-function putMotion({ from_mm, to_mm, arc }: Motion, into: number[]): void {
+function addMotion({ from_mm, to_mm, arc }: Motion, into: number[]): void {
   let at = from_mm!;
   for (const next of arc ? sampleArc(arc, CHORD_MM) : [to_mm]) {
     into.push(...at, ...next);
@@ -79,14 +79,14 @@ export class PathMarks {
     this.points.renderOrder = 1;
   }
 
-  take(shown: PathShown | null): void {
-    this.motions = shown?.walk.motions.filter(({ from_mm }) => from_mm !== null) ?? [];
+  setContent(displayed: DisplayedPath | null): void {
+    this.motions = displayed?.walk.motions.filter(({ from_mm }) => from_mm !== null) ?? [];
     const ends: Record<"cut" | "rapid", number[]> = { cut: [], rapid: [] };
-    for (const motion of this.motions) putMotion(motion, motion.rapid ? ends.rapid : ends.cut);
+    for (const motion of this.motions) addMotion(motion, motion.rapid ? ends.rapid : ends.cut);
     setLines(this.cuts, ends.cut);
     setLines(this.rapids, ends.rapid);
     this.rapids.computeLineDistances();
-    this.dots = dotsOf(shown);
+    this.dots = pathDots(displayed);
     this.points.geometry.dispose();
     const places = new Float32Array(this.dots.flatMap(({ at }) => at.toArray()));
     this.points.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(places, 3));
@@ -103,43 +103,43 @@ export class PathMarks {
   }
 
   /** Updates the arrows for the current view. */
-  lay(work: Matrix4, rig: CameraRig): void {
+  layOut(work: Matrix4, rig: CameraRig): void {
     const back = rig.basis().back.transformDirection(work.clone().invert());
     const corners: number[] = [];
     const world = new Vector3();
     let count = 0;
     for (const motion of this.motions) {
-      const [at, along] = middleOf(motion);
+      const [at, along] = motionMiddle(motion);
       const mmPerPixel = rig.mmPerPixelAt(world.set(...at).applyMatrix4(work));
-      if (distance(motion.from_mm!, motion.to_mm) < LEAST_ARROW_PX * mmPerPixel && !motion.arc) continue;
+      if (distance(motion.from_mm!, motion.to_mm) < MIN_ARROW_DISTANCE_PX * mmPerPixel && !motion.arc) continue;
       if (++count > MOST_ARROWS) break;
-      putArrow(corners, new Vector3(...at), new Vector3(...along).normalize(), ARROW_PX * mmPerPixel, back);
+      addArrow(corners, new Vector3(...at), new Vector3(...along).normalize(), ARROW_PX * mmPerPixel, back);
     }
     this.arrows.geometry.dispose();
     this.arrows.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(new Float32Array(corners), 3));
   }
 
   /** Returns points within some pixels of a position on the screen, the nearest first. */
-  near(x_px: number, y_px: number, reach_px: number, work: Matrix4, rig: CameraRig): Dot[] {
+  near(x_px: number, y_px: number, hitRadius_px: number, work: Matrix4, rig: CameraRig): Dot[] {
     const world = new Vector3();
-    const found: { dot: Dot; away_px: number }[] = [];
+    const found: { dot: Dot; distance_px: number }[] = [];
     for (const dot of this.dots) {
-      const seen = rig.project(world.copy(dot.at).applyMatrix4(work));
-      const away_px = seen ? Math.hypot(seen.x - x_px, seen.y - y_px) : Infinity;
-      if (away_px <= reach_px) found.push({ dot, away_px });
+      const projected = rig.project(world.copy(dot.at).applyMatrix4(work));
+      const distance_px = projected ? Math.hypot(projected.x - x_px, projected.y - y_px) : Infinity;
+      if (distance_px <= hitRadius_px) found.push({ dot, distance_px });
     }
     // Points at one position keep their order.
-    return found.sort((a, b) => Math.round(a.away_px - b.away_px)).map(({ dot }) => dot);
+    return found.sort((a, b) => Math.round(a.distance_px - b.distance_px)).map(({ dot }) => dot);
   }
 }
 
-function middleOf({ from_mm, to_mm, arc }: Motion): [at: Vector, along: Vector] {
+function motionMiddle({ from_mm, to_mm, arc }: Motion): [at: Vector, along: Vector] {
   if (!arc) return [between(from_mm!, to_mm, 0.5), subtract(to_mm, from_mm!)];
-  return [pointOfArc(arc, 0.5), subtract(pointOfArc(arc, 0.501), pointOfArc(arc, 0.499))];
+  return [arcPoint(arc, 0.5), subtract(arcPoint(arc, 0.501), arcPoint(arc, 0.499))];
 }
 
-const dotsOf = (shown: PathShown | null): Dot[] =>
-  shown?.file.paths.flatMap(({ targets }, path) =>
+const pathDots = (displayed: DisplayedPath | null): Dot[] =>
+  displayed?.file.paths.flatMap(({ targets }, path) =>
     targets.flatMap((each, target) =>
       isPoint(each) ? [{ place: { path, target }, at: new Vector3(...each.position_mm) }] : [],
     ),

@@ -1,7 +1,7 @@
 // Drawing of a chain of joints that is not a gantry, as drums and bars between them.
 
 import { Vector3 } from "three";
-import { lengthOf, type Skeleton } from "./frame_of_axes";
+import { travelLength, type Skeleton } from "./skeleton";
 import type { Parts } from "./parts";
 
 export function buildArm(parts: Parts, skeleton: Skeleton): void {
@@ -16,7 +16,7 @@ export function buildArm(parts: Parts, skeleton: Skeleton): void {
   tool.forEach((axis, i) => {
     const thick = g * (1 - (0.5 * i) / tool.length);
     if (axis.rotary) parts.drum(axis.joint + 1, axis.origin, axis.along, 1.15 * thick, 2.6 * thick, "machine");
-    else if (Number.isFinite(lengthOf(axis.travel))) {
+    else if (Number.isFinite(travelLength(axis.travel))) {
       const [from, to] = axis.travel.map((q) => axis.origin.clone().addScaledVector(axis.along, q));
       parts.bar(axis.parent, from, to, 0.4 * thick, "structure");
       const across = Math.abs(axis.along.z) < 0.7 ? new Vector3(0, 0, 1) : new Vector3(1, 0, 0);

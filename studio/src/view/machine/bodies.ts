@@ -1,32 +1,32 @@
 // Bodies of a scene, in their frames.
 
 import { EdgesGeometry, Group, LineSegments, Mesh, type Matrix4 } from "three";
-import type { Places } from "../../run/chain";
+import type { LinkPoses } from "../../run/chain";
 import type { Robot } from "../../run/run";
 import type { Body } from "../../run/scene";
-import type { Looks, Role } from "./looks";
-import { geometryOf } from "./shapes";
+import type { BodyMaterials, Role } from "./body_materials";
+import { createGeometry } from "./shapes";
 
 const EDGE_DEG = 30;
 
-interface Standing {
+interface PlacedBody {
   body: Body;
   mesh: Mesh;
 }
 
 export class Bodies {
   readonly group = new Group();
-  private readonly standing: Standing[] = [];
+  private readonly standing: PlacedBody[] = [];
   /** Frames moved by hand, with their offsets. */
-  private readonly carried = new Set<number>();
+  private readonly carriedFrames = new Set<number>();
   private way: Matrix4 | null = null;
 
   constructor(
     private readonly robot: Robot,
-    private readonly looks: Looks,
+    private readonly bodyMaterials: BodyMaterials,
   ) {
     for (const body of robot.scene.bodies ?? []) {
-      const mesh = new Mesh(geometryOf(body.shape, robot.meshes), looks.solid[body.role]);
+      const mesh = new Mesh(createGeometry(body.shape, robot.meshes), bodyMaterials.solid[body.role]);
       mesh.matrixAutoUpdate = false;
       mesh.name = body.name;
       if (body.role !== "jet") this.addEdges(mesh, body);
@@ -37,16 +37,16 @@ export class Bodies {
 
   private addEdges(mesh: Mesh, body: Body): void {
     if (body.shape.kind === "points") return;
-    const edges = new LineSegments(new EdgesGeometry(mesh.geometry, EDGE_DEG), this.looks.edges);
+    const edges = new LineSegments(new EdgesGeometry(mesh.geometry, EDGE_DEG), this.bodyMaterials.edges);
     edges.matrixAutoUpdate = false;
     edges.raycast = () => {};
     mesh.add(edges);
   }
 
-  place({ frames }: Places, processOn: boolean): void {
+  place({ frames }: LinkPoses, processOn: boolean): void {
     for (const { body, mesh } of this.standing) {
       mesh.matrix.copy(frames[body.frame]);
-      if (this.way && this.carried.has(body.frame)) mesh.matrix.premultiply(this.way);
+      if (this.way && this.carriedFrames.has(body.frame)) mesh.matrix.premultiply(this.way);
       if (body.role === "jet") mesh.visible = processOn;
     }
   }
@@ -61,15 +61,15 @@ export class Bodies {
   /** Moves the contents of a frame, including attached frames, from now on; null: back to their place. */
   carry(frame: number, way: Matrix4 | null): void {
     this.way = way;
-    this.carried.clear();
+    this.carriedFrames.clear();
     this.robot.scene.frames?.forEach((each, i) => {
-      if (i === frame || ("parent" in each && this.carried.has(each.parent))) this.carried.add(i);
+      if (i === frame || ("parent" in each && this.carriedFrames.has(each.parent))) this.carriedFrames.add(i);
     });
   }
 
   /** `look` returns the current look of a body, by its name; undefined: that of its role. */
   light(look: (name: string) => Role | undefined): void {
-    for (const { body, mesh } of this.standing) mesh.material = this.looks.solid[look(body.name) ?? body.role];
+    for (const { body, mesh } of this.standing) mesh.material = this.bodyMaterials.solid[look(body.name) ?? body.role];
   }
 
   dispose(): void {

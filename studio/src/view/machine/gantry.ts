@@ -2,7 +2,7 @@
 // a ram.
 
 import { Vector3 } from "three";
-import { isUpright, lengthOf, type DrawnAxis, type Skeleton } from "./frame_of_axes";
+import { isVertical, travelLength, type DrawnAxis, type Skeleton } from "./skeleton";
 import type { Parts } from "./parts";
 
 const Z = new Vector3(0, 0, 1);
@@ -19,10 +19,10 @@ export const isGantry = ({ tool }: Skeleton): boolean => {
   const straight = tool.filter((axis) => !axis.rotary);
   const firstRotary = tool.findIndex((axis) => axis.rotary);
   const inOrder = firstRotary < 0 || firstRotary === straight.length;
-  return straight.length >= 1 && straight.length <= 3 && inOrder && straight.findIndex(isUpright) === straight.length - 1;
+  return straight.length >= 1 && straight.length <= 3 && inOrder && straight.findIndex(isVertical) === straight.length - 1;
 };
 
-function heightsOf(skeleton: Skeleton, upright: DrawnAxis, gauge: number): Heights {
+function gantryHeights(skeleton: Skeleton, upright: DrawnAxis, gauge: number): Heights {
   const { tip, tool } = skeleton;
   const ends = upright.travel.map((q) => tip.z + upright.along.z * q);
   const [low, high] = [Math.min(...ends), Math.max(...ends)];
@@ -63,7 +63,7 @@ export function buildGantry(parts: Parts, skeleton: Skeleton): void {
   const straight = tool.filter((axis) => !axis.rotary);
   const upright = straight[straight.length - 1];
   const level = straight.slice(0, -1);
-  const heights = heightsOf(skeleton, upright, g);
+  const heights = gantryHeights(skeleton, upright, g);
   if (level.length > 0) buildBridge(parts, skeleton, level, heights);
   // At the lowest position its upper end is still in the carriage.
   const bottom = tip.z + heights.head;
@@ -72,29 +72,29 @@ export function buildGantry(parts: Parts, skeleton: Skeleton): void {
   const v = Z.clone().cross(u).normalize();
   const middle = new Vector3(tip.x, tip.y, (top + bottom) / 2);
   parts.box(upright.joint + 1, middle, [g, g, top - bottom], v.clone().cross(Z), v, "machine");
-  for (const axis of tool) if (axis.rotary) buildTurning(parts, skeleton, axis, heights.head);
+  for (const axis of tool) if (axis.rotary) buildRotaryAxis(parts, skeleton, axis, heights.head);
 }
 
 /** Draws a drum on the tool's own axis if the joint rotates about it; else an arm next to the tool. */
-function buildTurning(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, head: number): void {
+function buildRotaryAxis(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, head: number): void {
   const { tip, gauge_mm: g } = skeleton;
   const offset = axis.origin.z - tip.z;
-  const above = (z: number, aside = 0) => tip.clone().addScaledVector(Z, z).addScaledVector(axis.along, aside);
-  if (isUpright(axis)) {
+  const above = (z: number, sideOffset = 0) => tip.clone().addScaledVector(Z, z).addScaledVector(axis.along, sideOffset);
+  if (isVertical(axis)) {
     parts.drum(axis.joint + 1, above(head - 0.3 * g), Z, 0.6 * g, 0.6 * g, "machine");
     return;
   }
-  const aside = 1.1 * g;
-  parts.bar(axis.parent, above(head - 0.5 * g), above(head - 0.5 * g, aside), 0.2 * g, "machine");
-  parts.bar(axis.parent, above(head - 0.5 * g, aside), above(offset, aside), 0.2 * g, "machine");
-  parts.drum(axis.parent, above(offset, aside), axis.along, 0.4 * g, 0.5 * g, "machine");
+  const sideOffset = 1.1 * g;
+  parts.bar(axis.parent, above(head - 0.5 * g), above(head - 0.5 * g, sideOffset), 0.2 * g, "machine");
+  parts.bar(axis.parent, above(head - 0.5 * g, sideOffset), above(offset, sideOffset), 0.2 * g, "machine");
+  parts.drum(axis.parent, above(offset, sideOffset), axis.along, 0.4 * g, 0.5 * g, "machine");
   const held = offset > 0.5 * g ? offset : 0.9 * g;
-  parts.drum(axis.joint + 1, above(offset, aside - 0.35 * g), axis.along, 0.34 * g, 0.3 * g, "structure");
-  parts.bar(axis.joint + 1, above(offset, aside - 0.35 * g), above(held, 0), 0.14 * g, "structure");
+  parts.drum(axis.joint + 1, above(offset, sideOffset - 0.35 * g), axis.along, 0.34 * g, 0.3 * g, "structure");
+  parts.bar(axis.joint + 1, above(offset, sideOffset - 0.35 * g), above(held, 0), 0.14 * g, "structure");
 }
 
 /** Returns the area that the tool covers, along the horizontal axes. */
-export function areaOf({ tool, work }: Skeleton): { low: Vector3; high: Vector3 } {
+export function workArea({ tool, work }: Skeleton): { low: Vector3; high: Vector3 } {
   const low = new Vector3();
   const high = new Vector3();
   for (const [axes, sign] of [
@@ -102,7 +102,7 @@ export function areaOf({ tool, work }: Skeleton): { low: Vector3; high: Vector3 
     [work, -1],
   ] as [DrawnAxis[], number][]) {
     for (const axis of axes) {
-      if (axis.rotary || !Number.isFinite(lengthOf(axis.travel))) continue;
+      if (axis.rotary || !Number.isFinite(travelLength(axis.travel))) continue;
       const ends = axis.travel.map((q) => axis.along.clone().multiplyScalar(sign * q));
       low.add(ends[0].clone().min(ends[1]));
       high.add(ends[0].clone().max(ends[1]));

@@ -1,28 +1,28 @@
 // One robot of a run: its bodies, or a substitute for them, and its tool.
 
 import { Group, Vector3 } from "three";
-import type { Places } from "../../run/chain";
+import type { LinkPoses } from "../../run/chain";
 import { Flag } from "../../run/kinds";
 import type { Report } from "../../run/report";
 import type { Robot } from "../../run/run";
 import { Bodies } from "./bodies";
-import { skeletonOf } from "./frame_of_axes";
-import type { Looks } from "./looks";
+import { createSkeleton } from "./skeleton";
+import type { BodyMaterials } from "./body_materials";
 import type { Parts } from "./parts";
-import { standInFor } from "./standin";
+import { createStandIn } from "./standin";
 import { Tool } from "./tool";
 import { travels } from "./travel";
 
 /** A robot at an instant. */
 export interface Instant {
-  places: Places;
+  places: LinkPoses;
   /** Active segment; -1: nothing moves. */
   segment: number;
   tip: number;
   tip_mm: Vector3;
   processOn: boolean;
   /** True if the joints are not loaded yet: the machine keeps its last known pose, the TCP is on the path. */
-  isLate: boolean;
+  isApproximate: boolean;
 }
 
 const toolHasBodies = ({ scene }: Robot): boolean => {
@@ -45,14 +45,14 @@ export class Machine {
   constructor(
     readonly robot: Robot,
     report: Report | null,
-    looks: Looks,
+    bodyMaterials: BodyMaterials,
   ) {
-    this.bodies = new Bodies(robot, looks);
-    this.standIn = standInFor(robot, report, looks);
+    this.bodies = new Bodies(robot, bodyMaterials);
+    this.standIn = createStandIn(robot, report, bodyMaterials);
     this.joints = robot.home;
     const zero = robot.chain.places(new Float64Array(robot.scene.axes.length), 0);
-    const { gauge_mm } = skeletonOf(robot.scene, zero, travels(robot, report));
-    this.tool = new Tool(robot, looks, gauge_mm, toolHasBodies(robot));
+    const { gauge_mm } = createSkeleton(robot.scene, zero, travels(robot, report));
+    this.tool = new Tool(robot, bodyMaterials, gauge_mm, toolHasBodies(robot));
     this.group.add(this.bodies.group, this.tool.group);
     if (this.standIn) this.group.add(this.standIn.group);
     this.group.matrixAutoUpdate = false;
@@ -65,12 +65,12 @@ export class Machine {
     this.joints = known ?? this.joints;
     const places = robot.chain.places(this.joints, t_s);
     const segment = robot.segments.at(t_s);
-    this.tip = robot.tip_at(t_s) ?? this.tip;
-    const flags = jog === null && t_s < robot.segments.end_s ? robot.segments.flags_at(t_s) : null;
+    this.tip = robot.tcp_at(t_s) ?? this.tip;
+    const flags = jog === null && t_s < robot.segments.end_s ? robot.segments.flagsAt(t_s) : null;
     const drawn = known ? null : robot.segments.tip_mm(t_s);
     const tip_mm = drawn ? new Vector3(...drawn).applyMatrix4(places.work) : this.tool.tip(places, this.tip);
     const processOn = flags !== null && (flags & Flag.processOn) !== 0;
-    return { places, segment, tip: this.tip, tip_mm, processOn, isLate: !known };
+    return { places, segment, tip: this.tip, tip_mm, processOn, isApproximate: !known };
   }
 
   place({ places, tip, processOn }: Instant): void {

@@ -2,8 +2,8 @@
 // moves with a link from there.
 
 import { BoxGeometry, EdgesGeometry, Group, LineSegments, Matrix4, Mesh, Quaternion, Vector3, type BufferGeometry } from "three";
-import type { Places } from "../../run/chain";
-import type { Looks, Role } from "./looks";
+import type { LinkPoses } from "../../run/chain";
+import type { BodyMaterials, Role } from "./body_materials";
 import { cylinder } from "./shapes";
 
 interface Part {
@@ -20,14 +20,14 @@ export class Parts {
 
   constructor(
     /** Poses with all joints at 0. */
-    readonly zero: Places,
-    private readonly looks: Looks,
+    readonly zero: LinkPoses,
+    private readonly bodyMaterials: BodyMaterials,
   ) {}
 
   private add(link: number, geometry: BufferGeometry, pose: Matrix4, role: Role): void {
-    const mesh = new Mesh(geometry, this.looks.solid[role]);
+    const mesh = new Mesh(geometry, this.bodyMaterials.solid[role]);
     mesh.matrixAutoUpdate = false;
-    const edges = new LineSegments(new EdgesGeometry(geometry, 30), this.looks.edges);
+    const edges = new LineSegments(new EdgesGeometry(geometry, 30), this.bodyMaterials.edges);
     edges.matrixAutoUpdate = false;
     edges.raycast = () => {};
     mesh.add(edges);
@@ -58,7 +58,7 @@ export class Parts {
     this.bar(link, middle.clone().sub(half), middle.clone().add(half), radius_mm, role);
   }
 
-  place({ links }: Places): void {
+  place({ links }: LinkPoses): void {
     for (const { link, mesh, inLink } of this.parts) mesh.matrix.multiplyMatrices(links[link], inLink);
   }
 

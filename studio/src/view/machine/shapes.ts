@@ -49,7 +49,7 @@ function pointsGeometry(all: Point[], margin_mm: number): BufferGeometry {
   return hull(points, margin_mm);
 }
 
-export function geometryOf(shape: Shape, meshes: Float32Array[]): BufferGeometry {
+export function createGeometry(shape: Shape, meshes: Float32Array[]): BufferGeometry {
   switch (shape.kind) {
     case "box": {
       const [x, y, z] = shape.half_mm.map((half) => 2 * (half + shape.margin_mm));

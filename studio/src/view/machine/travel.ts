@@ -9,18 +9,18 @@ import { jointValue } from "../../run/chain";
 export type Travel = [number, number];
 
 // A range beyond this only lets any program fit, and does not describe the machine.
-const WIDE_MM = 6000;
-const SPARE_MM = 60;
+const MAX_TRAVEL_MM = 6000;
+const MARGIN_MM = 60;
 
 export function travels(robot: Robot, report: Report | null): Travel[] {
   return robot.scene.axes.map((axis) => {
     const used = report?.bounds?.[axis.letter];
     const [low, high] = [axis.min ?? -Infinity, axis.max ?? Infinity];
     if (axis.rotary) return [jointValue(axis, low), jointValue(axis, high)];
-    if (high - low <= WIDE_MM) return [jointValue(axis, low), jointValue(axis, high)];
+    if (high - low <= MAX_TRAVEL_MM) return [jointValue(axis, low), jointValue(axis, high)];
     const from = used?.min ?? 0;
     const to = used?.max ?? 0;
-    const spare = SPARE_MM + 0.25 * (to - from);
-    return [jointValue(axis, Math.max(low, from - spare)), jointValue(axis, Math.min(high, to + spare))];
+    const margin = MARGIN_MM + 0.25 * (to - from);
+    return [jointValue(axis, Math.max(low, from - margin)), jointValue(axis, Math.min(high, to + margin))];
   });
 }

@@ -1,26 +1,26 @@
 // Carrier of the work: a fixed table, one on straight axes, one that rotates or tilts.
 
 import { Vector3 } from "three";
-import { isUpright, type DrawnAxis, type Skeleton } from "./frame_of_axes";
-import { areaOf } from "./gantry";
+import { isVertical, type DrawnAxis, type Skeleton } from "./skeleton";
+import { workArea } from "./gantry";
 import type { Parts } from "./parts";
 
 const X = new Vector3(1, 0, 0);
 const Y = new Vector3(0, 1, 0);
 
 /** Draws the fixed table below the area that the tool reaches. */
-function buildStanding(parts: Parts, skeleton: Skeleton): void {
+function buildFixedTable(parts: Parts, skeleton: Skeleton): void {
   const { tip, gauge_mm: g } = skeleton;
-  const { low, high } = areaOf(skeleton);
+  const { low, high } = workArea(skeleton);
   const size = high.clone().sub(low);
   const middle = low.clone().add(high).multiplyScalar(0.5).add(tip);
   middle.z = tip.z + low.z - 0.5 * g;
   parts.box(0, middle, [size.x + g, size.y + g, 0.5 * g], X, Y, "structure");
 }
 
-function buildStraight(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, depth: number, radius: number): void {
+function buildLinearTable(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, depth: number, radius: number): void {
   const { ground, gauge_mm: g } = skeleton;
-  if (isUpright(axis)) return;
+  if (isVertical(axis)) return;
   const middle = ground.clone().setZ(ground.z - depth);
   const across = new Vector3(0, 0, 1).cross(axis.along).normalize();
   parts.box(axis.joint + 1, middle, [2.4 * radius, 2.4 * radius, 0.6 * g], axis.along, across, "machine");
@@ -33,9 +33,9 @@ function buildStraight(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, depth:
   }
 }
 
-function buildTurning(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, radius: number): void {
+function buildRotaryAxis(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, radius: number): void {
   const { ground, gauge_mm: g } = skeleton;
-  if (isUpright(axis)) {
+  if (isVertical(axis)) {
     parts.drum(axis.joint + 1, ground.clone().setZ(ground.z - 0.5 * g), axis.along, radius, 0.9 * g, "machine");
     return;
   }
@@ -49,23 +49,23 @@ function buildTurning(parts: Parts, skeleton: Skeleton, axis: DrawnAxis, radius:
     const pivot = axis.origin.clone().addScaledVector(axis.along, side);
     parts.drum(axis.joint + 1, pivot, axis.along, 0.7 * g, 0.7 * g, "machine");
     parts.bar(axis.joint + 1, pivot, under.clone().addScaledVector(axis.along, side), 0.3 * g, "machine");
-    const stand = axis.origin.clone().addScaledVector(axis.along, side * 1.25);
-    parts.drum(axis.parent, stand, axis.along, 0.9 * g, 0.6 * g, "structure");
+    const columnBase = axis.origin.clone().addScaledVector(axis.along, side * 1.25);
+    parts.drum(axis.parent, columnBase, axis.along, 0.9 * g, 0.6 * g, "structure");
   }
 }
 
 export function buildTable(parts: Parts, skeleton: Skeleton): void {
   const { work, gauge_mm: g } = skeleton;
-  if (work.length === 0) return buildStanding(parts, skeleton);
-  const { low, high } = areaOf(skeleton);
+  if (work.length === 0) return buildFixedTable(parts, skeleton);
+  const { low, high } = workArea(skeleton);
   const size = high.sub(low);
   const radius = Math.max(0.3 * Math.min(size.x || size.y || 10 * g, size.y || size.x || 10 * g), 2 * g);
   const turns = work.some((axis) => axis.rotary);
   let depth = (turns ? 2.4 : 0.4) * g;
   for (const axis of [...work].reverse()) {
-    if (axis.rotary) buildTurning(parts, skeleton, axis, radius);
+    if (axis.rotary) buildRotaryAxis(parts, skeleton, axis, radius);
     else {
-      buildStraight(parts, skeleton, axis, depth, radius);
+      buildLinearTable(parts, skeleton, axis, depth, radius);
       depth += 1.4 * g;
     }
   }

@@ -8,8 +8,8 @@ import type { Palette } from "../theme";
 
 const SPACE_PX = 80;
 const LENGTH_PX = 9;
-const MOST_TRIED = 3000;
-const MOST = 250;
+const MAX_ATTEMPTS = 3000;
+const MAX_ARROWS = 250;
 
 interface Screen {
   width_px: number;
@@ -17,21 +17,21 @@ interface Screen {
 }
 
 /** Distances along a path at every so many vertices, mm, because ten million could not all be kept. */
-class Ways {
+class PathDistances {
   private static readonly STEP = 64;
   private readonly ways: Float64Array;
   readonly total: number;
 
   constructor(private readonly data: PathData) {
-    this.ways = new Float64Array(Math.ceil(data.count / Ways.STEP));
+    this.ways = new Float64Array(Math.ceil(data.count / PathDistances.STEP));
     let way = 0;
     let [x, y, z] = [NaN, NaN, NaN];
-    for (const { stretch, vertex } of data.vertices(0, data.count)) {
-      const { vertex_mm, vertices } = stretch;
+    for (const { section, vertex } of data.vertices(0, data.count)) {
+      const { vertex_mm, vertices } = section;
       for (let i = 0; i < vertices; ++i) {
         const [x1, y1, z1] = [vertex_mm[3 * i], vertex_mm[3 * i + 1], vertex_mm[3 * i + 2]];
         if (vertex + i > 0) way += Math.sqrt((x1 - x) ** 2 + (y1 - y) ** 2 + (z1 - z) ** 2);
-        if ((vertex + i) % Ways.STEP === 0) this.ways[(vertex + i) / Ways.STEP] = way;
+        if ((vertex + i) % PathDistances.STEP === 0) this.ways[(vertex + i) / PathDistances.STEP] = way;
         [x, y, z] = [x1, y1, z1];
       }
     }
@@ -45,7 +45,7 @@ class Ways {
   at(way: number): [vertex: number, share: number] {
     const { data } = this;
     const known = Math.max(lastIndex(this.ways.length, (i) => this.ways[i] <= way), 0);
-    let vertex = known * Ways.STEP;
+    let vertex = known * PathDistances.STEP;
     let left = way - this.ways[known];
     const [a, b] = [data.point(vertex), new Vector3()];
     while (++vertex < data.count) {
@@ -62,9 +62,9 @@ export class Directions {
   readonly group = new Group();
   private readonly material = new MeshBasicMaterial({ side: DoubleSide });
   private meshes: Mesh[] = [];
-  private readonly ways = new Map<PathData, [number, Ways]>();
+  private readonly ways = new Map<PathData, [number, PathDistances]>();
 
-  take(all: PathData[]): void {
+  setContent(all: PathData[]): void {
     for (const mesh of this.meshes) mesh.geometry.dispose();
     this.group.clear();
     this.ways.clear();
@@ -87,7 +87,7 @@ export class Directions {
   }
 
   /** Updates the arrows for the current view. */
-  lay(all: PathData[], frames: Matrix4[], rig: CameraRig, screen: Screen, rapids: boolean): void {
+  layOut(all: PathData[], frames: Matrix4[], rig: CameraRig, screen: Screen, rapids: boolean): void {
     const taken = new Set<number>();
     all.forEach((data, i) => {
       const corners: number[] = [];
@@ -109,31 +109,31 @@ export class Directions {
     corners: number[],
   ): void {
     const known = this.ways.get(data);
-    const ways = known?.[0] === data.count ? known[1] : new Ways(data);
+    const ways = known?.[0] === data.count ? known[1] : new PathDistances(data);
     this.ways.set(data, [data.count, ways]);
     const { total } = ways;
-    const space = Math.max(SPACE_PX * rig.mmPerPixel, total / MOST_TRIED);
+    const space = Math.max(SPACE_PX * rig.mmPerPixel, total / MAX_ATTEMPTS);
     const [a, b, world] = [new Vector3(), new Vector3(), new Vector3()];
     const { back } = rig.basis();
-    for (let way = space / 2; way < total && taken.size < MOST; way += space) {
+    for (let way = space / 2; way < total && taken.size < MAX_ARROWS; way += space) {
       const [vertex, share] = ways.at(way);
       if (!rapids && data.isRapid(vertex)) continue;
       data.point(vertex - 1, a);
       data.point(vertex, b);
       const along = b.clone().sub(a).normalize();
       world.lerpVectors(a, b, share).applyMatrix4(frame);
-      const seen = rig.project(world);
-      if (!seen || seen.x < 0 || seen.y < 0 || seen.x > screen.width_px || seen.y > screen.height_px) continue;
-      const cell = Math.floor(seen.x / 40) + 1000 * Math.floor(seen.y / 40);
+      const projected = rig.project(world);
+      if (!projected || projected.x < 0 || projected.y < 0 || projected.x > screen.width_px || projected.y > screen.height_px) continue;
+      const cell = Math.floor(projected.x / 40) + 1000 * Math.floor(projected.y / 40);
       if (taken.has(cell)) continue;
       taken.add(cell);
-      putArrow(corners, a.lerp(b, share), along, LENGTH_PX * rig.mmPerPixelAt(world), back);
+      addArrow(corners, a.lerp(b, share), along, LENGTH_PX * rig.mmPerPixelAt(world), back);
     }
   }
 }
 
 /** Adds a pyramid with its middle at a position. */
-export function putArrow(corners: number[], at: Vector3, along: Vector3, length_mm: number, back: Vector3): void {
+export function addArrow(corners: number[], at: Vector3, along: Vector3, length_mm: number, back: Vector3): void {
   const side = Math.abs(along.dot(back)) < 0.98 ? along.clone().cross(back) : along.clone().cross(new Vector3(1, 0.3, 0.2));
   side.setLength(0.32 * length_mm);
   const other = along.clone().cross(side).setLength(0.32 * length_mm);

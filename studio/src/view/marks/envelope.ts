@@ -17,7 +17,7 @@ export class Envelope {
   }
 
   /** STL, mm. */
-  take(bytes: Uint8Array): void {
+  setContent(bytes: Uint8Array): void {
     this.clear();
     this.surface.geometry.setAttribute("position", new BufferAttribute(stlTriangles(bytes), 3));
     this.edges.geometry = new EdgesGeometry(this.surface.geometry, 20);

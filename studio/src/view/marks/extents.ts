@@ -4,7 +4,7 @@ import { Box3, BufferGeometry, LineBasicMaterial, LineSegments, type Matrix4, Ve
 import type { Units } from "../../core/store";
 import { lengthText } from "../../core/units";
 import type { Palette } from "../theme";
-import { edgesOf, setLines } from "./grid";
+import { boxEdges, setLines } from "./grid";
 import type { Label } from "./labels";
 
 export class Extents {
@@ -18,9 +18,9 @@ export class Extents {
     this.lines.raycast = () => {};
   }
 
-  take(box: Box3): void {
+  setContent(box: Box3): void {
     this.box.copy(box);
-    setLines(this.lines, box.isEmpty() ? [] : edgesOf(box));
+    setLines(this.lines, box.isEmpty() ? [] : boxEdges(box));
   }
 
   recolour(colours: Palette): void {

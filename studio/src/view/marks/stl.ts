@@ -1,16 +1,16 @@
 // Surfaces from STL files: nine coordinates for a triangle.
 
-const HEAD = 84;
+const HEADER_BYTES = 84;
 const TRIANGLE = 50;
 
 export function stlTriangles(bytes: Uint8Array): Float32Array {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const count = bytes.length >= HEAD ? view.getUint32(80, true) : 0;
+  const count = bytes.length >= HEADER_BYTES ? view.getUint32(80, true) : 0;
   // A text file may begin like a binary one; the size distinguishes them.
-  if (bytes.length !== HEAD + TRIANGLE * count) return textTriangles(new TextDecoder().decode(bytes));
+  if (bytes.length !== HEADER_BYTES + TRIANGLE * count) return textTriangles(new TextDecoder().decode(bytes));
   const triangles = new Float32Array(9 * count);
   for (let i = 0; i < count; ++i) {
-    for (let k = 0; k < 9; ++k) triangles[9 * i + k] = view.getFloat32(HEAD + TRIANGLE * i + 12 + 4 * k, true);
+    for (let k = 0; k < 9; ++k) triangles[9 * i + k] = view.getFloat32(HEADER_BYTES + TRIANGLE * i + 12 + 4 * k, true);
   }
   return triangles;
 }

@@ -4,7 +4,7 @@ import type { Vector3 } from "three";
 import { blue, green, vermilion } from "../../core/colours";
 import { svgElement } from "../../core/dom";
 
-const REACH = 24;
+const AXIS_LENGTH = 24;
 const axes = [
   { name: "X", colour: vermilion },
   { name: "Y", colour: green },
@@ -26,10 +26,10 @@ export class Triad {
   turn({ back, right, up }: { back: Vector3; right: Vector3; up: Vector3 }): void {
     const depths = this.parts.map(({ group, line, letter }, i) => {
       const [x, y] = [right.getComponent(i), -up.getComponent(i)];
-      line.setAttribute("x2", String(REACH * x));
-      line.setAttribute("y2", String(REACH * y));
-      letter.setAttribute("x", String((REACH + 7) * x));
-      letter.setAttribute("y", String((REACH + 7) * y));
+      line.setAttribute("x2", String(AXIS_LENGTH * x));
+      line.setAttribute("y2", String(AXIS_LENGTH * y));
+      letter.setAttribute("x", String((AXIS_LENGTH + 7) * x));
+      letter.setAttribute("y", String((AXIS_LENGTH + 7) * y));
       return { group, depth: back.getComponent(i) };
     });
     depths.sort((a, b) => a.depth - b.depth);

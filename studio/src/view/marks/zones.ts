@@ -26,7 +26,7 @@ export class Zones {
   private readonly fills = { inside: fill(0.06), outside: fill(0.22) };
   private readonly edges = { inside: new LineBasicMaterial(), outside: new LineBasicMaterial() };
 
-  take(robots: readonly Robot[], reach: (robot: number) => Box3): void {
+  setContent(robots: readonly Robot[], reach: (robot: number) => Box3): void {
     this.group.traverse((part) => {
       if (part instanceof Mesh || part instanceof LineSegments) part.geometry.dispose();
     });
@@ -41,7 +41,7 @@ export class Zones {
   }
 
   private add(zone: Zone, robot: Robot, reach: Box3, frame: Matrix4): void {
-    const box = boxOf(zone, robot, reach);
+    const box = zoneBox(zone, robot, reach);
     const size = box.getSize(new Vector3());
     const kind = zone.inside ? "inside" : "outside";
     const geometry = new BoxGeometry(size.x, size.y, size.z);
@@ -60,7 +60,7 @@ export class Zones {
 }
 
 // A zone without a wall extends to the end of the axis, or as far as the work.
-function boxOf(zone: Zone, { scene }: Robot, reach: Box3): Box3 {
+function zoneBox(zone: Zone, { scene }: Robot, reach: Box3): Box3 {
   const box = new Box3();
   scene.position_joints.forEach((joint, i) => {
     const axis = scene.axes[joint];

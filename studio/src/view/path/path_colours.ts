@@ -3,9 +3,9 @@
 import { grey, kindColours, limitColours, scaleColour, vermilion, blue } from "../../core/colours";
 import type { ColourMode } from "../../core/store";
 import { Flag, limitKinds, moveKinds } from "../../run/kinds";
-import { isRapid, kindCodeOf, limitCodeOf, type Segments } from "../../run/segments";
-import type { Chunk, Stretch } from "../../run/stretch";
-import { ROW, rowsOf, type PathData } from "./path_data";
+import { isRapid, decodeKind, decodeLimit, type Segments } from "../../run/segments";
+import type { Chunk, RunSection } from "../../run/run_section";
+import { ROW, rowCount, type PathData } from "./path_data";
 
 export type ScaleMode = "feed" | "speed" | "time" | "deviation";
 type ClassMode = Exclude<ColourMode, ScaleMode>;
@@ -17,7 +17,7 @@ export interface Scale {
 }
 
 /** Contents of a legend. */
-export interface Key {
+export interface LegendKey {
   mode: ColourMode;
   scale: Scale | null;
   /** Names of the classes that occur, in the order of the codes. */
@@ -38,8 +38,8 @@ interface Classes {
 }
 
 const classModes: Record<ClassMode, Classes> = {
-  kind: { names: moveKinds, code: kindCodeOf, colours: kindColours },
-  limit: { names: limitKinds, code: limitCodeOf, colours: limitColours },
+  kind: { names: moveKinds, code: decodeKind, colours: kindColours },
+  limit: { names: limitKinds, code: decodeLimit, colours: limitColours },
   process: {
     names: processStates,
     code: (flags) => (flags & Flag.processOn ? 1 : 0),
@@ -53,7 +53,7 @@ export const classColour = (mode: ColourMode, name: string): string =>
   isScale(mode) ? blue : classModes[mode].colours[name];
 
 /** For a long run, true for values that are only known in the permanently loaded part. */
-const isOfColumns = (mode: ScaleMode): boolean => mode === "feed" || mode === "deviation";
+const needsChunks = (mode: ScaleMode): boolean => mode === "feed" || mode === "deviation";
 
 /** Returns the quantity of a segment on a scale; NaN: none (the feed of a rapid move). */
 function quantity(mode: ScaleMode, chunk: Chunk, i: number): number {
@@ -70,70 +70,70 @@ function quantity(mode: ScaleMode, chunk: Chunk, i: number): number {
 }
 
 /** Returns the stretches that are loaded only as vertices. */
-const leanOf = (all: Segments[]): Stretch[] => all.flatMap(({ stretches, chunks }) => stretches.slice(chunks.length));
+const compactSections = (all: Segments[]): RunSection[] => all.flatMap(({ sections, chunks }) => sections.slice(chunks.length));
 
-function scaleOf(mode: ScaleMode, all: Segments[]): Scale {
+function computeScale(mode: ScaleMode, all: Segments[]): Scale {
   if (mode === "time") return { low: 0, high: Math.max(0, ...all.map((segments) => segments.end_s)) };
   const scale = { low: Infinity, high: -Infinity };
-  const widen = (value: number) => {
+  const expand = (value: number) => {
     if (value < scale.low) scale.low = value;
     if (value > scale.high) scale.high = value;
   };
   for (const { chunks } of all) {
-    for (const chunk of chunks) for (let i = 0; i < chunk.count; ++i) widen(quantity(mode, chunk, i));
+    for (const chunk of chunks) for (let i = 0; i < chunk.count; ++i) expand(quantity(mode, chunk, i));
   }
-  for (const stretch of isOfColumns(mode) ? [] : leanOf(all)) {
-    for (let i = 0; i < stretch.vertices; ++i) widen(stretch.speedOf_mm_s(i));
+  for (const section of needsChunks(mode) ? [] : compactSections(all)) {
+    for (let i = 0; i < section.vertices; ++i) expand(section.vertexSpeed_mm_s(i));
   }
   if (scale.low > scale.high) return { low: 0, high: 0 };
   // Speeds and deviations start at 0; feeds often differ so little that they need the full scale.
   return mode === "feed" ? scale : { low: 0, high: scale.high };
 }
 
-function classesOf({ names, code }: Classes, all: Segments[]): string[] {
+function occurringClasses({ names, code }: Classes, all: Segments[]): string[] {
   const seen = new Set<number>();
   for (const { chunks } of all) {
     for (const chunk of chunks) for (let i = 0; i < chunk.count; ++i) seen.add(code(chunk.flags[i]));
   }
-  for (const stretch of leanOf(all)) for (let i = 0; i < stretch.vertices; ++i) seen.add(code(stretch.flagsOf(i)));
+  for (const section of compactSections(all)) for (let i = 0; i < section.vertices; ++i) seen.add(code(section.vertexFlags(i)));
   return names.filter((_, i) => seen.has(i));
 }
 
-export function keyOf(mode: ColourMode, all: Segments[]): Key {
-  if (!isScale(mode)) return { mode, scale: null, classes: classesOf(classModes[mode], all), isPartial: false };
-  const isPartial = isOfColumns(mode) && all.some((segments) => segments.isLong);
-  return { mode, scale: scaleOf(mode, all), classes: [], isPartial };
+export function legendKey(mode: ColourMode, all: Segments[]): LegendKey {
+  if (!isScale(mode)) return { mode, scale: null, classes: occurringClasses(classModes[mode], all), isPartial: false };
+  const isPartial = needsChunks(mode) && all.some((segments) => segments.isLong);
+  return { mode, scale: computeScale(mode, all), classes: [], isPartial };
 }
 
 /** True if vertices have the same colours in both. */
-export const areSameColours = (a: Key, b: Key | null): boolean =>
+export const areSameColours = (a: LegendKey, b: LegendKey | null): boolean =>
   a.mode === b?.mode && a.scale?.low === b.scale?.low && a.scale?.high === b.scale?.high;
 
-const bytesOf = (hex: string): number[] => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
+const hexToBytes = (hex: string): number[] => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
 
-type Painter = (stretch: Stretch, vertex: number) => ArrayLike<number>;
+type VertexColour = (section: RunSection, vertex: number) => ArrayLike<number>;
 
 /** Returns NaN if the vertex has no value, or it is not loaded. */
-function quantityAt(mode: ScaleMode, stretch: Stretch, vertex: number): number {
-  if (mode === "time") return stretch.time_s(vertex);
-  if (stretch.whole) return quantity(mode, stretch.whole, stretch.segmentOf(vertex) - stretch.first);
-  return mode === "speed" ? stretch.speedOf_mm_s(vertex) : NaN;
+function quantityAt(mode: ScaleMode, section: RunSection, vertex: number): number {
+  if (mode === "time") return section.time_s(vertex);
+  if (section.whole) return quantity(mode, section.whole, section.vertexSegment(vertex) - section.first);
+  return mode === "speed" ? section.vertexSpeed_mm_s(vertex) : NaN;
 }
 
-function painter(key: Key): Painter {
+function createVertexColour(key: LegendKey): VertexColour {
   if (!isScale(key.mode)) {
     const { names, code, colours } = classModes[key.mode];
-    const table = names.map((name) => bytesOf(colours[name]));
-    return (stretch, i) => table[code(stretch.flagsOf(i))] ?? table[0];
+    const table = names.map((name) => hexToBytes(colours[name]));
+    return (section, i) => table[code(section.vertexFlags(i))] ?? table[0];
   }
   const mode = key.mode;
   const { low, high } = key.scale!;
   const steps = 255;
   const table = Array.from({ length: steps + 1 }, (_, i) => scaleColour(i / steps).map((part) => part * 255));
-  const none = bytesOf(grey);
+  const none = hexToBytes(grey);
   const factor = high > low ? steps / (high - low) : 0;
-  return (stretch, i) => {
-    const value = quantityAt(mode, stretch, i);
+  return (section, i) => {
+    const value = quantityAt(mode, section, i);
     return Number.isNaN(value) ? none : table[Math.min(steps, Math.round((value - low) * factor))];
   };
 }
@@ -142,17 +142,17 @@ function painter(key: Key): Painter {
  * Returns red, green and blue of vertices from one to before another, for a texture of full rows. RAPID_MARK
  * is set at the end of a rapid move.
  */
-export function colourTexels(data: PathData, key: Key, from: number, to: number): Uint8Array {
-  const texels = new Uint8Array(4 * ROW * rowsOf(to - from));
-  const paint = painter(key);
-  for (const { stretch, from: begin, to: end, vertex } of data.vertices(from, to)) {
+export function colourTexels(data: PathData, key: LegendKey, from: number, to: number): Uint8Array {
+  const texels = new Uint8Array(4 * ROW * rowCount(to - from));
+  const paint = createVertexColour(key);
+  for (const { section, from: begin, to: end, vertex } of data.vertices(from, to)) {
     let at = 4 * (vertex - from);
     for (let i = begin; i < end; ++i, at += 4) {
-      const colour = paint(stretch, i);
+      const colour = paint(section, i);
       texels[at] = colour[0];
       texels[at + 1] = colour[1];
       texels[at + 2] = colour[2];
-      texels[at + 3] = isRapid(stretch.flagsOf(i)) ? RAPID_MARK : 0;
+      texels[at + 3] = isRapid(section.vertexFlags(i)) ? RAPID_MARK : 0;
     }
   }
   return texels;

@@ -3,16 +3,16 @@
 // half the resolution.
 
 import type { Matrix4 } from "three";
-import { areSameColours, type Key } from "./path_colours";
+import { areSameColours, type LegendKey } from "./path_colours";
 import type { PathData } from "./path_data";
 import { Program } from "./program";
 import * as shaders from "./shaders";
-import { Strand, type Draw } from "./strand";
+import { PathStrip, type DrawCall } from "./path_strip";
 import { Target } from "./target";
 import { Timer } from "./timer";
 
 /** Robot number for drawing the previous run, for comparison. */
-export const PREVIOUS = 31;
+export const PREVIOUS_RUN = 31;
 
 /** Look of the paths in a frame. */
 export interface Look {
@@ -34,7 +34,7 @@ export interface Look {
 }
 
 /** Ranges of one robot's vertices that are drawn over all else. */
-export interface Accent {
+export interface HighlightedRanges {
   robot: number;
   ranges: [number, number][];
   colour: number[];
@@ -49,25 +49,25 @@ export interface Hit {
   t_s: number;
 }
 
-// Parts that even software draws within a frame or so; beyond WIDE_PIECES lines have no width.
-const QUICK_PIECES = 40_000;
-const WIDE_PIECES = 300_000;
-const MOVING_PIECES = 60_000;
-const SLICE_PIECES = 200_000;
-const ACCENT_PIECES = 100_000;
+// Parts that even software draws within a frame or so; beyond MAX_WIDE_SEGMENTS lines have no width.
+const QUICK_SEGMENTS = 40_000;
+const MAX_WIDE_SEGMENTS = 300_000;
+const MOVING_SEGMENTS = 60_000;
+const SEGMENTS_PER_SLICE = 200_000;
+const MAX_HIGHLIGHT_SEGMENTS = 100_000;
 // A step that is shorter shows no corner between its ends.
-const SMALL_PX = 1;
+const MIN_STEP_PX = 1;
 const SLOW_MS = 40;
 // Time without motion after which the camera is at standstill.
-const REST_MS = 120;
+const IDLE_MS = 120;
 
 export type More = "nothing" | "now" | "at rest";
 
 export class PathLayer {
-  private strands: Strand[] = [];
-  private readonly keptThin: Program;
-  private readonly keptWide: Program;
-  private readonly shownWide: Program;
+  private pathStrips: PathStrip[] = [];
+  private readonly storedThin: Program;
+  private readonly storedWide: Program;
+  private readonly displayedWide: Program;
   private readonly screen: Program;
   private readonly nothing: WebGLVertexArrayObject;
   private full: Target | null = null;
@@ -77,67 +77,67 @@ export class PathLayer {
   private asked = "";
   private since_ms = 0;
   /** Draws that show the complete path, and how much of them is done. */
-  private plan: Draw[] = [];
+  private plan: DrawCall[] = [];
   private planned = 0;
   private slice = 0;
-  private key: Key | null = null;
-  private shown: Target | null = null;
+  private key: LegendKey | null = null;
+  private displayed: Target | null = null;
   private readonly timer: Timer;
 
   constructor(private readonly gl: WebGL2RenderingContext) {
-    this.keptThin = new Program(gl, shaders.keptThin);
-    this.keptWide = new Program(gl, shaders.keptWide);
-    this.shownWide = new Program(gl, shaders.shownWide);
+    this.storedThin = new Program(gl, shaders.storedThin);
+    this.storedWide = new Program(gl, shaders.storedWide);
+    this.displayedWide = new Program(gl, shaders.displayedWide);
     this.screen = new Program(gl, shaders.screen);
     this.nothing = gl.createVertexArray();
     this.timer = new Timer(gl);
   }
 
   /** Sets the paths to show; `previous` are those of the previous run. */
-  take(current: PathData[], previous: PathData[], key: Key): void {
-    const before = this.strands;
-    const strandOf = (data: PathData, robot: number, frame: number) =>
-      before.find((strand) => strand.data === data && strand.robot === robot && strand.frame === frame) ??
-      new Strand(this.gl, data, robot, frame);
-    this.strands = [
-      ...previous.slice(0, current.length).map((data, robot) => strandOf(data, PREVIOUS, robot)),
-      ...current.map((data, robot) => strandOf(data, robot, robot)),
+  setContent(current: PathData[], previous: PathData[], key: LegendKey): void {
+    const before = this.pathStrips;
+    const findOrCreateStrip = (data: PathData, robot: number, frame: number) =>
+      before.find((pathStrip) => pathStrip.data === data && pathStrip.robot === robot && pathStrip.frame === frame) ??
+      new PathStrip(this.gl, data, robot, frame);
+    this.pathStrips = [
+      ...previous.slice(0, current.length).map((data, robot) => findOrCreateStrip(data, PREVIOUS_RUN, robot)),
+      ...current.map((data, robot) => findOrCreateStrip(data, robot, robot)),
     ];
-    for (const strand of before) if (!this.strands.includes(strand)) strand.dispose();
+    for (const pathStrip of before) if (!this.pathStrips.includes(pathStrip)) pathStrip.dispose();
     this.timer.forget();
     const isSame = areSameColours(key, this.key);
-    for (const strand of this.strands) {
-      strand.grow(isSame ? key : null);
-      if (strand.robot !== PREVIOUS && !(isSame && before.includes(strand))) strand.colour(key);
+    for (const pathStrip of this.pathStrips) {
+      pathStrip.grow(isSame ? key : null);
+      if (pathStrip.robot !== PREVIOUS_RUN && !(isSame && before.includes(pathStrip))) pathStrip.colour(key);
     }
     this.key = key;
-    this.renew();
+    this.refresh();
   }
 
   /** Adds the path data that has arrived since. */
-  grow(key: Key): void {
+  grow(key: LegendKey): void {
     const isSame = areSameColours(key, this.key);
-    for (const strand of this.strands) strand.grow(isSame ? key : null);
-    this.strands = [...this.strands]; // they have other sheets
-    if (isSame) this.renew();
+    for (const pathStrip of this.pathStrips) pathStrip.grow(isSame ? key : null);
+    this.pathStrips = [...this.pathStrips]; // they have other sheets
+    if (isSame) this.refresh();
     else this.colour(key);
   }
 
-  colour(key: Key): void {
+  colour(key: LegendKey): void {
     this.key = key;
-    for (const strand of this.strands) if (strand.robot !== PREVIOUS) strand.colour(key);
-    this.renew();
+    for (const pathStrip of this.pathStrips) if (pathStrip.robot !== PREVIOUS_RUN) pathStrip.colour(key);
+    this.refresh();
   }
 
   /** Requests a redraw of the kept picture. */
-  renew(): void {
+  refresh(): void {
     this.drawn = "";
     this.asked = "";
   }
 
   /** Returns the shown strands; another list after each change of paths. */
-  get shownStrands(): readonly Strand[] {
-    return this.strands;
+  get visibleStrips(): readonly PathStrip[] {
+    return this.pathStrips;
   }
 
   /** True if the kept picture shows everything that was requested. */
@@ -146,65 +146,65 @@ export class PathLayer {
   }
 
   private get slow(): boolean {
-    return this.planned > QUICK_PIECES && (this.timer.cost_ms ?? Infinity) > SLOW_MS;
+    return this.planned > QUICK_SEGMENTS && (this.timer.cost_ms ?? Infinity) > SLOW_MS;
   }
 
   /** Updates the kept picture; returns if more is to be drawn. */
   prepare(look: Look, time_ms: number): More {
     const { width_px, height_px, rapids, compare } = look;
     const matrices = look.matrices.map((matrix) => matrix.elements.join());
-    const wanted = [width_px, height_px, rapids, compare, look.compareColour, ...matrices].join();
-    if (this.asked !== wanted) {
-      this.layPlan(look);
+    const requested = [width_px, height_px, rapids, compare, look.compareColour, ...matrices].join();
+    if (this.asked !== requested) {
+      this.createDrawPlan(look);
       this.slice = 0;
       this.since_ms = time_ms;
     }
-    this.asked = wanted;
-    const rests = time_ms - this.since_ms > REST_MS;
-    if (this.drawn !== wanted) this.update(look, wanted, rests);
-    if (this.drawn === wanted) return "nothing";
-    return rests ? "now" : "at rest";
+    this.asked = requested;
+    const isSettled = time_ms - this.since_ms > IDLE_MS;
+    if (this.drawn !== requested) this.update(look, requested, isSettled);
+    if (this.drawn === requested) return "nothing";
+    return isSettled ? "now" : "at rest";
   }
 
-  private layPlan(look: Look): void {
+  private createDrawPlan(look: Look): void {
     const { width_px, height_px } = look;
-    const shown = this.strands.filter(({ robot }) => robot !== PREVIOUS || look.compare);
-    this.plan = shown.flatMap((strand) => strand.plan(look.matrices[strand.frame], width_px, height_px));
+    const displayed = this.pathStrips.filter(({ robot }) => robot !== PREVIOUS_RUN || look.compare);
+    this.plan = displayed.flatMap((pathStrip) => pathStrip.plan(look.matrices[pathStrip.frame], width_px, height_px));
     this.planned = this.plan.reduce((sum, { from, to, stride }) => sum + (to - from) / stride, 0);
   }
 
-  private update(look: Look, wanted: string, rests: boolean): void {
+  private update(look: Look, requested: string, isSettled: boolean): void {
     const { width_px, height_px } = look;
     if (this.full?.width !== width_px || this.full.height !== height_px) this.resize(width_px, height_px);
     this.setState();
-    const isWide = this.planned <= WIDE_PIECES;
+    const isWide = this.planned <= MAX_WIDE_SEGMENTS;
     if (!this.slow) {
       this.full!.begin();
       this.timer.begin();
       this.paint(look, 0, Infinity, 1, isWide);
       this.timer.end(1);
-      this.show(this.full!, wanted);
-    } else if (!rests) {
+      this.show(this.full!, requested);
+    } else if (!isSettled) {
       this.coarse!.begin();
-      this.paint(look, 0, Infinity, Math.ceil(this.planned / MOVING_PIECES), false);
-      this.shown = this.coarse;
-    } else this.refine(look, wanted, isWide);
+      this.paint(look, 0, Infinity, Math.ceil(this.planned / MOVING_SEGMENTS), false);
+      this.displayed = this.coarse;
+    } else this.refine(look, requested, isWide);
   }
 
   // Draws in slices, so that the page stays responsive.
-  private refine(look: Look, wanted: string, isWide: boolean): void {
+  private refine(look: Look, requested: string, isWide: boolean): void {
     if (this.slice === 0) this.full!.begin();
     else this.full!.go();
     this.timer.begin();
-    this.paint(look, this.slice, this.slice + SLICE_PIECES, 1, isWide);
-    this.timer.end(Math.max(1, this.planned / SLICE_PIECES));
-    this.slice += SLICE_PIECES;
-    if (this.slice >= this.planned) this.show(this.full!, wanted);
+    this.paint(look, this.slice, this.slice + SEGMENTS_PER_SLICE, 1, isWide);
+    this.timer.end(Math.max(1, this.planned / SEGMENTS_PER_SLICE));
+    this.slice += SEGMENTS_PER_SLICE;
+    if (this.slice >= this.planned) this.show(this.full!, requested);
   }
 
-  private show(target: Target, wanted: string): void {
-    this.shown = target;
-    this.drawn = wanted;
+  private show(target: Target, requested: string): void {
+    this.displayed = target;
+    this.drawn = requested;
     this.slice = 0;
   }
 
@@ -213,7 +213,7 @@ export class PathLayer {
     this.coarse?.dispose();
     this.full = new Target(this.gl, width, height);
     this.coarse = new Target(this.gl, Math.ceil(width / 2), Math.ceil(height / 2));
-    this.shown = null;
+    this.displayed = null;
     this.slice = 0;
   }
 
@@ -235,23 +235,23 @@ export class PathLayer {
   /** Draws parts of the plan from number `from` to before `to`; only each `coarser`-th of those. */
   private paint(look: Look, from: number, to: number, coarser: number, wide: boolean): void {
     const { gl } = this;
-    const program = wide ? this.keptWide : this.keptThin;
+    const program = wide ? this.storedWide : this.storedThin;
     program.use();
     const ratio = look.pixelRatio;
     this.setSize(program, look, 1.4 * ratio);
     gl.uniform1i(program.place("rapids"), look.rapids ? 1 : 0);
     let before = 0;
-    for (const { strand, from: first, to: end, stride } of this.plan) {
+    for (const { pathStrip, from: first, to: end, stride } of this.plan) {
       const begin = first + Math.ceil(Math.max(from - before, 0)) * stride;
       const last = Math.min(end, first + Math.ceil(Math.max(to - before, 0)) * stride);
       before += (end - first) / stride;
       if (begin >= last) continue;
-      const old = strand.robot === PREVIOUS;
+      const old = pathStrip.robot === PREVIOUS_RUN;
       gl.uniform4fv(program.place("paint"), old ? [...look.compareColour, 1] : [0, 0, 0, 0]);
       gl.uniform1i(program.place("clean"), old ? 1 : 0);
       program.set1f("nearer", old ? -2e-5 : 0);
-      program.set1f("small_mm", stride > 1 ? SMALL_PX * look.mmPerPixel : 0);
-      strand.draw(program, look.matrices[strand.frame], begin, last, stride * coarser, wide);
+      program.set1f("small_mm", stride > 1 ? MIN_STEP_PX * look.mmPerPixel : 0);
+      pathStrip.draw(program, look.matrices[pathStrip.frame], begin, last, stride * coarser, wide);
     }
   }
 
@@ -268,11 +268,11 @@ export class PathLayer {
     const { gl } = this;
     gl.bindFramebuffer(gl.FRAMEBUFFER, null);
     gl.viewport(0, 0, look.width_px, look.height_px);
-    if (!this.shown || this.strands.length === 0) return;
+    if (!this.displayed || this.pathStrips.length === 0) return;
     this.setState();
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     this.screen.use();
-    [this.shown.colours, this.shown.known, this.shown.depths].forEach((texture, i) => {
+    [this.displayed.colours, this.displayed.known, this.displayed.depths].forEach((texture, i) => {
       gl.activeTexture(gl.TEXTURE0 + i);
       gl.bindTexture(gl.TEXTURE_2D, texture);
     });
@@ -288,13 +288,13 @@ export class PathLayer {
   }
 
   /** Draws ranges over all else; parts hidden by nearer bodies are faint. */
-  accent(accent: Accent, look: Look): void {
+  accent(accent: HighlightedRanges, look: Look): void {
     const { gl } = this;
-    const strand = this.strands.find(({ robot }) => robot === accent.robot);
-    if (!strand || accent.ranges.length === 0) return;
+    const pathStrip = this.pathStrips.find(({ robot }) => robot === accent.robot);
+    if (!pathStrip || accent.ranges.length === 0) return;
     this.setState();
     gl.depthMask(false);
-    const program = this.shownWide;
+    const program = this.displayedWide;
     program.use();
     this.setSize(program, look, accent.width_px * look.pixelRatio);
     gl.uniform1i(program.place("rapids"), 1);
@@ -312,7 +312,7 @@ export class PathLayer {
       program.set1f("join_px", opacity < 1 ? 0 : 0.25 * accent.width_px * look.pixelRatio);
       program.set1f("small_mm", 0);
       for (const [from, to] of accent.ranges) {
-        strand.draw(program, look.matrices[strand.frame], from, to, Math.ceil((to - from) / ACCENT_PIECES) || 1, true);
+        pathStrip.draw(program, look.matrices[pathStrip.frame], from, to, Math.ceil((to - from) / MAX_HIGHLIGHT_SEGMENTS) || 1, true);
       }
     }
     gl.depthMask(true);
@@ -322,18 +322,18 @@ export class PathLayer {
    * Returns the nearest part to a position on the screen (0 to 1 from the left and from below), within some
    * pixels.
    */
-  hit(x: number, y: number, reach_px: number): Hit | null {
-    if (!this.shown || this.strands.length === 0) return null;
-    const { width, height } = this.shown;
-    const reach = this.shown === this.full ? reach_px : Math.ceil(reach_px / 2);
-    const pixels = this.shown.read(Math.floor(x * width), Math.floor(y * height), reach);
+  hit(x: number, y: number, hitRadius_px: number): Hit | null {
+    if (!this.displayed || this.pathStrips.length === 0) return null;
+    const { width, height } = this.displayed;
+    const reach = this.displayed === this.full ? hitRadius_px : Math.ceil(hitRadius_px / 2);
+    const pixels = this.displayed.read(Math.floor(x * width), Math.floor(y * height), reach);
     const side = 2 * reach + 1;
     let best = -1;
     let nearest = Infinity;
     for (let i = 0; i < side * side; ++i) {
       const id = pixels[4 * i];
       const away = Math.hypot((i % side) - reach, Math.floor(i / side) - reach);
-      if (id === 0 || (id - 1) >>> 27 === PREVIOUS || away >= nearest) continue;
+      if (id === 0 || (id - 1) >>> 27 === PREVIOUS_RUN || away >= nearest) continue;
       nearest = away;
       best = i;
     }
@@ -341,13 +341,13 @@ export class PathLayer {
     const id = pixels[4 * best] - 1;
     const t_s = new Float32Array(pixels.buffer, 16 * best + 4, 1)[0];
     const [robot, vertex] = [id >>> 27, id & 0x7ffffff];
-    return { robot, vertex: this.pieceAt(robot, vertex, t_s), t_s };
+    return { robot, vertex: this.segmentEndAt(robot, vertex, t_s), t_s };
   }
 
   /** One step may represent several parts up to a vertex: the time selects one of them. */
-  private pieceAt(robot: number, vertex: number, t_s: number): number {
-    const draw = this.plan.find(({ strand, from, to }) => strand.robot === robot && from <= vertex && vertex < to);
-    if (!draw || (draw.stride === 1 && this.shown === this.full)) return vertex;
-    return Math.max(Math.min(vertex, draw.strand.data.at(t_s)), 1);
+  private segmentEndAt(robot: number, vertex: number, t_s: number): number {
+    const draw = this.plan.find(({ pathStrip, from, to }) => pathStrip.robot === robot && from <= vertex && vertex < to);
+    if (!draw || (draw.stride === 1 && this.displayed === this.full)) return vertex;
+    return Math.max(Math.min(vertex, draw.pathStrip.data.at(t_s)), 1);
   }
 }

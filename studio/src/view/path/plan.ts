@@ -31,13 +31,13 @@ export function rowLength(texels: Float32Array, from: number, to: number): Row {
 /** Cells across and down the screen, for measuring the path density. */
 const CELLS = 32;
 /** Ratio of path length to pixels that looks like the complete path. */
-const ENOUGH = 8;
+const TARGET_DENSITY = 8;
 /** Length of a step (px) that shows no corner between its ends. */
-const SMALL_PX = 0.7;
-export const MOST_STRIDE = 64;
+const MIN_STEP_PX = 0.7;
+export const MAX_STRIDE = 64;
 
 /** Row on the screen: cells from and to, its length in pixels, and path pixels for each pixel there. */
-interface Seen {
+interface ProjectedRow {
   cells: [left: number, right: number, top: number, bottom: number];
   long_px: number;
   density: number;
@@ -47,7 +47,7 @@ interface Seen {
  * Returns `null` if it is outside the screen; "near" if it reaches behind the camera, so that its size is
  * unknown.
  */
-function seen(row: Row, { elements: m }: Matrix4, width_px: number, height_px: number): Seen | "near" | null {
+function projectRow(row: Row, { elements: m }: Matrix4, width_px: number, height_px: number): ProjectedRow | "near" | null {
   let [left, right, low, high] = [Infinity, -Infinity, Infinity, -Infinity];
   for (let corner = 0; corner < 8; ++corner) {
     const x = corner & 1 ? row.high[0] : row.low[0];
@@ -76,10 +76,10 @@ function seen(row: Row, { elements: m }: Matrix4, width_px: number, height_px: n
  * Returns for each row how many parts share one drawn part, a power of two; 0: not drawn. Rows overlap, so
  * the total path in that area of the screen counts.
  */
-export function stridesOf(rows: readonly Row[], matrix: Matrix4, width_px: number, height_px: number): Uint8Array {
-  const all = rows.map((row) => seen(row, matrix, width_px, height_px));
+export function rowStrides(rows: readonly Row[], matrix: Matrix4, width_px: number, height_px: number): Uint8Array {
+  const all = rows.map((row) => projectRow(row, matrix, width_px, height_px));
   const densities = new Float64Array(CELLS * CELLS);
-  const each = ([left, right, low, high]: Seen["cells"], visit: (cell: number) => void) => {
+  const each = ([left, right, low, high]: ProjectedRow["cells"], visit: (cell: number) => void) => {
     for (let v = low; v <= high; ++v) for (let u = left; u <= right; ++u) visit(CELLS * v + u);
   };
   for (const place of all) {
@@ -94,9 +94,9 @@ export function stridesOf(rows: readonly Row[], matrix: Matrix4, width_px: numbe
       ++count;
     });
     // The harmonic mean follows the smallest densities.
-    const dense = count / inverse / ENOUGH;
-    const small = (SMALL_PX * rows[i].pieces) / place.long_px;
-    const most = Math.min(Math.max(dense, small, 1), MOST_STRIDE);
+    const dense = count / inverse / TARGET_DENSITY;
+    const small = (MIN_STEP_PX * rows[i].pieces) / place.long_px;
+    const most = Math.min(Math.max(dense, small, 1), MAX_STRIDE);
     return 2 ** Math.floor(Math.log2(most));
   });
 }

@@ -1,16 +1,16 @@
 // Programs for the path. Vertices are in textures, so that one buffer serves lines of any width and any level
 // of detail: part k is from vertex first + k * stride - 1 of a texture to the next one drawn.
 
-const precise = `precision highp float;
+const precisionHeader = `precision highp float;
 precision highp int;
 precision highp sampler2D;
 precision highp usampler2D;
 `;
 
 const header = `#version 300 es
-${precise}`;
+${precisionHeader}`;
 
-const vertexOfPieces = `
+const segmentVertexShader = `
 uniform sampler2D points;
 uniform sampler2D colours;
 uniform mat4 matrix;
@@ -81,7 +81,7 @@ void main() {
   gl_Position.z -= nearer * gl_Position.w;
 }`;
 
-const thin = `#define CORNERS 2
+const thinDefines = `#define CORNERS 2
 #define END (corner == 1)
 #define SIDE 0.0
 #define JOIN 0.0`;
@@ -92,7 +92,7 @@ const wide = `#define CORNERS 6
 #define SIDE ((corner == 1 || corner == 4 || corner == 5) ? 1.0 : -1.0)
 #define JOIN join_px`;
 
-const coverage = `
+const coverageCode = `
 flat in vec3 colour;
 flat in uint id;
 flat in int dash;
@@ -109,7 +109,7 @@ float covered() {
 }
 `;
 
-const fragmentKept = `
+const storedFragmentShader = `
 layout(location = 0) out vec4 seen;
 layout(location = 1) out uvec2 known;
 void main() {
@@ -119,13 +119,13 @@ void main() {
   known = uvec2(id, floatBitsToUint(t_s));
 }`;
 
-const fragmentShown = `
+const displayedFragmentShader = `
 layout(location = 0) out vec4 seen;
 void main() { seen = vec4(colour, covered()); }`;
 
 // For an eye of a headset: the remaining path is dimmed at once, and dashes are placed along the path, so
 // that both eyes see the same.
-const fragmentOfEye = `
+const eyeFragmentShader = `
 flat in vec3 colour;
 flat in int dash;
 in float t_s;
@@ -144,7 +144,7 @@ void main() {
   seen = vec4(mix(colour, vec3(1.0), lightened), share * (t_s > now_s ? dimmed : 1.0));
 }`;
 
-const vertexOfScreen = `
+const screenVertexShader = `
 out vec2 at;
 void main() {
   at = vec2(gl_VertexID == 1 ? 2.0 : 0.0, gl_VertexID == 2 ? 2.0 : 0.0);
@@ -152,7 +152,7 @@ void main() {
 }`;
 
 // Each pixel of the kept picture stores its time, so the remaining path is dimmed without a redraw.
-const fragmentOfScreen = `
+const screenFragmentShader = `
 in vec2 at;
 uniform sampler2D kept;
 uniform usampler2D known;
@@ -171,9 +171,9 @@ void main() {
   gl_FragDepth = texture(depth, at).r;
 }`;
 
-export const keptThin = [header + thin + vertexOfPieces, header + coverage + fragmentKept] as const;
-export const keptWide = [header + wide + vertexOfPieces, header + coverage + fragmentKept] as const;
-export const shownWide = [header + wide + vertexOfPieces, header + coverage + fragmentShown] as const;
+export const storedThin = [header + thinDefines + segmentVertexShader, header + coverageCode + storedFragmentShader] as const;
+export const storedWide = [header + wide + segmentVertexShader, header + coverageCode + storedFragmentShader] as const;
+export const displayedWide = [header + wide + segmentVertexShader, header + coverageCode + displayedFragmentShader] as const;
 /** For three.js, which adds the version itself. */
-export const eyes = [precise + wide + vertexOfPieces, precise + fragmentOfEye] as const;
-export const screen = [header + vertexOfScreen, header + fragmentOfScreen] as const;
+export const eyeShaders = [precisionHeader + wide + segmentVertexShader, precisionHeader + eyeFragmentShader] as const;
+export const screen = [header + screenVertexShader, header + screenFragmentShader] as const;

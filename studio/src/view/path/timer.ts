@@ -1,8 +1,8 @@
 // Time of the graphics card for the complete path; measured by a fence, some frames later.
 
-const LOOK_AGAIN_MS = 4;
+const POLL_MS = 4;
 // Delay of a fence even if drawing takes no time.
-const LATE_MS = 12;
+const FENCE_DELAY_MS = 12;
 
 export class Timer {
   /** null: not known yet. */
@@ -33,10 +33,10 @@ export class Timer {
     const { gl } = this;
     if (gl.isContextLost()) return;
     if (gl.getSyncParameter(fence, gl.SYNC_STATUS) !== gl.SIGNALED) {
-      setTimeout(() => this.await(fence, round, begun_ms, share), LOOK_AGAIN_MS);
+      setTimeout(() => this.await(fence, round, begun_ms, share), POLL_MS);
       return;
     }
     gl.deleteSync(fence);
-    if (round === this.round) this.cost_ms = share * Math.max(0, performance.now() - begun_ms - LATE_MS);
+    if (round === this.round) this.cost_ms = share * Math.max(0, performance.now() - begun_ms - FENCE_DELAY_MS);
   }
 }

@@ -3,32 +3,32 @@
 import type { Frames } from "../../core/frames";
 import type { Store } from "../../core/store";
 import type { View } from "../view";
-import { Place, type Head } from "./place";
-import { Room } from "./room";
+import { FloorPose, type HeadPose } from "./floor_pose";
+import { XrScene } from "./xr_scene";
 import { SPEED_M_S, STEP_DEG, Sticks, type Stick } from "./sticks";
 
 /** Max time between two pictures that counts for walking. */
-const LONGEST_S = 0.1;
+const MAX_FRAME_TIME_S = 0.1;
 
-const isOfSticks = ({ gamepad, targetRayMode }: XRInputSource): boolean => targetRayMode === "tracked-pointer" && (gamepad?.axes.length ?? 0) >= 2;
+const isThumbstick = ({ gamepad, targetRayMode }: XRInputSource): boolean => targetRayMode === "tracked-pointer" && (gamepad?.axes.length ?? 0) >= 2;
 
 /** Returns the stick; on a pad with four axes the first two are its touchpad. */
-function stickOf({ gamepad, handedness }: XRInputSource): Stick {
+function readStick({ gamepad, handedness }: XRInputSource): Stick {
   const [x, y] = gamepad!.axes.slice(gamepad!.axes.length >= 4 ? 2 : 0);
   return { hand: handedness, x, y };
 }
 
-function headOf({ transform: { position, orientation } }: XRViewerPose): Head {
+function readHeadPose({ transform: { position, orientation } }: XRViewerPose): HeadPose {
   const { x, y, z, w } = orientation;
   // Direction of -Z of the head, from above.
   const turn = Math.atan2(2 * (x * z + w * y), 1 - 2 * (x * x + y * y));
   return { x_m: position.x, z_m: position.z, turn };
 }
 
-export class Visit {
-  private readonly place = new Place();
+export class XrSession {
+  private readonly place = new FloorPose();
   private readonly sticks = new Sticks();
-  private readonly room: Room;
+  private readonly room: XrScene;
   private stands = false;
   private before_ms: number | null = null;
 
@@ -38,7 +38,7 @@ export class Visit {
     private readonly frames: Frames,
     private readonly session: XRSession,
   ) {
-    this.room = new Room(view);
+    this.room = new XrScene(view);
     session.addEventListener("select", () => store.set("playing", !store.get("playing") && store.get("run") !== null));
     session.addEventListener("squeeze", () => (this.stands = false));
   }
@@ -48,19 +48,19 @@ export class Visit {
     this.frames.drive(now_ms);
     const space = this.view.canvas.renderer.xr.getReferenceSpace();
     const pose = space && frame.getViewerPose(space);
-    const passed_s = Math.min(Math.max(now_ms - (this.before_ms ?? now_ms), 0) / 1000, LONGEST_S);
+    const elapsed_s = Math.min(Math.max(now_ms - (this.before_ms ?? now_ms), 0) / 1000, MAX_FRAME_TIME_S);
     this.before_ms = now_ms;
     if (!pose) return; // not worn, or its pose is unknown
-    this.go(headOf(pose), passed_s);
+    this.go(readHeadPose(pose), elapsed_s);
     this.room.draw(this.place, this.view.arrange());
   }
 
-  private go(head: Head, passed_s: number): void {
-    if (!this.stands) this.place.stand(head, this.room.entry);
+  private go(head: HeadPose, elapsed_s: number): void {
+    if (!this.stands) this.place.placeHead(head, this.room.entry);
     this.stands = true;
-    const { right, on, turns } = this.sticks.ask([...this.session.inputSources].filter(isOfSticks).map(stickOf));
-    const way_m = SPEED_M_S * passed_s;
-    this.place.walk(head, right * way_m, on * way_m);
+    const { right, on, turns } = this.sticks.ask([...this.session.inputSources].filter(isThumbstick).map(readStick));
+    const distance_m = SPEED_M_S * elapsed_s;
+    this.place.walk(head, right * distance_m, on * distance_m);
     if (turns !== 0) this.place.turnBy(head, (-turns * STEP_DEG * Math.PI) / 180);
   }
 
@@ -82,7 +82,7 @@ export class Headset {
     private readonly changed: () => void,
   ) {}
 
-  get isWorn(): boolean {
+  get isActive(): boolean {
     return this.session !== null;
   }
 
@@ -92,11 +92,11 @@ export class Headset {
     const session = await this.system.requestSession("immersive-vr", { requiredFeatures: ["local-floor"] });
     this.session = session;
     this.view.lend();
-    const visit = new Visit(this.view, this.store, this.frames, session);
+    const visit = new XrSession(this.view, this.store, this.frames, session);
     const ended = () => {
       xr.removeEventListener("sessionend", ended);
       visit.end();
-      this.giveBack();
+      this.restoreView();
     };
     // Sent by three.js, after its own actions.
     xr.addEventListener("sessionend", ended);
@@ -117,7 +117,7 @@ export class Headset {
     await this.session?.end().catch(() => undefined);
   }
 
-  private giveBack(): void {
+  private restoreView(): void {
     const { renderer } = this.view.canvas;
     this.session = null;
     renderer.xr.enabled = false;

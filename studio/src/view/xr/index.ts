@@ -2,7 +2,7 @@
 
 import { element } from "../../core/dom";
 import { texts } from "../../texts";
-import type { CreateHeadset } from "../headset_place";
+import type { CreateHeadset } from "../headset_context";
 import { icon } from "../icons";
 import { Headset } from "./headset";
 
@@ -15,10 +15,10 @@ export const createHeadset: CreateHeadset = async ({ view, store, frames, toolba
   const button = element("button", { type: "button" }, icon("headset"));
   const worn = element("p", { class: "worn", role: "status" }, words.worn);
   const show = () => {
-    const label = headset.isWorn ? words.leave : words.enter;
-    if (headset.isWorn) view.canvas.element.after(worn);
+    const label = headset.isActive ? words.leave : words.enter;
+    if (headset.isActive) view.canvas.element.after(worn);
     else worn.remove();
-    Object.assign(button, { title: label, ariaLabel: label, ariaPressed: String(headset.isWorn) });
+    Object.assign(button, { title: label, ariaLabel: label, ariaPressed: String(headset.isActive) });
   };
   const headset = new Headset(view, store, frames, system, show);
   const enter = async () => {
@@ -27,7 +27,7 @@ export const createHeadset: CreateHeadset = async ({ view, store, frames, toolba
     await headset.enter().catch((fault: Error) => store.set("notice", words.refused(fault.message)));
     button.disabled = false;
   };
-  button.onclick = () => void (headset.isWorn ? headset.leave() : enter());
+  button.onclick = () => void (headset.isActive ? headset.leave() : enter());
   show();
   toolbar.append(button);
 };

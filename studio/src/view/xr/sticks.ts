@@ -8,32 +8,32 @@ export interface Stick {
 }
 
 /** Walking speed, 1 at full deflection; steps to turn by, to the right. */
-export interface Asked {
+export interface StickInput {
   right: number;
   on: number;
   turns: number;
 }
 
 /** Dead zone: sticks do not return exactly to 0. */
-const REST = 0.15;
+const DEAD_ZONE = 0.15;
 /** Deflection that starts a turn, and limit for returning before the next one. */
-const TURNS_FROM = 0.7;
-const READY_BELOW = 0.4;
+const TURN_THRESHOLD = 0.7;
+const REARM_THRESHOLD = 0.4;
 
 export const SPEED_M_S = 1.5;
 export const STEP_DEG = 30;
 
-const beyondRest = (value: number): number => (Math.abs(value) < REST ? 0 : value);
+const applyDeadZone = (value: number): number => (Math.abs(value) < DEAD_ZONE ? 0 : value);
 
 export class Sticks {
   private readonly turned = new Set<string>();
 
-  ask(sticks: Stick[]): Asked {
+  ask(sticks: Stick[]): StickInput {
     const asked = { right: 0, on: 0, turns: 0 };
     const single = sticks.length < 2;
     for (const { hand, x, y } of sticks) {
-      if (single || hand === "left") asked.on -= beyondRest(y);
-      if (!single && hand === "left") asked.right += beyondRest(x);
+      if (single || hand === "left") asked.on -= applyDeadZone(y);
+      if (!single && hand === "left") asked.right += applyDeadZone(x);
       if (single || hand === "right") asked.turns += this.turns(hand, x);
     }
     return asked;
@@ -41,8 +41,8 @@ export class Sticks {
 
   /** Once for each push. */
   private turns(hand: string, x: number): number {
-    if (Math.abs(x) < READY_BELOW) this.turned.delete(hand);
-    if (Math.abs(x) < TURNS_FROM || this.turned.has(hand)) return 0;
+    if (Math.abs(x) < REARM_THRESHOLD) this.turned.delete(hand);
+    if (Math.abs(x) < TURN_THRESHOLD || this.turned.has(hand)) return 0;
     this.turned.add(hand);
     return Math.sign(x);
   }

@@ -4,19 +4,19 @@ import type { Change } from "../../../core/history";
 import { referenceTo } from "../../../core/references";
 import type { Setup } from "../../../core/setup";
 import { texts } from "../../../texts";
-import type { Model, Part } from "./model";
-import { moved, nameOfCopy } from "./paths";
-import { askToml, type At, type TomlChange } from "./toml";
+import type { Model, FileRole } from "./model";
+import { moved, copyName } from "./paths";
+import { requestToml, type At, type TomlChange } from "./toml";
 
 const words = texts.machine;
 
 /** Error with a message why a change could not be made. */
-class Refused extends Error {}
+class RejectedRequest extends Error {}
 
 /** Place that names a file. */
-type Owner = { key: keyof Setup } | { part: Part; at: At };
+type Owner = { key: keyof Setup } | { part: FileRole; at: At };
 
-const MOST_TRIES = 3;
+const MAX_ATTEMPTS = 3;
 
 export class Edits {
   private last: Promise<unknown> = Promise.resolve();
@@ -29,21 +29,21 @@ export class Edits {
    * Makes changes of the shown file; a sample is copied first. Returns an empty text, or why nothing was
    * changed. Calls `made` when it is certain what the change will be, before anything is redrawn.
    */
-  change(part: Part, label: string, changes: TomlChange[], made = () => {}): Promise<string> {
+  change(part: FileRole, label: string, changes: TomlChange[], made = () => {}): Promise<string> {
     const file = this.model.file(part);
     const change = async () => (this.isStill(part, file) ? this.changed(part, changes) : null);
     return this.queue(() => this.make(label, change, made));
   }
 
   /** True if a part still uses the given file, or the copy of that. */
-  private isStill(part: Part, file: string): boolean {
+  private isStill(part: FileRole, file: string): boolean {
     const now = this.model.file(part);
     return now === file || now === this.copies.get(file);
   }
 
   /** Copies the file if it is a sample; returns the name of the file that may be changed. */
-  async own(part: Part): Promise<string> {
-    const file = await this.settled(part);
+  async own(part: FileRole): Promise<string> {
+    const file = await this.untilSettled(part);
     if (file !== this.model.file(part)) return file;
     const name = this.nameOfOwn(part);
     if (name !== this.model.file(part)) await this.change(part, words.copied(name), []);
@@ -51,7 +51,7 @@ export class Edits {
   }
 
   /** Returns the name of the shown file, after all earlier changes of files have been made. */
-  settled(part: Part): Promise<string> {
+  untilSettled(part: FileRole): Promise<string> {
     const file = this.model.file(part);
     return this.queue(async () => {
       await this.model.read();
@@ -69,21 +69,21 @@ export class Edits {
   private async make(label: string, change: () => Promise<Change | null>, made: () => void): Promise<string> {
     const { history } = this.model.session;
     try {
-      for (let i = 0; i < MOST_TRIES; ++i) {
+      for (let i = 0; i < MAX_ATTEMPTS; ++i) {
         await this.model.read();
         const before = this.textsNow();
-        const wanted = await change();
+        const requested = await change();
         // The user may have edited the text meanwhile.
         if (before !== this.textsNow()) continue;
-        if (!wanted) return this.dropped(words.otherFile(label));
+        if (!requested) return this.dropped(words.otherFile(label));
         made();
-        history.edit(label, wanted);
+        history.edit(label, requested);
         await this.model.read();
         return "";
       }
       return this.dropped(words.changedMeanwhile);
     } catch (fault) {
-      if (fault instanceof Refused) return fault.message;
+      if (fault instanceof RejectedRequest) return fault.message;
       throw fault;
     }
   }
@@ -102,39 +102,39 @@ export class Edits {
     return [machine, cell, robots, store.get("robot"), ...files].join("\n");
   }
 
-  private nameOfOwn(part: Part): string {
+  private nameOfOwn(part: FileRole): string {
     const { documents } = this.model.session;
     const file = this.model.file(part);
-    return documents.isOwn(file) ? file : nameOfCopy(file, (name) => documents.exists(name));
+    return documents.isOwn(file) ? file : copyName(file, (name) => documents.exists(name));
   }
 
   /** Returns the changes of all files that a change of one of them causes. */
-  private async changed(part: Part, changes: TomlChange[]): Promise<Change> {
+  private async changed(part: FileRole, changes: TomlChange[]): Promise<Change> {
     const { model } = this;
     const file = model.file(part);
     const name = this.nameOfOwn(part);
-    const { written, fault } = await askToml(model.session, file, [...moved(model.value(part), file, name), ...changes]);
-    if (!written) throw new Refused(fault.text);
+    const { written, fault } = await requestToml(model.session, file, [...moved(model.value(part), file, name), ...changes]);
+    if (!written) throw new RejectedRequest(fault.text);
     const named = name === file ? {} : await this.named(part, name);
     if (name !== file) this.copies.set(file, name);
     return { documents: { ...named.documents, [name]: written.text }, setup: named.setup ?? {} };
   }
 
-  private async named(part: Part, name: string): Promise<Change> {
+  private async named(part: FileRole, name: string): Promise<Change> {
     const owner = this.ownerOf(part);
     if ("key" in owner) return { setup: { [owner.key]: name } };
-    const inOwn = this.nameOfOwn(owner.part);
-    return this.changed(owner.part, [{ op: "set", at: owner.at, value: referenceTo(inOwn, name) }]);
+    const ownerFile = this.nameOfOwn(owner.part);
+    return this.changed(owner.part, [{ op: "set", at: owner.at, value: referenceTo(ownerFile, name) }]);
   }
 
-  private ownerOf(part: Part): Owner {
+  private ownerOf(part: FileRole): Owner {
     if (part === "controller") return { part: "machine", at: ["controller", "model"] };
     if (part === "robots") return { key: "robots" };
     return this.model.parts.has("robots") ? { part: "robots", at: ["robot", this.model.robot, part] } : { key: part };
   }
 
   /** Uses a file, which may be new, for a part. */
-  choose(part: Part, label: string, name: string, text?: string): Promise<string> {
+  choose(part: FileRole, label: string, name: string, text?: string): Promise<string> {
     const chosen = async () => {
       const { documents = {}, setup = {} } = await this.named(part, name);
       return { documents: text === undefined ? documents : { ...documents, [name]: text }, setup };

@@ -1,41 +1,41 @@
 // Current files of the machine and its cell: read again whenever one of them changes.
 
-import { faultsOf } from "../../../core/faults";
+import { responseDiagnostics } from "../../../core/response_diagnostics";
 import { Debounced } from "../../../core/debounced";
-import { BUILT_IN_MACHINE } from "../../../core/other_control";
-import { isFile, resolved } from "../../../core/references";
+import { BUILT_IN_MACHINE } from "../../../core/controller_override";
+import { isTomlFile, resolved } from "../../../core/references";
 import type { Session } from "../../../core/session";
 import type { Store } from "../../../core/store";
-import type { Told } from "../../../run/run";
-import { askToml, tablesAt, textAt, type TomlTable } from "./toml";
+import type { EngineDiagnostic } from "../../../run/run";
+import { requestToml, tablesAt, textAt, type TomlTable } from "./toml";
 
 const CONTROLLERS = "samples/controllers/";
 /** Model for a machine file that names none. */
 const DEFAULT_MODEL = "exact-stop";
 
 /** What a file is for. */
-export type Part = "machine" | "cell" | "controller" | "robots";
+export type FileRole = "machine" | "cell" | "controller" | "robots";
 
 export interface Loaded {
   file: string;
   /** Null if it is not valid TOML: `fault` has the position. */
   value: TomlTable | null;
-  fault: Told | null;
+  fault: EngineDiagnostic | null;
 }
 
 const PAUSE_MS = 20;
 
 export class Model {
   /** Loaded files; undefined if a part has no file. */
-  readonly parts = new Map<Part, Loaded>();
+  readonly parts = new Map<FileRole, Loaded>();
   /**
    * Controller table of the base model that the machine's controller, or its controller file, starts from.
    */
   controllerBase: TomlTable = {};
-  private isShown = false;
+  private isVisible = false;
   private reading: Promise<void> = Promise.resolve();
   private asked = 0;
-  private readonly soon = new Debounced(() => void this.read());
+  private readonly updateTimer = new Debounced(() => void this.read());
   private readonly listeners = new Set<() => void>();
   /** Texts that have been read. */
   private readonly known = new Map<string, { text: string; loaded: Loaded }>();
@@ -44,9 +44,9 @@ export class Model {
     readonly store: Store,
     readonly session: Session,
   ) {
-    session.documents.on(() => this.renew());
-    session.on(() => this.renew());
-    store.on("robot", () => this.renew());
+    session.documents.on(() => this.refresh());
+    session.on(() => this.refresh());
+    store.on("robot", () => this.refresh());
   }
 
   /** Adds a listener for each new reading of the files. */
@@ -55,16 +55,16 @@ export class Model {
   }
 
   /** Reads files only while the form is visible. */
-  show(isShown: boolean): void {
-    this.isShown = isShown;
-    if (isShown) this.renew();
+  show(isVisible: boolean): void {
+    this.isVisible = isVisible;
+    if (isVisible) this.refresh();
   }
 
-  file(part: Part): string {
+  file(part: FileRole): string {
     return this.parts.get(part)?.file ?? "";
   }
 
-  value(part: Part): TomlTable {
+  value(part: FileRole): TomlTable {
     return this.parts.get(part)?.value ?? {};
   }
 
@@ -77,38 +77,38 @@ export class Model {
     return Math.min(this.store.get("robot"), Math.max(tablesAt(robots, ["robot"]).length - 1, 0));
   }
 
-  private renew(): void {
-    if (this.isShown) this.soon.after(PAUSE_MS);
+  private refresh(): void {
+    if (this.isVisible) this.updateTimer.after(PAUSE_MS);
   }
 
   /** Waits until the current files are read. */
   read(): Promise<void> {
-    this.soon.cancel();
+    this.updateTimer.cancel();
     this.reading = this.readAll();
     return this.reading;
   }
 
   private async readAll(): Promise<void> {
     const asked = ++this.asked;
-    const parts = new Map<Part, Loaded>();
-    const load = async (part: Part, file: string) => {
+    const parts = new Map<FileRole, Loaded>();
+    const load = async (part: FileRole, file: string) => {
       if (file) parts.set(part, await this.load(file));
       return parts.get(part);
     };
     const { setup } = this.session;
     const robots = await load("robots", setup.robots);
-    const ofRobot = (key: string) => (robots ? this.referred(robots, ["robot", this.shownOf(robots.value ?? {}), key]) : "");
-    const cell = await load("cell", robots ? ofRobot("cell") : setup.cell);
-    const named = robots ? ofRobot("machine") : setup.machine;
-    const machine = await load("machine", named || (cell ? this.referred(cell, ["cell", "machine"]) : "") || BUILT_IN_MACHINE);
+    const referenceOfRobot = (key: string) => (robots ? this.referred(robots, ["robot", this.shownOf(robots.value ?? {}), key]) : "");
+    const cell = await load("cell", robots ? referenceOfRobot("cell") : setup.cell);
+    const machineFile = robots ? referenceOfRobot("machine") : setup.machine;
+    const machine = await load("machine", machineFile || (cell ? this.referred(cell, ["cell", "machine"]) : "") || BUILT_IN_MACHINE);
     const model = textAt(machine?.value ?? {}, ["controller", "model"]);
-    const controller = isFile(model) ? await load("controller", resolved(machine!.file, model)) : undefined;
+    const controller = isTomlFile(model) ? await load("controller", resolved(machine!.file, model)) : undefined;
     const base = controller ? textAt(controller.value ?? {}, ["controller", "model"]) : model;
-    const ofBase = await this.load(`${CONTROLLERS}${base || DEFAULT_MODEL}.toml`);
+    const loadedBase = await this.load(`${CONTROLLERS}${base || DEFAULT_MODEL}.toml`);
     if (asked !== this.asked) return this.reading;
     this.parts.clear();
     for (const [part, loaded] of parts) this.parts.set(part, loaded);
-    this.controllerBase = (ofBase.value?.controller ?? {}) as TomlTable;
+    this.controllerBase = (loadedBase.value?.controller ?? {}) as TomlTable;
     for (const listener of this.listeners) listener();
   }
 
@@ -119,11 +119,11 @@ export class Model {
 
   private async load(file: string): Promise<Loaded> {
     // Settings of a controller are read as they are, and changed as text.
-    if (!isFile(file)) return { file, value: null, fault: null };
+    if (!isTomlFile(file)) return { file, value: null, fault: null };
     const text = this.session.documents.text(file);
     const known = this.known.get(file);
     if (known?.text === text) return known.loaded;
-    const { written, fault } = await askToml(this.session, file, []);
+    const { written, fault } = await requestToml(this.session, file, []);
     const loaded = { file, value: written?.value ?? null, fault };
     this.known.set(file, { text, loaded });
     return loaded;
@@ -131,13 +131,13 @@ export class Model {
 }
 
 /** Results of the engine for the machine's files, and for the machine that they define. */
-export interface Checked {
-  faults: Told[];
+export interface CheckResponse {
+  faults: EngineDiagnostic[];
   check: Record<string, unknown> | null;
 }
 
-export async function checkMachine(session: Session, machine: string, cell: string, more: Record<string, string> = {}): Promise<Checked> {
-  const answer = await session.question({ do: "machine", machine, cell }, more);
-  const found = answer.messages.find(({ is }) => is === "machine");
-  return { faults: faultsOf(answer), check: (found?.header.check as Record<string, unknown>) ?? null };
+export async function checkMachine(session: Session, machine: string, cell: string, more: Record<string, string> = {}): Promise<CheckResponse> {
+  const response = await session.sendRequest({ do: "machine", machine, cell }, more);
+  const found = response.messages.find(({ is }) => is === "machine");
+  return { faults: responseDiagnostics(response), check: (found?.header.check as Record<string, unknown>) ?? null };
 }

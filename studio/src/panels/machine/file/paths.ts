@@ -1,35 +1,35 @@
 // Adapts file names in files when a file gets another name, and finds free names.
 
 import { baseName } from "../../../core/kinds";
-import { folderOf, isFile, referenceTo, resolved } from "../../../core/references";
+import { folderOf, isTomlFile, referenceTo, resolved } from "../../../core/references";
 import { tablesAt, textAt, type At, type TomlChange, type TomlTable } from "./toml";
 
 /**
  * Returns the positions that name other files: machines name their controller and meshes, cells and robots
  * also their machines.
  */
-function referencesIn(value: TomlTable): At[] {
+function findReferences(value: TomlTable): At[] {
   const meshes = ["object", "shape"].flatMap((kind) => tablesAt(value, [kind]).map((_, i): At => [kind, i, "shape", "mesh"]));
   const robots = tablesAt(value, ["robot"]).flatMap((_, i) => ["machine", "machine_data", "cell"].map((key): At => ["robot", i, key]));
   const single: At[] = [
     ["cell", "machine"],
     ["cell", "machine_data"],
   ];
-  const controller: At[] = isFile(textAt(value, ["controller", "model"])) ? [["controller", "model"]] : [];
+  const controller: At[] = isTomlFile(textAt(value, ["controller", "model"])) ? [["controller", "model"]] : [];
   return [...controller, ...single, ...meshes, ...robots].filter((at) => textAt(value, at) !== "");
 }
 
 /** Returns the changes that a file needs to mean the same under another name. */
 export function moved(value: TomlTable, from: string, to: string): TomlChange[] {
   if (folderOf(from) === folderOf(to)) return [];
-  return referencesIn(value).map((at) => ({ op: "set", at, value: referenceTo(to, resolved(from, textAt(value, at))) }));
+  return findReferences(value).map((at) => ({ op: "set", at, value: referenceTo(to, resolved(from, textAt(value, at))) }));
 }
 
 /**
  * Returns the name for a copy: "samples/machines/router3.toml" is copied to "my-router3.toml", or
  * "my-router3-2.toml" if that is taken.
  */
-export function nameOfCopy(name: string, isTaken: (name: string) => boolean): string {
+export function copyName(name: string, isTaken: (name: string) => boolean): string {
   const base = baseName(name);
   return freeName(base.startsWith("my-") ? base : `my-${base}`, isTaken);
 }

@@ -1,9 +1,9 @@
 // TOML document as the engine reads and changes it; comments and order are kept.
 
 import type { FileContent } from "../../../core/file_content";
-import { faultsOf } from "../../../core/faults";
+import { responseDiagnostics } from "../../../core/response_diagnostics";
 import type { Session } from "../../../core/session";
-import type { Told } from "../../../run/run";
+import type { EngineDiagnostic } from "../../../run/run";
 
 export type Toml = string | number | boolean | null | Toml[] | TomlTable;
 export interface TomlTable {
@@ -19,22 +19,22 @@ export type TomlChange =
   | { op: "remove"; at: At }
   | { op: "move"; at: At; to: number };
 
-export interface Written {
+export interface EditedToml {
   value: TomlTable;
   text: string;
 }
 
 /** Changed document, or the reason why it was not changed. */
-export type Answer = { written: Written; fault: null } | { written: null; fault: Told };
+export type TomlResult = { written: EditedToml; fault: null } | { written: null; fault: EngineDiagnostic };
 
 /** Reads or changes a file; `content` is its text if it is not a document yet. */
-export async function askToml(session: Session, file: string, changes: TomlChange[], content?: FileContent): Promise<Answer> {
+export async function requestToml(session: Session, file: string, changes: TomlChange[], content?: FileContent): Promise<TomlResult> {
   const files = { [file]: content ?? session.documents.get(file) ?? "" };
   // The engine needs only this one of all documents.
-  const answer = await session.question({ do: "toml", file, changes }, files, new Map());
-  const found = answer.messages.find(({ is }) => is === "toml");
-  if (!answer.ok || !found) {
-    const [fault] = faultsOf({ ...answer, ok: false }).filter(({ severity }) => severity === "error");
+  const response = await session.sendRequest({ do: "toml", file, changes }, files, new Map());
+  const found = response.messages.find(({ is }) => is === "toml");
+  if (!response.ok || !found) {
+    const [fault] = responseDiagnostics({ ...response, ok: false }).filter(({ severity }) => severity === "error");
     return { written: null, fault };
   }
   const text = new TextDecoder().decode(found.columns.get("text") as Uint8Array);

@@ -9,7 +9,7 @@ export interface Card {
   draw(index: number): void;
 }
 
-export class Cards {
+export class CardList {
   private readonly cards = new Map<string, Card>();
 
   constructor(
@@ -19,9 +19,9 @@ export class Cards {
 
   /** Numbers repeated names by position, to keep them distinct. */
   draw(names: readonly string[]): void {
-    const unique = names.map((name, i) => (names.indexOf(name) === i ? name : `${name} ${i}`));
-    for (const name of [...this.cards.keys()]) if (!unique.includes(name)) this.cards.delete(name);
-    const all = unique.map((name) => {
+    const uniqueNames = names.map((name, i) => (names.indexOf(name) === i ? name : `${name} ${i}`));
+    for (const name of [...this.cards.keys()]) if (!uniqueNames.includes(name)) this.cards.delete(name);
+    const all = uniqueNames.map((name) => {
       const card = this.cards.get(name) ?? this.make(name);
       this.cards.set(name, card);
       return card;

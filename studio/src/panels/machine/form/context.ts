@@ -4,7 +4,7 @@ import type { Session } from "../../../core/session";
 import type { Store } from "../../../core/store";
 import type { Edits } from "../file/edits";
 import type { Model } from "../file/model";
-import type { Keys } from "./keys";
+import type { Keys } from "./key_schema";
 
 export interface Context {
   store: Store;

@@ -5,12 +5,12 @@ import { element, offer } from "../../../core/dom";
 import type { Store } from "../../../core/store";
 import { texts } from "../../../texts";
 import type { Toml } from "../file/toml";
-import type { Range } from "./keys";
-import { numberOf, numberText, unitText } from "./quantity";
+import type { Range } from "./key_schema";
+import { parseNumber, numberText, unitText } from "./quantity";
 
 const words = texts.machine.field;
 
-export interface Spec extends Range {
+export interface FieldSpec extends Range {
   label: string;
   kind: "number" | "text" | "choice" | "switch" | "list" | "numbers";
   unit?: string;
@@ -20,7 +20,7 @@ export interface Spec extends Range {
   /** Suggested values; a text may have others. */
   choices?: readonly (readonly [value: string, text: string])[];
   /** It may not be empty. */
-  isNeeded?: boolean;
+  isRequired?: boolean;
   /** True if its label is above it. */
   isNarrow?: boolean;
 }
@@ -37,27 +37,27 @@ export class Field {
   private readonly fault: HTMLElement;
   private value: Toml | undefined;
   private fallback: Toml | undefined;
-  private shown = "";
+  private displayed = "";
 
   constructor(
     private readonly store: Store,
-    private spec: Spec,
+    private spec: FieldSpec,
     private readonly commit: Commit,
   ) {
     const id = `machine-field-${++count}`;
     this.fault = element("p", { class: "key-fault", id: `${id}-fault`, role: "alert", hidden: true });
     this.control = this.makeControl(id);
     const label = element("label", { for: id }, spec.label);
-    const offered = spec.kind === "text" && spec.choices ? [element("datalist", { id: `${id}-choices` }, ...spec.choices.map(([value]) => element("option", { value })))] : [];
+    const listedOptions = spec.kind === "text" && spec.choices ? [element("datalist", { id: `${id}-choices` }, ...spec.choices.map(([value]) => element("option", { value })))] : [];
     const meaning = spec.showsMeaning && spec.meaning ? [element("small", { id: `${id}-meaning` }, spec.meaning)] : [];
     const row = element("div", { class: "key-row" }, label, this.control, this.unit);
-    this.element = element("div", { class: spec.isNarrow ? "key-field narrow" : "key-field" }, row, ...offered, ...meaning, this.fault);
+    this.element = element("div", { class: spec.isNarrow ? "key-field narrow" : "key-field" }, row, ...listedOptions, ...meaning, this.fault);
     if (spec.meaning) row.title = spec.meaning;
   }
 
   private makeControl(id: string): HTMLInputElement | HTMLSelectElement {
     const describedBy = `${id}-fault ${this.spec.showsMeaning ? `${id}-meaning` : ""}`.trim();
-    const attributes = { id, "aria-describedby": describedBy, onchange: () => void this.hand(), onkeydown: (event: Event) => this.key(event as KeyboardEvent) };
+    const attributes = { id, "aria-describedby": describedBy, onchange: () => void this.submit(), onkeydown: (event: Event) => this.key(event as KeyboardEvent) };
     if (this.spec.kind === "choice" || this.spec.kind === "switch") return element("select", attributes);
     const inputmode = this.spec.kind === "number" ? "decimal" : "text";
     const list = this.spec.choices ? `${id}-choices` : undefined;
@@ -93,11 +93,11 @@ export class Field {
     const fallback = this.textOf(this.fallback);
     this.control.placeholder = fallback === "inf" || fallback === "-inf" ? words.unlimited : fallback;
     // Text that a user is typing must not be lost.
-    const isWriting = document.activeElement === this.control && this.control.value !== this.shown;
-    if (isWriting && text === this.shown) return;
+    const isWriting = document.activeElement === this.control && this.control.value !== this.displayed;
+    if (isWriting && text === this.displayed) return;
     if (this.control.value !== text) this.control.value = text;
-    if (text !== this.shown) this.say("");
-    this.shown = text;
+    if (text !== this.displayed) this.say("");
+    this.displayed = text;
   }
 
   private textOf(value: Toml | undefined): string {
@@ -108,29 +108,29 @@ export class Field {
   }
 
   private options(): (readonly [string, string])[] {
-    const { kind, choices = [], isNeeded } = this.spec;
+    const { kind, choices = [], isRequired } = this.spec;
     const known = kind === "switch" ? ([["true", words.yes], ["false", words.no]] as const) : choices;
     const value = this.textOf(this.value);
     const strange = value && !known.some(([each]) => each === value) ? [[value, value] as const] : [];
-    if (isNeeded) return [...known, ...strange];
+    if (isRequired) return [...known, ...strange];
     const fallback = known.find(([each]) => each === this.textOf(this.fallback))?.[1];
     return [["", fallback === undefined ? words.notSaid : words.asElse(fallback)], ...known, ...strange];
   }
 
   /** Returns the typed value for the file, or an error message if it is not valid. */
   private written(): { value: Toml | undefined } | { fault: string } {
-    const { kind, unit = "", isNeeded } = this.spec;
+    const { kind, unit = "", isRequired } = this.spec;
     const text = this.control.value.trim();
-    if (text === "") return isNeeded ? { fault: words.needed } : { value: undefined };
+    if (text === "") return isRequired ? { fault: words.needed } : { value: undefined };
     if (kind === "switch") return { value: text === "true" };
     const parts = text.split(",").map((each) => each.trim()).filter((each) => each !== "");
     if (kind === "list") return { value: parts };
     if (kind === "numbers") {
-      const strange = parts.find((part) => numberOf(part, unit, "mm") === null);
-      return strange === undefined ? { value: parts.map((part) => numberOf(part, unit, "mm")) } : { fault: words.noNumber(strange) };
+      const strange = parts.find((part) => parseNumber(part, unit, "mm") === null);
+      return strange === undefined ? { value: parts.map((part) => parseNumber(part, unit, "mm")) } : { fault: words.noNumber(strange) };
     }
     if (kind === "text" || kind === "choice") return { value: text };
-    const value = numberOf(text, unit, this.store.get("units"));
+    const value = parseNumber(text, unit, this.store.get("units"));
     if (value === null) return { fault: words.noNumber(text) };
     const fault = typeof value === "number" ? this.faultOf(value) : "";
     return fault ? { fault } : { value };
@@ -147,7 +147,7 @@ export class Field {
     return below !== undefined && value >= below ? words.below(text(below)) : "";
   }
 
-  private async hand(): Promise<void> {
+  private async submit(): Promise<void> {
     const written = this.written();
     if ("fault" in written) return this.say(written.fault);
     this.say("");
@@ -155,9 +155,9 @@ export class Field {
   }
 
   private key(event: KeyboardEvent): void {
-    if (event.key !== "Escape" || this.control.value === this.shown || this.control instanceof HTMLSelectElement) return;
+    if (event.key !== "Escape" || this.control.value === this.displayed || this.control instanceof HTMLSelectElement) return;
     event.preventDefault();
-    this.control.value = this.shown;
+    this.control.value = this.displayed;
     this.say("");
   }
 

@@ -1,11 +1,11 @@
 // Numbers as users read and write them: files are in mm, the page in mm or inch.
 
 import type { Units } from "../../../core/store";
-import { length, lengthUnit, mmOf } from "../../../core/units";
+import { length, lengthUnit, toMm } from "../../../core/units";
 import type { Toml } from "../file/toml";
 
-const DIGITS = 9;
-const rounded = (value: number): number => Number(value.toPrecision(DIGITS));
+const MAX_DIGITS = 9;
+const rounded = (value: number): number => Number(value.toPrecision(MAX_DIGITS));
 
 const isLength = (unit: string): boolean => unit.startsWith("mm");
 
@@ -22,13 +22,13 @@ export function unitText(unit: string, units: Units): string {
 const suffixes = ["mm_s3", "mm_s2", "mm_s", "mm_min", "mm", "deg_s3", "deg_s2", "deg_s", "deg", "percent", "1_s", "s"];
 
 /** Returns the unit from the end of a key's name: "max_speed_mm_s" is in "mm/s". */
-export function unitOf(key: string): string {
+export function keyUnit(key: string): string {
   return suffixes.find((suffix) => key.endsWith(`_${suffix}`))?.replace("_", "/") ?? "";
 }
 
 /** Returns the shown name: "max_speed_mm_s" is "Max speed". */
-export function nameOf(key: string): string {
-  const unit = unitOf(key).replace("/", "_");
+export function keyLabel(key: string): string {
+  const unit = keyUnit(key).replace("/", "_");
   const bare = (unit ? key.slice(0, -unit.length - 1) : key).replaceAll("_", " ").replace(/(\D)(\d)$/, "$1 $2");
   return bare.charAt(0).toUpperCase() + bare.slice(1);
 }
@@ -41,10 +41,10 @@ export function numberText(value: Toml | undefined, unit: string, units: Units):
 }
 
 /** Converts typed text to a number for the file; null: not a number. */
-export function numberOf(text: string, unit: string, units: Units): number | string | null {
+export function parseNumber(text: string, unit: string, units: Units): number | string | null {
   const written = text.trim().toLowerCase().replace("−", "-");
   if (/^[+-]?inf$/.test(written)) return written.replace("+", "");
   const value = Number(written);
   if (written === "" || !Number.isFinite(value)) return null;
-  return isLength(unit) && units === "inch" ? rounded(mmOf(value, units)) : value;
+  return isLength(unit) && units === "inch" ? rounded(toMm(value, units)) : value;
 }

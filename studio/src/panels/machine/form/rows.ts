@@ -2,31 +2,31 @@
 
 import { element } from "../../../core/dom";
 import { texts } from "../../../texts";
-import type { Part } from "../file/model";
+import type { FileRole } from "../file/model";
 import type { At, Toml, TomlTable } from "../file/toml";
 import type { Context } from "./context";
-import { Field, type Spec } from "./field";
-import type { Key } from "./keys";
-import { nameOf } from "./quantity";
+import { Field, type FieldSpec } from "./field";
+import type { Key } from "./key_schema";
+import { keyLabel } from "./quantity";
 
 const words = texts.machine;
 
 /** A key's field. */
-export function specOf(key: Key, more: Partial<Spec> = {}): Spec {
+export function fieldSpec(key: Key, more: Partial<FieldSpec> = {}): FieldSpec {
   const { name, kind, elements, choices, open, required, ...range } = key;
-  const ofText = choices && !open ? "choice" : "text";
-  const kinds = { number: "number", text: ofText, switch: "switch", list: elements === "number" ? "numbers" : "list", table: "text" } as const;
-  const offered = choices?.map((choice) => [choice, choice] as const);
-  return { ...range, label: nameOf(name), kind: kinds[kind], choices: offered, isNeeded: required, ...more };
+  const textKind = choices && !open ? "choice" : "text";
+  const kinds = { number: "number", text: textKind, switch: "switch", list: elements === "number" ? "numbers" : "list", table: "text" } as const;
+  const listedOptions = choices?.map((choice) => [choice, choice] as const);
+  return { ...range, label: keyLabel(name), kind: kinds[kind], choices: listedOptions, isRequired: required, ...more };
 }
 
 /** Returns the defaults of keys that are not set. */
-export const defaultsOf = (keys: Key[]): TomlTable =>
+export const keyDefaults = (keys: Key[]): TomlTable =>
   Object.fromEntries(keys.flatMap(({ name, default: value }) => (value === undefined ? [] : [[name, value]])));
 
 /** Position of a table, and its name. */
 export interface Home {
-  part: Part;
+  part: FileRole;
   at: At;
   /** "X": part of the machine that it describes; empty: the complete machine. */
   owner: string;
@@ -39,7 +39,7 @@ export class Rows {
 
   constructor(
     private readonly context: Context,
-    specs: Record<string, Spec>,
+    specs: Record<string, FieldSpec>,
     private readonly home: () => Home,
     name = "rows",
   ) {
@@ -74,7 +74,7 @@ const POSE = ["x_mm", "y_mm", "z_mm", "roll_deg", "pitch_deg", "yaw_deg"] as con
 
 /** Creates the six numbers of a frame. */
 export function poseRows(context: Context, home: () => Home): Rows {
-  const spec = (key: string): Spec => ({
+  const spec = (key: string): FieldSpec => ({
     label: words.pose[key as (typeof POSE)[number]],
     kind: "number",
     unit: key.endsWith("mm") ? "mm" : "deg",

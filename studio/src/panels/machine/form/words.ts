@@ -4,7 +4,7 @@ import { arrange, element } from "../../../core/dom";
 import { texts } from "../../../texts";
 import type { TomlTable } from "../file/toml";
 import type { Context } from "./context";
-import { Field, type Spec } from "./field";
+import { Field, type FieldSpec } from "./field";
 import type { Home } from "./rows";
 
 const words = texts.machine.words;
@@ -19,7 +19,7 @@ export class WordRows {
   /** `spec`: description of each value; `first`: value of a new word. */
   constructor(
     private readonly context: Context,
-    private readonly spec: Omit<Spec, "label">,
+    private readonly spec: Omit<FieldSpec, "label">,
     private readonly first: string | number,
     private readonly home: () => Home,
   ) {

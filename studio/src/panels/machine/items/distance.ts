@@ -1,18 +1,18 @@
 // Distance between two bodies, at the shown instant.
 
 import { choice, element, offer } from "../../../core/dom";
-import { robotOf } from "../../../core/shown";
+import { shownRobot } from "../../../core/display_state";
 import type { Store } from "../../../core/store";
 import { lengthText } from "../../../core/units";
-import { coreOf, gapBetween } from "../../../run/gap";
+import { createCore, distanceBetween } from "../../../run/gap";
 import { texts } from "../../../texts";
 import type { Context, Section } from "../form/context";
 
 const words = texts.machine.distance;
 
 /** Returns mm, or null if one of them does not exist. */
-export function distanceOf(store: Store, first: string, second: string): number | null {
-  const robot = robotOf(store);
+export function bodyDistance(store: Store, first: string, second: string): number | null {
+  const robot = shownRobot(store);
   const bodies = robot?.scene.bodies ?? [];
   const [a, b] = [first, second].map((name) => bodies.find((body) => body.name === name));
   if (!robot || !a || !b) return null;
@@ -20,17 +20,17 @@ export function distanceOf(store: Store, first: string, second: string): number 
   const joints = robot.joints_at(t_s);
   if (!joints) return null;
   const { frames } = robot.chain.places(joints, t_s);
-  const [one, other] = [a, b].map(({ shape, frame }) => coreOf(shape, robot.meshes, frames[frame]));
-  return gapBetween(one, other);
+  const [one, other] = [a, b].map(({ shape, frame }) => createCore(shape, robot.meshes, frames[frame]));
+  return distanceBetween(one, other);
 }
 
 export function createDistance({ store }: Context): Section {
   const draw = () => {
-    const bodies = robotOf(store)?.scene.bodies ?? [];
+    const bodies = shownRobot(store)?.scene.bodies ?? [];
     const names = bodies.map(({ name }): [string, string] => [name, name]);
     offer(first, names, first.value || (names[0]?.[0] ?? ""));
     offer(second, names, second.value || (names[1]?.[0] ?? ""));
-    const gap_mm = distanceOf(store, first.value, second.value);
+    const gap_mm = bodyDistance(store, first.value, second.value);
     result.textContent = gap_mm === null ? words.none : gap_mm > 0 ? lengthText(gap_mm, store.get("units")) : words.touch;
     const hasMesh = bodies.some(({ name, shape }) => shape.kind === "mesh" && [first.value, second.value].includes(name));
     about.textContent = hasMesh ? words.ofHull : "";

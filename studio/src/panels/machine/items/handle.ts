@@ -1,12 +1,12 @@
 // Handle in the view that moves the chosen object, frame or body.
 
 import { Matrix4 } from "three";
-import { robotOf } from "../../../core/shown";
+import { shownRobot } from "../../../core/display_state";
 import { texts } from "../../../texts";
 import { tableAt, tablesAt, textAt, type TomlTable } from "../file/toml";
 import type { Context } from "../form/context";
-import type { Chosen, Item } from "./chosen";
-import { changesOfPose, matrixOf, poseOf } from "./pose";
+import type { ItemSelection, Item } from "./item_selection";
+import { poseChanges, poseMatrix, toPose } from "./pose";
 import { attachKey } from "./tree";
 
 /** Decimals of mm and degrees: manual motion is not finer. */
@@ -15,7 +15,7 @@ const DIGITS = 2;
 export class Handle {
   constructor(
     private readonly context: Context,
-    private readonly chosen: Chosen,
+    private readonly chosen: ItemSelection,
   ) {
     chosen.on(() => this.draw());
     for (const key of ["run", "time_s", "robot"] as const) context.store.on(key, () => this.draw());
@@ -24,10 +24,10 @@ export class Handle {
   /** Moves the handle to the chosen item, or removes it. */
   draw(): void {
     const { item } = this.chosen;
-    const place = item && this.placeOf(item);
-    const shown = this.context.store.get("handle");
+    const place = item && this.handlePose(item);
+    const displayed = this.context.store.get("handle");
     if (!item || !place) {
-      if (shown?.owner === this) this.context.store.set("handle", null);
+      if (displayed?.owner === this) this.context.store.set("handle", null);
       return;
     }
     this.context.store.set("handle", {
@@ -40,18 +40,18 @@ export class Handle {
   }
 
   /** Returns the pose from the current file; null if the parent does not exist. */
-  private placeOf(item: Item): { parent: Matrix4; pose: Matrix4; frame: number } | null {
+  private handlePose(item: Item): { parent: Matrix4; pose: Matrix4; frame: number } | null {
     const { store } = this.context;
-    const robot = robotOf(store);
+    const robot = shownRobot(store);
     const table = this.tables(item)[this.indexOf(item)];
     if (!robot?.scene.frames || !table) return null;
-    const numberOf = (name: string) => robot.scene.frames!.findIndex((frame) => frame.name === name);
+    const parseNumber = (name: string) => robot.scene.frames!.findIndex((frame) => frame.name === name);
     const on = textAt(table, [attachKey(item.kind)]) || "world";
     const t_s = store.get("time_s");
     const joints = robot.joints_at(t_s);
-    const parent = joints && robot.chain.places(joints, t_s).frames[numberOf(on === "jet" ? "tool" : on)];
+    const parent = joints && robot.chain.places(joints, t_s).frames[parseNumber(on === "jet" ? "tool" : on)];
     if (!parent) return null;
-    return { parent, pose: matrixOf(tableAt(table, ["frame"])), frame: numberOf(item.name) };
+    return { parent, pose: poseMatrix(tableAt(table, ["frame"])), frame: parseNumber(item.name) };
   }
 
   private tables({ part, kind }: Item): TomlTable[] {
@@ -68,7 +68,7 @@ export class Handle {
     const index = this.indexOf(item);
     if (index < 0) return;
     const at = [kind, index, "frame"];
-    const changes = changesOfPose(at, tableAt(model.value(part), at), poseOf(pose, DIGITS));
+    const changes = poseChanges(at, tableAt(model.value(part), at), toPose(pose, DIGITS));
     if (changes.length > 0) await edits.change(part, texts.machine.changed(name, texts.machine.items.moved), changes);
     this.draw();
   }

@@ -5,26 +5,26 @@ import { baseName } from "../../../core/kinds";
 import { referenceTo, resolved } from "../../../core/references";
 import { lengthNumber, lengthUnit } from "../../../core/units";
 import { texts } from "../../../texts";
-import type { Part } from "../file/model";
+import type { FileRole } from "../file/model";
 import { tableAt, tablesAt, textAt, type At, type Toml, type TomlChange, type TomlTable } from "../file/toml";
 import type { Card } from "../form/cards";
 import type { Context } from "../form/context";
 import { Field } from "../form/field";
 import { POSE_ZERO, Rows, poseRows, type Home } from "../form/rows";
-import type { Chosen } from "./chosen";
-import { isMesh, kindOfShape, numbersOf, placeOfNumber, shapeKinds, sizesOf, turnedInto, type ShapeKind } from "./shape";
-import { attachKey, freeNameOf, removing, renaming, type ItemKind } from "./tree";
+import type { ItemSelection } from "./item_selection";
+import { isMesh, shapeKind, shapeDimensions, dimensionPath, shapeKinds, shapeSizes, convertShape, type ShapeKind } from "./shape";
+import { attachKey, freeItemName, removeChanges, renameChanges, type ItemKind } from "./tree";
 
 const words = texts.machine.items;
 
 export interface ItemEvents {
-  renamed(to: string): void;
+  onRenamed(to: string): void;
   /** Returns the names of possible parents. */
   parents(index: number): string[];
   isTaken(name: string): boolean;
 }
 
-const LONGEST_MM = 1e6;
+const MAX_LENGTH_MM = 1e6;
 
 export class ItemCard implements Card {
   readonly element: HTMLDetailsElement;
@@ -41,21 +41,21 @@ export class ItemCard implements Card {
 
   constructor(
     private readonly context: Context,
-    private readonly part: Part,
+    private readonly part: FileRole,
     private readonly kind: ItemKind,
-    private readonly chosen: Chosen,
+    private readonly chosen: ItemSelection,
     private readonly events: ItemEvents,
   ) {
     const { store } = context;
     const home = (below: At = []) => (): Home => ({ part, at: [...this.at, ...below], owner: this.called });
-    this.name = new Field(store, { label: words.name, kind: "text", isNeeded: true }, (value) => this.rename(String(value)));
-    const attach = { label: kind === "shape" ? words.on : words.attachedTo, kind: "choice" as const, isNeeded: kind === "shape" };
+    this.name = new Field(store, { label: words.name, kind: "text", isRequired: true }, (value) => this.rename(String(value)));
+    const attach = { label: kind === "shape" ? words.on : words.attachedTo, kind: "choice" as const, isRequired: kind === "shape" };
     this.attached = new Field(store, attach, (value) => this.put(attach.label, attachKey(kind), value));
     const roles = (["fixture", "workpiece"] as const).map((each) => [each, words.roles[each]] as const);
     this.role = new Rows(context, kind === "object" ? { role: { label: words.role, kind: "choice", choices: roles, meaning: words.roleHint } } : {}, home());
     const kinds = shapeKinds.map((each) => [each, words.shapes[each]] as const);
-    this.shape = new Field(store, { label: words.shape, kind: "choice", choices: kinds, isNeeded: true }, (value) => this.changeShape(value as ShapeKind));
-    this.mesh = new Field(store, { label: words.file, kind: "choice", isNeeded: true }, (value) => this.putMesh(String(value)));
+    this.shape = new Field(store, { label: words.shape, kind: "choice", choices: kinds, isRequired: true }, (value) => this.changeShape(value as ShapeKind));
+    this.mesh = new Field(store, { label: words.file, kind: "choice", isRequired: true }, (value) => this.putMesh(String(value)));
     this.meshRows = new Rows(context, { scale: { label: words.scale, kind: "number", above: 0, meaning: words.scaleHint } }, home(["shape"]));
     this.sizes = Object.fromEntries(shapeKinds.map((each) => [each, this.sizeFields(each)]));
     this.pose = poseRows(context, home(["frame"]));
@@ -64,10 +64,10 @@ export class ItemCard implements Card {
   }
 
   private sizeFields(kind: ShapeKind): Field[] {
-    return sizesOf(kind).parts.map((part, i) => {
+    return shapeSizes(kind).parts.map((part, i) => {
       const label = words.sizes[part as keyof typeof words.sizes];
-      const spec = { label, kind: "number" as const, unit: "mm", above: 0, most: LONGEST_MM, isNeeded: true, isNarrow: true };
-      return new Field(this.context.store, spec, (value) => this.edit(label, [{ op: "set", at: [...this.at, "shape", ...placeOfNumber(kind, i)], value: value! }]));
+      const spec = { label, kind: "number" as const, unit: "mm", above: 0, most: MAX_LENGTH_MM, isRequired: true, isNarrow: true };
+      return new Field(this.context.store, spec, (value) => this.edit(label, [{ op: "set", at: [...this.at, "shape", ...dimensionPath(kind, i)], value: value! }]));
     });
   }
 
@@ -105,7 +105,7 @@ export class ItemCard implements Card {
     this.index = index;
     const { table } = this;
     const shape = tableAt(table, ["shape"]);
-    const kind = kindOfShape(shape);
+    const kind = shapeKind(shape);
     this.title.replaceChildren(element("b", {}, this.called || words.nameless), ` ${this.about(shape, kind)}`);
     this.name.show(table.name);
     this.role.show(table, { role: "fixture" });
@@ -113,8 +113,8 @@ export class ItemCard implements Card {
     this.attached.show(table[attachKey(this.kind)], this.kind === "shape" ? undefined : "world");
     this.pose.show(tableAt(table, ["frame"]), POSE_ZERO);
     if (this.kind !== "frame") this.drawShape(shape, kind);
-    const isChosen = this.chosen.is(this.part, this.kind, this.called);
-    if (this.element.open !== isChosen) this.open(isChosen);
+    const isSelected = this.chosen.is(this.part, this.kind, this.called);
+    if (this.element.open !== isSelected) this.open(isSelected);
   }
 
   /** Opens the card; one chosen elsewhere is scrolled into view. */
@@ -128,7 +128,7 @@ export class ItemCard implements Card {
   private drawShape(shape: TomlTable, kind: ShapeKind | null): void {
     const { model, session } = this.context;
     this.shape.show(kind ?? undefined);
-    const numbers = numbersOf(shape);
+    const numbers = shapeDimensions(shape);
     for (const [each, fields] of Object.entries(this.sizes)) {
       fields.forEach((field, i) => {
         field.element.hidden = each !== kind;
@@ -148,13 +148,13 @@ export class ItemCard implements Card {
     if (this.kind === "frame") return "";
     if (kind === "mesh") return baseName(textAt(shape, ["mesh"]));
     const units = this.context.store.get("units");
-    const numbers = numbersOf(shape).map((mm) => String(Number(lengthNumber(mm, units))));
+    const numbers = shapeDimensions(shape).map((mm) => String(Number(lengthNumber(mm, units))));
     return kind ? `${words.shapes[kind]} ${numbers.join(" × ")} ${lengthUnit(units)}` : words.noShape;
   }
 
   private toggled(): void {
-    const isChosen = this.chosen.is(this.part, this.kind, this.called);
-    if (this.element.open === isChosen) return;
+    const isSelected = this.chosen.is(this.part, this.kind, this.called);
+    if (this.element.open === isSelected) return;
     this.chosen.choose(this.element.open ? { part: this.part, kind: this.kind, name: this.called } : null);
   }
 
@@ -172,8 +172,8 @@ export class ItemCard implements Card {
     if (to === this.called) return Promise.resolve("");
     if (this.events.isTaken(to)) return Promise.resolve(words.taken(to));
     const from = this.called;
-    return this.edit(words.name, renaming(this.file, this.at, from, to), () => {
-      this.events.renamed(to);
+    return this.edit(words.name, renameChanges(this.file, this.at, from, to), () => {
+      this.events.onRenamed(to);
       this.chosen.rename(this.part, this.kind, from, to);
     });
   }
@@ -183,7 +183,7 @@ export class ItemCard implements Card {
     const mesh = [...documents.ownNames(), ...documents.samples.keys()].find(isMesh);
     if (kind === "mesh" && !mesh) return Promise.resolve(words.noMesh);
     const reference = mesh ? referenceTo(this.context.model.file(this.part), mesh) : "";
-    const value = turnedInto(kind, tableAt(this.table, ["shape"]), reference);
+    const value = convertShape(kind, tableAt(this.table, ["shape"]), reference);
     return this.edit(words.shape, [{ op: "set", at: [...this.at, "shape"], value }]);
   }
 
@@ -193,12 +193,12 @@ export class ItemCard implements Card {
   }
 
   private duplicate(): Promise<string> {
-    const name = freeNameOf(this.called, this.events.isTaken);
+    const name = freeItemName(this.called, this.events.isTaken);
     const change = { op: "add" as const, at: [this.kind], value: { ...this.table, name } };
     return this.edit(words.duplicated, [change], () => this.chosen.choose({ part: this.part, kind: this.kind, name }));
   }
 
   private remove(): Promise<string> {
-    return this.edit(words.removed, removing(this.file, this.kind, this.index), () => this.chosen.choose(null));
+    return this.edit(words.removed, removeChanges(this.file, this.kind, this.index), () => this.chosen.choose(null));
   }
 }

@@ -2,55 +2,55 @@
 
 import { element } from "../../../core/dom";
 import { texts } from "../../../texts";
-import type { Part } from "../file/model";
+import type { FileRole } from "../file/model";
 import { tablesAt, textAt, type Toml, type TomlTable } from "../file/toml";
-import { Cards } from "../form/cards";
+import { CardList } from "../form/cards";
 import type { Context, Section } from "../form/context";
-import type { Chosen } from "./chosen";
+import type { ItemSelection } from "./item_selection";
 import { ItemCard } from "./item_card";
-import { freeNameOf, type ItemKind } from "./tree";
+import { freeItemName, type ItemKind } from "./tree";
 
 const words = texts.machine.items;
 
-const namesOf = (value: TomlTable, kind: ItemKind): string[] => tablesAt(value, [kind]).map((table) => textAt(table, ["name"]));
+const tableNames = (value: TomlTable, kind: ItemKind): string[] => tablesAt(value, [kind]).map((table) => textAt(table, ["name"]));
 
 /** Returns the names of objects and of machine parts that a file may use. */
-export function bodyNames({ model }: Context, part: Part): string[] {
-  const ofMachine = namesOf(model.value("machine"), "shape");
+export function bodyNames({ model }: Context, part: FileRole): string[] {
+  const machineBodies = tableNames(model.value("machine"), "shape");
   const cell = model.value("cell");
-  return part === "machine" ? ofMachine : [...namesOf(cell, "object"), ...namesOf(cell, "shape"), ...ofMachine];
+  return part === "machine" ? machineBodies : [...tableNames(cell, "object"), ...tableNames(cell, "shape"), ...machineBodies];
 }
 
 /** Returns the names that are already used. */
-const takenNames = (context: Context): string[] => [...namesOf(context.model.value("cell"), "frame"), ...bodyNames(context, "cell")];
+const usedNames = (context: Context): string[] => [...tableNames(context.model.value("cell"), "frame"), ...bodyNames(context, "cell")];
 
 /** Returns the parts of the machine that can be parents. */
-function placesOfMachine({ model }: Context): string[] {
+function machineParents({ model }: Context): string[] {
   const letters = tablesAt(model.value("machine"), ["axis"]).map((axis) => textAt(axis, ["letter"]));
   return ["base", ...letters, "tool", "work"];
 }
 
-function parentsOf(context: Context, kind: ItemKind, index: number): string[] {
-  const ofMachine = placesOfMachine(context);
-  if (kind === "shape") return [...ofMachine, "jet"];
+function possibleParents(context: Context, kind: ItemKind, index: number): string[] {
+  const machineBodies = machineParents(context);
+  if (kind === "shape") return [...machineBodies, "jet"];
   const cell = context.model.value("cell");
-  const frames = namesOf(cell, "frame");
-  const above = kind === "frame" ? frames.slice(0, index) : [...frames, ...namesOf(cell, "object").slice(0, index)];
+  const frames = tableNames(cell, "frame");
+  const above = kind === "frame" ? frames.slice(0, index) : [...frames, ...tableNames(cell, "object").slice(0, index)];
   const conveyors = tablesAt(context.model.value("robots"), ["conveyor"]).map((table) => textAt(table, ["name"]));
-  return ["world", ...above, ...conveyors, ...ofMachine, ...namesOf(context.model.value("machine"), "shape")];
+  return ["world", ...above, ...conveyors, ...machineBodies, ...tableNames(context.model.value("machine"), "shape")];
 }
 
 /** Name and contents of a new item. */
-interface Offer {
+interface NewItemOption {
   label: string;
   name: string;
   table: Record<string, Toml>;
 }
 
-export function offersOf(kind: ItemKind): Offer[] {
+export function newItemOptions(kind: ItemKind): NewItemOption[] {
   if (kind === "frame") return [{ label: words.addFrame, name: words.newFrame, table: {} }];
   const on: Record<string, Toml> = kind === "shape" ? { on: "tool" } : {};
-  const offer = (shape: "box" | "cylinder" | "sphere", form: Record<string, Toml>): Offer => ({
+  const offer = (shape: "box" | "cylinder" | "sphere", form: Record<string, Toml>): NewItemOption => ({
     label: words.add(words.shapes[shape]),
     name: words.shapes[shape],
     table: { ...on, shape: form },
@@ -62,24 +62,24 @@ export function offersOf(kind: ItemKind): Offer[] {
   ];
 }
 
-export function createItems(context: Context, part: Part, kind: ItemKind, chosen: Chosen): Section & { add(offer: Offer): Promise<string> } {
+export function createItemList(context: Context, part: FileRole, kind: ItemKind, chosen: ItemSelection): Section & { add(offer: NewItemOption): Promise<string> } {
   const host = element("div", { class: "cards" });
-  const isTaken = (name: string) => takenNames(context).includes(name);
-  const cards: Cards = new Cards(host, (name) => {
+  const isTaken = (name: string) => usedNames(context).includes(name);
+  const cards: CardList = new CardList(host, (name) => {
     let known = name;
-    const renamed = (to: string) => {
+    const onRenamed = (to: string) => {
       cards.rename(known, to);
       known = to;
     };
-    return new ItemCard(context, part, kind, chosen, { renamed, parents: (index) => parentsOf(context, kind, index), isTaken });
+    return new ItemCard(context, part, kind, chosen, { onRenamed, parents: (index) => possibleParents(context, kind, index), isTaken });
   });
-  const add = ({ name: wanted, table }: Offer) => {
-    const name = freeNameOf(wanted, isTaken);
+  const add = ({ name: requested, table }: NewItemOption) => {
+    const name = freeItemName(requested, isTaken);
     const change = { op: "add" as const, at: [kind], value: { name, ...table } };
     return context.edits.change(part, texts.machine.changed(name, words.added), [change], () => chosen.choose({ part, kind, name }));
   };
-  const buttons = offersOf(kind).map((offer) => element("button", { type: "button", onclick: () => void add(offer) }, offer.label));
-  const draw = () => cards.draw(namesOf(context.model.value(part), kind).map((name, i) => name || String(i + 1)));
+  const buttons = newItemOptions(kind).map((offer) => element("button", { type: "button", onclick: () => void add(offer) }, offer.label));
+  const draw = () => cards.draw(tableNames(context.model.value(part), kind).map((name, i) => name || String(i + 1)));
   chosen.on(draw);
   return { element: element("div", {}, host, element("div", { class: "buttons" }, ...buttons)), draw, add };
 }

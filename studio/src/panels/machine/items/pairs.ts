@@ -2,14 +2,14 @@
 
 import { arrange, choice, element, offer } from "../../../core/dom";
 import { texts } from "../../../texts";
-import type { Part } from "../file/model";
+import type { FileRole } from "../file/model";
 import type { Context, Section } from "../form/context";
 import { bodyNames } from "./list";
 import { ignoredPairs } from "./tree";
 
 const words = texts.machine.pairs;
 
-export function createPairs(context: Context, part: Part): Section {
+export function createPairs(context: Context, part: FileRole): Section {
   const list = element("ul", { class: "pairs" });
   const rows = new Map<string, HTMLElement>();
   const [first, second] = [words.first, words.second].map((label) => choice(label, [], "", () => {}));
@@ -26,7 +26,7 @@ export function createPairs(context: Context, part: Part): Section {
     const at = pairs().findIndex((pair) => pair.join(" – ") === text);
     if (at >= 0) void edit(words.removed, { op: "remove", at: ["ignore", at] });
   };
-  const rowOf = (text: string) => {
+  const createRow = (text: string) => {
     const button = element("button", { type: "button", "aria-label": words.remove(text), onclick: () => remove(text) }, "×");
     return element("li", {}, text, button);
   };
@@ -34,7 +34,7 @@ export function createPairs(context: Context, part: Part): Section {
     element: element("div", {}, element("p", { class: "note" }, words.about), list, element("div", { class: "buttons" }, first, second, element("button", { type: "button", onclick: add }, words.add)), fault),
     draw() {
       const texts = [...new Set(pairs().map((pair) => pair.join(" – ")))];
-      for (const text of texts) if (!rows.has(text)) rows.set(text, rowOf(text));
+      for (const text of texts) if (!rows.has(text)) rows.set(text, createRow(text));
       for (const text of [...rows.keys()]) if (!texts.includes(text)) rows.delete(text);
       arrange(list, texts.map((text) => rows.get(text)!));
       const names = bodyNames(context, part).map((name): [string, string] => [name, name]);

@@ -7,14 +7,14 @@ const { degToRad, radToDeg } = MathUtils;
 
 const numberAt = (table: TomlTable, key: string): number => (typeof table[key] === "number" ? table[key] : 0);
 
-export function matrixOf(pose: TomlTable): Matrix4 {
+export function poseMatrix(pose: TomlTable): Matrix4 {
   const [roll, pitch, yaw] = ["roll_deg", "pitch_deg", "yaw_deg"].map((key) => degToRad(numberAt(pose, key)));
   const turned = new Matrix4().makeRotationFromEuler(new Euler(yaw, pitch, roll, "ZYX"));
   return turned.setPosition(numberAt(pose, "x_mm"), numberAt(pose, "y_mm"), numberAt(pose, "z_mm"));
 }
 
 /** Returns a rigid matrix as the table of a frame, with so many digits. */
-export function poseOf(matrix: Matrix4, digits: number): TomlTable {
+export function toPose(matrix: Matrix4, digits: number): TomlTable {
   const place = new Vector3().setFromMatrixPosition(matrix);
   const { x, y, z } = new Euler().setFromRotationMatrix(matrix, "ZYX");
   // Avoids "-0".
@@ -31,7 +31,7 @@ export function poseOf(matrix: Matrix4, digits: number): TomlTable {
 }
 
 /** Returns the changes that turn one frame into another; unchanged numbers are left out. */
-export function changesOfPose(at: At, before: TomlTable, after: TomlTable): TomlChange[] {
+export function poseChanges(at: At, before: TomlTable, after: TomlTable): TomlChange[] {
   return Object.entries(after).flatMap(([key, value]): TomlChange[] =>
     numberAt(before, key) === value ? [] : [{ op: "set", at: [...at, key], value }],
   );

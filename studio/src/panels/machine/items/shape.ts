@@ -13,29 +13,29 @@ const sizes: Record<Exclude<ShapeKind, "mesh">, { key: string; parts: string[] }
   sphere: { key: "sphere_mm", parts: ["diameter"] },
 };
 
-export const sizesOf = (kind: ShapeKind): { key: string; parts: string[] } => (kind === "mesh" ? { key: "mesh", parts: [] } : sizes[kind]);
+export const shapeSizes = (kind: ShapeKind): { key: string; parts: string[] } => (kind === "mesh" ? { key: "mesh", parts: [] } : sizes[kind]);
 
 /** Returns null if the kind is not known. */
-export const kindOfShape = (shape: TomlTable): ShapeKind | null => shapeKinds.find((kind) => sizesOf(kind).key in shape) ?? null;
+export const shapeKind = (shape: TomlTable): ShapeKind | null => shapeKinds.find((kind) => shapeSizes(kind).key in shape) ?? null;
 
-export function numbersOf(shape: TomlTable): number[] {
-  const kind = kindOfShape(shape);
-  const value = kind ? shape[sizesOf(kind).key] : [];
+export function shapeDimensions(shape: TomlTable): number[] {
+  const kind = shapeKind(shape);
+  const value = kind ? shape[shapeSizes(kind).key] : [];
   return (Array.isArray(value) ? value : [value]).filter((each): each is number => typeof each === "number");
 }
 
 /** Returns the position of a number below its shape: those of a list by their index. */
-export const placeOfNumber = (kind: ShapeKind, part: number): (string | number)[] =>
-  kind === "sphere" ? [sizesOf(kind).key] : [sizesOf(kind).key, part];
+export const dimensionPath = (kind: ShapeKind, part: number): (string | number)[] =>
+  kind === "sphere" ? [shapeSizes(kind).key] : [shapeSizes(kind).key, part];
 
-const USUAL_MM = 100;
+const DEFAULT_SIZE_MM = 100;
 
 /** Another kind, about as large. */
-export function turnedInto(kind: ShapeKind, shape: TomlTable, mesh: string): TomlTable {
+export function convertShape(kind: ShapeKind, shape: TomlTable, mesh: string): TomlTable {
   if (kind === "mesh") return { mesh };
-  const [width = USUAL_MM, second = width, third = second] = numbersOf(shape);
+  const [width = DEFAULT_SIZE_MM, second = width, third = second] = shapeDimensions(shape);
   const values: Record<Exclude<ShapeKind, "mesh">, Toml> = {
-    box: [width, kindOfShape(shape) === "box" ? second : width, third],
+    box: [width, shapeKind(shape) === "box" ? second : width, third],
     cylinder: [width, third],
     capsule: [width, third],
     sphere: width,

@@ -3,7 +3,7 @@
 
 import { Matrix4 } from "three";
 import { tableAt, tablesAt, textAt, valueAt, type At, type TomlChange, type TomlTable } from "../file/toml";
-import { changesOfPose, matrixOf, poseOf } from "./pose";
+import { poseChanges, poseMatrix, toPose } from "./pose";
 
 /** Tables of a cell or a machine that have a pose. */
 export type ItemKind = "frame" | "object" | "shape";
@@ -13,15 +13,15 @@ export const attachKey = (kind: ItemKind): string => (kind === "shape" ? "on" : 
 
 const DIGITS = 6;
 
-interface Attached {
+interface AttachedItem {
   at: At;
   table: TomlTable;
 }
 
 /** Returns all tables of the file with this name in `attached_to`. */
-function attachedTo(value: TomlTable, name: string): Attached[] {
+function itemsAttachedTo(value: TomlTable, name: string): AttachedItem[] {
   return (["frame", "object"] as const).flatMap((kind) =>
-    tablesAt(value, [kind]).flatMap((table, i): Attached[] => (table.attached_to === name ? [{ at: [kind, i], table }] : [])),
+    tablesAt(value, [kind]).flatMap((table, i): AttachedItem[] => (table.attached_to === name ? [{ at: [kind, i], table }] : [])),
   );
 }
 
@@ -33,8 +33,8 @@ export function ignoredPairs(value: TomlTable): [string, string][] {
 }
 
 /** Returns the changes for a new name, also in references. */
-export function renaming(value: TomlTable, at: At, from: string, to: string): TomlChange[] {
-  const attached = attachedTo(value, from).map(({ at: place }): TomlChange => ({ op: "set", at: [...place, "attached_to"], value: to }));
+export function renameChanges(value: TomlTable, at: At, from: string, to: string): TomlChange[] {
+  const attached = itemsAttachedTo(value, from).map(({ at: place }): TomlChange => ({ op: "set", at: [...place, "attached_to"], value: to }));
   const ignored = ignoredPairs(value).flatMap((pair, i) =>
     pair.flatMap((name, part): TomlChange[] => (name === from ? [{ op: "set", at: ["ignore", i, part], value: to }] : [])),
   );
@@ -42,23 +42,23 @@ export function renaming(value: TomlTable, at: At, from: string, to: string): To
 }
 
 /** Removes an item: attached items keep their pose, and pairs with it are removed. */
-export function removing(value: TomlTable, kind: ItemKind, index: number): TomlChange[] {
+export function removeChanges(value: TomlTable, kind: ItemKind, index: number): TomlChange[] {
   const table = tablesAt(value, [kind])[index];
   const name = textAt(table, ["name"]);
   const parent = textAt(table, ["attached_to"]);
-  const own = matrixOf(tableAt(table, ["frame"]));
-  const left = attachedTo(value, name).flatMap(({ at, table: other }): TomlChange[] => {
+  const own = poseMatrix(tableAt(table, ["frame"]));
+  const left = itemsAttachedTo(value, name).flatMap(({ at, table: other }): TomlChange[] => {
     const pose = tableAt(other, ["frame"]);
-    const place = poseOf(new Matrix4().multiplyMatrices(own, matrixOf(pose)), DIGITS);
+    const place = toPose(new Matrix4().multiplyMatrices(own, poseMatrix(pose)), DIGITS);
     const again: TomlChange = parent ? { op: "set", at: [...at, "attached_to"], value: parent } : { op: "remove", at: [...at, "attached_to"] };
-    return [again, ...changesOfPose([...at, "frame"], pose, place)];
+    return [again, ...poseChanges([...at, "frame"], pose, place)];
   });
   const pairs = ignoredPairs(value).flatMap((pair, i): number[] => (pair.includes(name) ? [i] : [])).reverse();
   return [...left, ...pairs.map((i): TomlChange => ({ op: "remove", at: ["ignore", i] })), { op: "remove", at: [kind, index] }];
 }
 
 /** Returns a free name: "clamp 2", if "clamp" is taken. */
-export function freeNameOf(name: string, isTaken: (name: string) => boolean): string {
+export function freeItemName(name: string, isTaken: (name: string) => boolean): string {
   const stem = name.replace(/ \d+$/, "");
   let free = name;
   for (let i = 2; isTaken(free); ++i) free = `${stem} ${i}`;

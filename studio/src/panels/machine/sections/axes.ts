@@ -3,15 +3,15 @@
 import { element } from "../../../core/dom";
 import { texts } from "../../../texts";
 import { tableAt, tablesAt, textAt, type TomlChange, type TomlTable } from "../file/toml";
-import { Cards, type Card } from "../form/cards";
+import { CardList, type Card } from "../form/cards";
 import type { Context, Section } from "../form/context";
-import { Field, type Spec } from "../form/field";
-import type { Key } from "../form/keys";
+import { Field, type FieldSpec } from "../form/field";
+import type { Key } from "../form/key_schema";
 import { numberText, unitText } from "../form/quantity";
-import { POSE_ZERO, Rows, defaultsOf, poseRows, specOf } from "../form/rows";
+import { POSE_ZERO, Rows, keyDefaults, poseRows, fieldSpec } from "../form/rows";
 
 const words = texts.machine.axes;
-const LETTERS = [..."XYZABCUVW"];
+const AXIS_LETTERS = [..."XYZABCUVW"];
 
 type Kind = "linear" | "rotary";
 const kindOf = (axis: TomlTable): Kind => (axis.kind === "rotary" ? "rotary" : "linear");
@@ -22,7 +22,7 @@ const mainKeys = (kind: Kind): string[] =>
     ? ["min_mm", "max_mm", "max_speed_mm_s", "max_acceleration_mm_s2", "max_jerk_mm_s3", "home_mm"]
     : ["min_deg", "max_deg", "max_speed_deg_s", "max_acceleration_deg_s2", "max_jerk_deg_s3", "home_deg"];
 
-const ofItself = ["letter", "kind", "direction", "frame", "dh"];
+const basicKeys = ["letter", "kind", "direction", "frame", "dh"];
 const DH = ["theta_deg", "d_mm", "a_mm", "alpha_deg"];
 
 class AxisCard implements Card {
@@ -34,37 +34,37 @@ class AxisCard implements Card {
   private readonly direction: Rows;
   private readonly frame: Rows;
   private readonly dh: Rows;
-  private readonly ofKind: Record<Kind, { main: Rows; more: Rows }>;
+  private readonly rowsByKind: Record<Kind, { main: Rows; more: Rows }>;
 
   constructor(
     private readonly context: Context,
     private readonly keys: Record<Kind, Key[]>,
-    private readonly renamed: (to: string) => void,
+    private readonly onRenamed: (to: string) => void,
   ) {
     const home = () => ({ part: "machine" as const, at: ["axis", this.index], owner: this.name });
     const below = (key: string) => () => ({ ...home(), at: ["axis", this.index, key] });
-    const letters = LETTERS.map((each) => [each, each] as const);
+    const letters = AXIS_LETTERS.map((each) => [each, each] as const);
     const kinds = (["linear", "rotary"] as const).map((each) => [each, words[each]] as const);
-    this.letter = new Field(context.store, { label: words.letter, kind: "choice", choices: letters, isNeeded: true }, (value) => this.rename(String(value)));
-    this.kind = new Field(context.store, { label: words.kind, kind: "choice", choices: kinds, isNeeded: true, meaning: words.kindHint }, (value) => this.changeKind(String(value)));
-    const ofKind = (kind: Kind) => {
-      const all = keys[kind].filter(({ name }) => !ofItself.includes(name));
+    this.letter = new Field(context.store, { label: words.letter, kind: "choice", choices: letters, isRequired: true }, (value) => this.rename(String(value)));
+    this.kind = new Field(context.store, { label: words.kind, kind: "choice", choices: kinds, isRequired: true, meaning: words.kindHint }, (value) => this.changeKind(String(value)));
+    const rowsByKind = (kind: Kind) => {
+      const all = keys[kind].filter(({ name }) => !basicKeys.includes(name));
       const main = mainKeys(kind);
       const rows = (isMain: boolean) =>
-        new Rows(context, Object.fromEntries(all.filter(({ name }) => main.includes(name) === isMain).map((key) => [key.name, specOf(key)])), home);
+        new Rows(context, Object.fromEntries(all.filter(({ name }) => main.includes(name) === isMain).map((key) => [key.name, fieldSpec(key)])), home);
       return { main: rows(true), more: rows(false) };
     };
-    this.ofKind = { linear: ofKind("linear"), rotary: ofKind("rotary") };
+    this.rowsByKind = { linear: rowsByKind("linear"), rotary: rowsByKind("rotary") };
     const direction = keys.linear.find(({ name }) => name === "direction");
-    this.direction = new Rows(context, direction ? { direction: specOf(direction) } : {}, home);
+    this.direction = new Rows(context, direction ? { direction: fieldSpec(direction) } : {}, home);
     this.frame = poseRows(context, below("frame"));
-    const dh = (key: string): Spec => ({ label: words.dh[key as keyof typeof words.dh], kind: "number", unit: key.endsWith("mm") ? "mm" : "deg", isNarrow: true });
+    const dh = (key: string): FieldSpec => ({ label: words.dh[key as keyof typeof words.dh], kind: "number", unit: key.endsWith("mm") ? "mm" : "deg", isNarrow: true });
     this.dh = new Rows(context, Object.fromEntries(DH.map((key) => [key, dh(key)])), below("dh"), "rows pose");
     this.element = this.layOut();
   }
 
   private layOut(): HTMLDetailsElement {
-    const { linear, rotary } = this.ofKind;
+    const { linear, rotary } = this.rowsByKind;
     const button = (text: string, act: () => void) => element("button", { type: "button", onclick: act }, text);
     const more = element(
       "details",
@@ -103,13 +103,13 @@ class AxisCard implements Card {
     this.title.replaceChildren(element("b", {}, this.name), ` ${this.about(axis, kind)}`);
     this.letter.show(axis.letter);
     this.kind.show(axis.kind);
-    for (const [each, { main, more }] of Object.entries(this.ofKind)) {
+    for (const [each, { main, more }] of Object.entries(this.rowsByKind)) {
       main.element.hidden = more.element.hidden = each !== kind;
-      if (each === kind) for (const rows of [main, more]) rows.show(axis, defaultsOf(this.keys[kind]));
+      if (each === kind) for (const rows of [main, more]) rows.show(axis, keyDefaults(this.keys[kind]));
     }
-    const isDh = axis.dh !== undefined;
-    this.direction.element.hidden = this.frame.element.hidden = isDh;
-    this.dh.element.hidden = !isDh;
+    const hasDh = axis.dh !== undefined;
+    this.direction.element.hidden = this.frame.element.hidden = hasDh;
+    this.dh.element.hidden = !hasDh;
     this.direction.show(axis);
     this.frame.show(tableAt(axis, ["frame"]), POSE_ZERO);
     this.dh.show(tableAt(axis, ["dh"]), { theta_deg: 0, d_mm: 0, a_mm: 0, alpha_deg: 0 });
@@ -129,7 +129,7 @@ class AxisCard implements Card {
 
   private rename(letter: string): Promise<string> {
     const change = { op: "set" as const, at: ["axis", this.index, "letter"], value: letter };
-    return this.edit(words.letter, [change], () => this.renamed(letter));
+    return this.edit(words.letter, [change], () => this.onRenamed(letter));
   }
 
   /** Changes the kind; values in mm mean nothing in degrees, and are removed. */
@@ -156,7 +156,7 @@ class AxisCard implements Card {
 
 export function createAxes(context: Context, keys: Record<Kind, Key[]>): Section {
   const host = element("div", { class: "cards" });
-  const cards: Cards = new Cards(host, (name) => {
+  const cards: CardList = new CardList(host, (name) => {
     let known = name;
     return new AxisCard(context, keys, (to) => {
       cards.rename(known, to);
@@ -165,7 +165,7 @@ export function createAxes(context: Context, keys: Record<Kind, Key[]>): Section
   });
   const axes = () => tablesAt(context.model.value("machine"), ["axis"]);
   const add = (kind: Kind) => {
-    const letter = LETTERS.find((each) => !axes().some((axis) => axis.letter === each));
+    const letter = AXIS_LETTERS.find((each) => !axes().some((axis) => axis.letter === each));
     if (!letter) return;
     const value = { letter, kind, direction: "z" };
     void context.edits.change("machine", texts.machine.changed(letter, words.added), [{ op: "add", at: ["axis"], value }]);

@@ -2,7 +2,7 @@
 
 import { arrange, element } from "../../../core/dom";
 import { texts } from "../../../texts";
-import type { Checked } from "../file/model";
+import type { CheckResponse } from "../file/model";
 
 const words = texts.machine.check;
 
@@ -25,37 +25,37 @@ interface Line {
 
 const plain = (text: string): Line => ({ kind: "plain", text });
 
-function ofInverse({ inverse }: MachineCheck): Line {
+function inverseLine({ inverse }: MachineCheck): Line {
   if (!inverse) return plain(words.noInverse);
   const bad = inverse.unsolved + inverse.out_of_range + inverse.off;
   if (bad > 0) return { kind: "bad", text: words.inverseFails(bad, inverse.poses) };
   return { kind: "good", text: words.inverseHolds(inverse.poses, inverse.worst_mm.toExponential(1), inverse.worst_deg.toExponential(1)) };
 }
 
-function ofSingular({ singular: { ranges, near_share, at_home } }: MachineCheck): Line[] {
+function singularLines({ singular: { ranges, near_share, at_home } }: MachineCheck): Line[] {
   const lines = ranges.map(({ axis, min_deg, max_deg, lined_up }) => plain(words.singular(axis, min_deg.toFixed(1), max_deg.toFixed(1), lined_up.join(" "))));
   if (near_share > 0) lines.push(plain(words.nearSingular((100 * near_share).toFixed(1))));
   if (at_home) lines.push(plain(words.singularHome));
   return lines;
 }
 
-function ofPairs({ pairs }: MachineCheck): Line[] {
+function pairLines({ pairs }: MachineCheck): Line[] {
   const at = (values: Record<string, number>) => Object.entries(values).map(([letter, value]) => `${letter} ${Number(value.toFixed(1))}`).join(" ");
-  const named = pairs.filter(({ verdict }) => verdict !== "free").map(({ pair, verdict, nearest_mm, at: where }): Line => {
+  const blockingPairs = pairs.filter(({ verdict }) => verdict !== "free").map(({ pair, verdict, nearest_mm, at: where }): Line => {
     const text = verdict === "touch" ? words.touch(pair.join(" – "), at(where)) : words.undecided(pair.join(" – "), nearest_mm.toFixed(1));
     return { kind: "bad", text };
   });
-  const free = pairs.length - named.length;
-  return free > 0 ? [...named, { kind: "good", text: words.free(free) }] : named;
+  const free = pairs.length - blockingPairs.length;
+  return free > 0 ? [...blockingPairs, { kind: "good", text: words.free(free) }] : blockingPairs;
 }
 
-export function linesOf(check: MachineCheck): Line[] {
+export function checkLines(check: MachineCheck): Line[] {
   return [
     ...check.motions.map(({ text }) => plain(text)),
     ...check.left_handed.map((text): Line => ({ kind: "bad", text })),
-    ofInverse(check),
-    ...ofSingular(check),
-    ...ofPairs(check),
+    inverseLine(check),
+    ...singularLines(check),
+    ...pairLines(check),
     ...check.notes.map(plain),
   ];
 }
@@ -69,12 +69,12 @@ export class CheckResult {
     this.element = element("div", {}, this.verdict, ...controls, this.list);
   }
 
-  show({ check, faults }: Checked): void {
+  show({ check, faults }: CheckResponse): void {
     const found = check as unknown as MachineCheck | null;
-    const isBroken = faults.some(({ severity }) => severity === "error");
-    this.verdict.textContent = isBroken || !found ? words.broken : found.clean ? words.clean : words.found;
+    const hasErrors = faults.some(({ severity }) => severity === "error");
+    this.verdict.textContent = hasErrors || !found ? words.broken : found.clean ? words.clean : words.found;
     this.verdict.dataset.kind = found?.clean ? "good" : "bad";
-    arrange(this.list, (found ? linesOf(found) : []).map(({ kind, text }) => element("li", { class: kind }, text)));
+    arrange(this.list, (found ? checkLines(found) : []).map(({ kind, text }) => element("li", { class: kind }, text)));
   }
 
   wait(): void {

@@ -3,15 +3,15 @@
 
 import { element } from "../../../core/dom";
 import { baseName } from "../../../core/kinds";
-import { controlNames } from "../../../core/other_control";
-import { isFile, referenceTo, resolved } from "../../../core/references";
+import { controllerNames } from "../../../core/controller_override";
+import { isTomlFile, referenceTo, resolved } from "../../../core/references";
 import { texts } from "../../../texts";
-import type { Part } from "../file/model";
+import type { FileRole } from "../file/model";
 import { tableAt, textAt, type At, type Toml } from "../file/toml";
 import type { Context, Section } from "../form/context";
 import { Field } from "../form/field";
-import type { Key } from "../form/keys";
-import { specOf } from "../form/rows";
+import type { Key } from "../form/key_schema";
+import { fieldSpec } from "../form/rows";
 
 const words = texts.machine.controller;
 
@@ -25,7 +25,7 @@ class Controller implements Section {
   readonly element: HTMLElement;
   private readonly model: Field;
   private readonly rows: Row[];
-  private readonly onlySaid: HTMLInputElement;
+  private readonly onlySetKeys: HTMLInputElement;
 
   constructor(
     private readonly context: Context,
@@ -43,8 +43,8 @@ class Controller implements Section {
       rows: keys(`controller.${table}`).map((key) => this.makeRow(key, [table, key.name])),
     }));
     this.rows = [...main, ...tables.flatMap(({ rows }) => rows)];
-    this.onlySaid = element("input", { type: "checkbox", onchange: () => this.filter() });
-    const only = element("label", { class: "check" }, this.onlySaid, words.onlySaid);
+    this.onlySetKeys = element("input", { type: "checkbox", onchange: () => this.filter() });
+    const only = element("label", { class: "check" }, this.onlySetKeys, words.onlySetKeys);
     const list = (rows: Row[]) => element("div", { class: "rows" }, ...rows.map(({ field }) => field.element));
     const more = tables.map(({ title, rows }) => element("details", { class: "more-keys" }, element("summary", {}, title), list(rows)));
     this.element = element("div", {}, this.model.element, only, list(main), ...more);
@@ -52,13 +52,13 @@ class Controller implements Section {
 
   private makeRow(key: Key, at: At): Row {
     // Words of programs are shown under their own names.
-    const ofWord = { label: key.name };
-    const spec = specOf(key, at[0] === "stops" ? ofWord : { showsMeaning: true });
+    const keyLabel = { label: key.name };
+    const spec = fieldSpec(key, at[0] === "stops" ? keyLabel : { showsMeaning: true });
     return { key, at, field: new Field(this.context.store, spec, (value) => this.put(spec.label, at, value)) };
   }
 
   /** Returns the file that sets a key. */
-  private homeOf(at: At): { part: Part; value: Toml | undefined } | null {
+  private findSetting(at: At): { part: FileRole; value: Toml | undefined } | null {
     for (const part of ["machine", "controller"] as const) {
       const table = tableAt(this.context.model.value(part), ["controller", ...at.slice(0, -1)]);
       const value = table[at[at.length - 1]];
@@ -68,15 +68,15 @@ class Controller implements Section {
   }
 
   /** Returns the file for a key that no file sets. */
-  private get freePart(): Part {
+  private get defaultRole(): FileRole {
     return this.context.model.parts.has("controller") ? "controller" : "machine";
   }
 
   private put(label: string, at: At, value: Toml | undefined): Promise<string> {
     const { edits } = this.context;
-    const home = this.homeOf(at);
+    const home = this.findSetting(at);
     if (value === undefined && !home) return Promise.resolve("");
-    const part = home?.part ?? this.freePart;
+    const part = home?.part ?? this.defaultRole;
     const place = ["controller", ...at];
     return edits.change(part, texts.machine.changed(words.title, label), [
       value === undefined ? { op: "remove", at: place } : { op: "set", at: place, value },
@@ -88,19 +88,19 @@ class Controller implements Section {
     const at = ["controller", "model"];
     if (value === undefined) return edits.change("machine", words.title, [{ op: "remove", at }]);
     const name = String(value);
-    const reference = isFile(name) ? referenceTo(model.file("machine"), name) : name;
+    const reference = isTomlFile(name) ? referenceTo(model.file("machine"), name) : name;
     return edits.change("machine", texts.machine.changed(words.title, words.model), [{ op: "set", at, value: reference }]);
   }
 
   draw(): void {
     const { model } = this.context;
-    const named = textAt(model.value("machine"), ["controller", "model"]);
+    const modelName = textAt(model.value("machine"), ["controller", "model"]);
     this.model.offer(this.models());
-    this.model.show(isFile(named) ? resolved(model.file("machine"), named) : named || undefined, "exact-stop");
+    this.model.show(isTomlFile(modelName) ? resolved(model.file("machine"), modelName) : modelName || undefined, "exact-stop");
     const file = model.parts.get("controller")?.file;
     for (const { key, at, field } of this.rows) {
       const fallback = tableAt(model.controllerBase, at.slice(0, -1))[at[at.length - 1]];
-      const home = this.homeOf(at);
+      const home = this.findSetting(at);
       field.show(home?.value, fallback ?? key.default);
       field.element.dataset.home = home?.part === "controller" && file ? words.inFile(baseName(file)) : "";
     }
@@ -108,13 +108,13 @@ class Controller implements Section {
   }
 
   private filter(): void {
-    for (const { at, field } of this.rows) field.element.hidden = this.onlySaid.checked && this.homeOf(at) === null;
+    for (const { at, field } of this.rows) field.element.hidden = this.onlySetKeys.checked && this.findSetting(at) === null;
   }
 
   /** Returns the built-in models by name, and the user's own files. */
   private models(): [string, string][] {
     const { documents } = this.context.session;
-    return controlNames(documents).map((name) => [name, baseName(name)]);
+    return controllerNames(documents).map((name) => [name, baseName(name)]);
   }
 }
 

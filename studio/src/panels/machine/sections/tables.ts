@@ -4,9 +4,9 @@ import { element } from "../../../core/dom";
 import { texts } from "../../../texts";
 import { tableAt } from "../file/toml";
 import type { Context, Section } from "../form/context";
-import type { Key } from "../form/keys";
+import type { Key } from "../form/key_schema";
 import { WordRows } from "../form/words";
-import { POSE_ZERO, Rows, defaultsOf, poseRows, specOf } from "../form/rows";
+import { POSE_ZERO, Rows, keyDefaults, poseRows, fieldSpec } from "../form/rows";
 
 const words = texts.machine;
 
@@ -16,10 +16,10 @@ const words = texts.machine;
 export function createTable(context: Context, name: string, title: string, all: Key[]): Section {
   const keys = all.filter(({ pattern }) => !pattern);
   const home = () => ({ part: "machine" as const, at: [name], owner: title });
-  const rows = new Rows(context, Object.fromEntries(keys.map((key) => [key.name, specOf(key)])), home);
-  const ofForm = all.find(({ pattern }) => pattern);
-  const more = ofForm && { form: new RegExp(ofForm.pattern!), rows: new WordRows(context, { ...specOf(ofForm), unit: "s" }, 1, home) };
-  const defaults = defaultsOf(keys);
+  const rows = new Rows(context, Object.fromEntries(keys.map((key) => [key.name, fieldSpec(key)])), home);
+  const patternKey = all.find(({ pattern }) => pattern);
+  const more = patternKey && { form: new RegExp(patternKey.pattern!), rows: new WordRows(context, { ...fieldSpec(patternKey), unit: "s" }, 1, home) };
+  const defaults = keyDefaults(keys);
   return {
     element: element("div", {}, element("h4", {}, title), rows.element, ...(more ? [more.rows.element] : [])),
     draw() {

@@ -4,14 +4,14 @@
 import { Debounced } from "../../../core/debounced";
 import { arrange, choice, element, offer } from "../../../core/dom";
 import { texts } from "../../../texts";
-import type { Checked } from "../file/model";
+import type { CheckResponse } from "../file/model";
 import type { At } from "../file/toml";
 import type { Context } from "../form/context";
-import { Field, type Spec } from "../form/field";
-import { nameOf, unitOf } from "../form/quantity";
+import { Field, type FieldSpec } from "../form/field";
+import { keyLabel, keyUnit } from "../form/quantity";
 import { CheckResult } from "../sections/check";
-import { Faults } from "../sections/faults";
-import { Draft, type Made } from "./draft";
+import { ErrorList } from "../sections/error_list";
+import { MachineDraft, type NewMachineFile } from "./draft";
 import { kindNames, type KindName } from "./kinds";
 
 const words = texts.machine.wizard;
@@ -22,9 +22,9 @@ const PATH_KEYS = ["max_feed_mm_s", "max_rapid_mm_s", "max_acceleration_mm_s2"];
 const powers = { max_speed: "_s", max_acceleration: "_s2", max_jerk: "_s3" } as Record<string, string>;
 
 /** Returns the full key: "max_speed" of a rotary axis is "max_speed_deg_s". */
-const keyOf = (key: string, isRotary: boolean): string => `${key}_${isRotary ? "deg" : "mm"}${powers[key] ?? ""}`;
+const fullKey = (key: string, isRotary: boolean): string => `${key}_${isRotary ? "deg" : "mm"}${powers[key] ?? ""}`;
 
-const isAbove = (key: string): boolean => key.startsWith("max_") && !/^max_(mm|deg)$/.test(key);
+const isPositiveLimit = (key: string): boolean => key.startsWith("max_") && !/^max_(mm|deg)$/.test(key);
 
 class Wizard {
   private readonly dialog: HTMLDialogElement;
@@ -33,16 +33,16 @@ class Wizard {
   private readonly fields = element("div", { class: "wizard-fields" });
   private readonly file = element("b", {});
   private readonly text = element("pre", { tabindex: 0, "aria-label": words.text });
-  private readonly faults = new Faults(null);
+  private readonly faults = new ErrorList(null);
   private readonly check = new CheckResult();
-  private readonly take = element("button", { type: "button", class: "primary", onclick: () => void this.taken() }, words.take);
-  private readonly soon = new Debounced(() => void this.make());
-  private draft: Draft;
-  private made: Made | null = null;
+  private readonly accept = element("button", { type: "button", class: "primary", onclick: () => void this.taken() }, words.accept);
+  private readonly updateTimer = new Debounced(() => void this.make());
+  private draft: MachineDraft;
+  private made: NewMachineFile | null = null;
   private asked = 0;
 
   constructor(private readonly context: Context) {
-    this.draft = new Draft(context.session, kindNames[0]);
+    this.draft = new MachineDraft(context.session, kindNames[0]);
     const kinds = kindNames.map((name): [string, string] => [name, words.kinds[name].title]);
     this.kind = choice(words.kind, kinds, kindNames[0], (name) => void this.begin(name as KindName));
     this.dialog = element(
@@ -52,7 +52,7 @@ class Wizard {
       element("label", { class: "wizard-kind" }, words.kind, this.kind),
       this.about,
       element("div", { class: "wizard-columns" }, this.fields, element("div", { class: "wizard-result" }, element("p", { class: "file" }, this.file), this.text, this.faults.element, this.check.element)),
-      element("div", { class: "buttons" }, this.take, element("button", { type: "button", onclick: () => this.dialog.close() }, texts.bar.close)),
+      element("div", { class: "buttons" }, this.accept, element("button", { type: "button", onclick: () => this.dialog.close() }, texts.bar.close)),
     );
   }
 
@@ -63,29 +63,29 @@ class Wizard {
   }
 
   private close(): void {
-    this.soon.cancel();
+    this.updateTimer.cancel();
     ++this.asked;
     this.dialog.remove();
   }
 
   private async begin(kind: KindName): Promise<void> {
-    const draft = new Draft(this.context.session, kind);
+    const draft = new MachineDraft(this.context.session, kind);
     this.draft = draft;
     // A result for the previous kind must not be used for this one.
     ++this.asked;
-    this.soon.cancel();
-    this.take.disabled = true;
+    this.updateTimer.cancel();
+    this.accept.disabled = true;
     this.about.textContent = words.kinds[kind].about;
     await draft.begin();
     if (draft !== this.draft) return;
     arrange(this.fields, [this.nameField(), ...this.axisFields(), this.pathFields(), this.controller(), ...this.bodies()]);
-    this.renew();
+    this.refresh();
   }
 
-  private renew(): void {
-    this.take.disabled = true;
+  private refresh(): void {
+    this.accept.disabled = true;
     this.check.wait();
-    this.soon.after(PAUSE_MS);
+    this.updateTimer.after(PAUSE_MS);
   }
 
   private async make(): Promise<void> {
@@ -101,10 +101,10 @@ class Wizard {
     if (asked === this.asked) this.showChecked(checked);
   }
 
-  private showChecked(checked: Checked): void {
+  private showChecked(checked: CheckResponse): void {
     this.faults.show(checked.faults);
     this.check.show(checked);
-    this.take.disabled = checked.faults.some(({ severity }) => severity === "error");
+    this.accept.disabled = checked.faults.some(({ severity }) => severity === "error");
   }
 
   private async taken(): Promise<void> {
@@ -114,30 +114,30 @@ class Wizard {
     this.dialog.close();
   }
 
-  private field(at: At, spec: Spec): HTMLElement {
+  private field(at: At, spec: FieldSpec): HTMLElement {
     const { draft } = this;
     const field = new Field(this.context.store, spec, (value) => {
       draft.set(at, value);
-      for (const show of this.shown) show();
-      this.renew();
+      for (const show of this.displayed) show();
+      this.refresh();
       return Promise.resolve("");
     });
-    const show = () => field.show(draft.get(at), spec.label === nameOf("home_mm") ? 0 : "inf");
-    this.shown.push(show);
+    const show = () => field.show(draft.get(at), spec.label === keyLabel("home_mm") ? 0 : "inf");
+    this.displayed.push(show);
     show();
     return field.element;
   }
 
   /** Functions that show the draft again: a change of one value may change another. */
-  private readonly shown: (() => void)[] = [];
+  private readonly displayed: (() => void)[] = [];
 
   private nameField(): HTMLElement {
-    this.shown.length = 0;
+    this.displayed.length = 0;
     const { draft } = this;
-    const spec: Spec = { label: words.name, kind: "text", isNeeded: true };
+    const spec: FieldSpec = { label: words.name, kind: "text", isRequired: true };
     const field = new Field(this.context.store, spec, (value) => {
       draft.name = String(value);
-      this.renew();
+      this.refresh();
       return Promise.resolve("");
     });
     field.show(draft.name);
@@ -148,8 +148,8 @@ class Wizard {
     return this.draft.axes.map((axis, i) => {
       const isRotary = axis.kind === "rotary";
       const fields = AXIS_KEYS.map((each) => {
-        const key = keyOf(each, isRotary);
-        const spec: Spec = { label: nameOf(key), kind: "number", unit: unitOf(key), isNarrow: true, ...(isAbove(key) ? { above: 0 } : {}) };
+        const key = fullKey(each, isRotary);
+        const spec: FieldSpec = { label: keyLabel(key), kind: "number", unit: keyUnit(key), isNarrow: true, ...(isPositiveLimit(key) ? { above: 0 } : {}) };
         return this.field(["axis", i, key], spec);
       });
       return element("fieldset", {}, element("legend", {}, words.axis(String(axis.letter))), element("div", { class: "rows pose" }, ...fields));
@@ -157,7 +157,7 @@ class Wizard {
   }
 
   private pathFields(): HTMLElement {
-    const fields = PATH_KEYS.map((key) => this.field(["path", key], { label: nameOf(key), kind: "number", unit: unitOf(key), isNarrow: true, above: 0 }));
+    const fields = PATH_KEYS.map((key) => this.field(["path", key], { label: keyLabel(key), kind: "number", unit: keyUnit(key), isNarrow: true, above: 0 }));
     return element("fieldset", {}, element("legend", {}, texts.machine.sections.limits), element("div", { class: "rows pose" }, ...fields));
   }
 
@@ -165,7 +165,7 @@ class Wizard {
     const names = [...this.context.session.documents.samples.keys()].flatMap((name) => /^samples\/controllers\/(.+)\.toml$/.exec(name)?.[1] ?? []);
     const select = choice(texts.machine.controller.title, [], "", (model) => {
       this.draft.set(["controller", "model"], model);
-      this.renew();
+      this.refresh();
     });
     offer(select, names.map((name) => [name, name]), this.draft.model || "exact-stop");
     return element("label", { class: "wizard-kind" }, texts.machine.controller.title, select);
@@ -179,7 +179,7 @@ class Wizard {
       checked: true,
       onchange: () => {
         draft.hasBodies = box.checked;
-        this.renew();
+        this.refresh();
       },
     });
     return [element("label", { class: "check" }, box, words.bodies)];

@@ -2,22 +2,22 @@
 
 import { baseName } from "../../../core/kinds";
 import type { Session } from "../../../core/session";
-import type { Told } from "../../../run/run";
+import type { EngineDiagnostic } from "../../../run/run";
 import { texts } from "../../../texts";
-import { checkMachine, type Checked } from "../file/model";
+import { checkMachine, type CheckResponse } from "../file/model";
 import { freeName, moved } from "../file/paths";
-import { askToml, tableAt, tablesAt, valueAt, type At, type Toml, type TomlChange, type TomlTable } from "../file/toml";
+import { requestToml, tableAt, tablesAt, valueAt, type At, type Toml, type TomlChange, type TomlTable } from "../file/toml";
 import { machineKinds, type KindName } from "./kinds";
 
 const words = texts.machine.wizard;
 
 /** A machine file. */
-export interface Made {
+export interface NewMachineFile {
   file: string;
   text: string;
 }
 
-export class Draft {
+export class MachineDraft {
   /** What the sample says. */
   sample: TomlTable = {};
   name = "";
@@ -33,7 +33,7 @@ export class Draft {
   }
 
   async begin(): Promise<void> {
-    const { written } = await askToml(this.session, machineKinds[this.kind].sample, []);
+    const { written } = await requestToml(this.session, machineKinds[this.kind].sample, []);
     this.sample = written?.value ?? {};
   }
 
@@ -51,9 +51,9 @@ export class Draft {
     const [table, axis, key] = at;
     const unit = /^(?:min|max)_(mm|deg)$/.exec(String(key))?.[1];
     const home = [table, axis, `home_${unit}`];
-    const isAtEnd = unit !== undefined && this.get(home) !== undefined && this.get(home) === this.get(at);
+    const isAtLimit = unit !== undefined && this.get(home) !== undefined && this.get(home) === this.get(at);
     this.chosen.set(JSON.stringify(at), value);
-    if (isAtEnd && value !== undefined) this.set(home, value);
+    if (isAtLimit && value !== undefined) this.set(home, value);
   }
 
   /** "my-mill.toml" */
@@ -81,15 +81,15 @@ export class Draft {
   }
 
   /** Returns the draft as a file, or an error if it cannot be made. */
-  async make(): Promise<Made | Told> {
+  async make(): Promise<NewMachineFile | EngineDiagnostic> {
     const { sample } = machineKinds[this.kind];
-    const { written, fault } = await askToml(this.session, sample, this.changes());
+    const { written, fault } = await requestToml(this.session, sample, this.changes());
     if (!written) return fault;
     const remark = `# ${words.remark(this.name.replaceAll(/\s+/g, " "), baseName(sample))}`;
     return { file: this.file, text: `${remark}\n\n${written.text}` };
   }
 
-  check({ file, text }: Made): Promise<Checked> {
+  check({ file, text }: NewMachineFile): Promise<CheckResponse> {
     return checkMachine(this.session, file, "", { [file]: text });
   }
 

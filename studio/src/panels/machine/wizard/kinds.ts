@@ -14,11 +14,11 @@ export interface MachineKind {
 /**
  * X and Y are under the work, as in most mills; directions describe the motion of the tool against the work.
  */
-const tableUnderWork: TomlChange[] = [0, 1].map((axis) => ({ op: "set", at: ["axis", axis, "carries"], value: "work" }));
+const movingTableChanges: TomlChange[] = [0, 1].map((axis) => ({ op: "set", at: ["axis", axis, "carries"], value: "work" }));
 
 export const machineKinds = {
   router3: { sample: `${FOLDER}router3.toml`, changes: [] },
-  mill3: { sample: `${FOLDER}router3.toml`, changes: tableUnderWork },
+  mill3: { sample: `${FOLDER}router3.toml`, changes: movingTableChanges },
   gantry5: { sample: `${FOLDER}gantry-offset-head.toml`, changes: [] },
   mill_table_table: { sample: `${FOLDER}mill-table-table.toml`, changes: [] },
   mill_head_table: { sample: `${FOLDER}mill-head-table.toml`, changes: [] },

@@ -1,7 +1,7 @@
 // Data of the tables for each block, as columns; made once for each robot of a run.
 
 import type { Robot } from "../../../run/run";
-import { kindCodeOf, limitAxisOf, limitCodeOf } from "../../../run/segments";
+import { decodeKind, decodeLimitAxis, decodeLimit } from "../../../run/segments";
 
 export class BlockTable {
   readonly count: number;
@@ -56,9 +56,9 @@ export class BlockTable {
         if (duration_s <= longest_s) continue;
         longest_s = duration_s;
         const flags = chunk.flags[i];
-        this.kind[block] = kindCodeOf(flags);
-        this.limit[block] = limitCodeOf(flags);
-        this.axis[block] = limitAxisOf(flags);
+        this.kind[block] = decodeKind(flags);
+        this.limit[block] = decodeLimit(flags);
+        this.axis[block] = decodeLimitAxis(flags);
       }
     }
   }
@@ -71,7 +71,7 @@ export class BlockTable {
 
 const known = new WeakMap<Robot, BlockTable>();
 
-export function blockTableOf(robot: Robot): BlockTable {
+export function cachedBlockTable(robot: Robot): BlockTable {
   const table = known.get(robot) ?? new BlockTable(robot);
   known.set(robot, table);
   return table;

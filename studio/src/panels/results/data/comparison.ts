@@ -1,7 +1,7 @@
 // Comparison of two runs, line by line.
 
 import type { Robot, Run } from "../../../run/run";
-import { blockTableOf } from "./block_table";
+import { cachedBlockTable } from "./block_table";
 import { matchLines } from "./diff";
 import { greatest } from "./greatest";
 import { linesOf } from "./source_lines";
@@ -28,11 +28,11 @@ export interface Comparison {
 }
 
 /** Limit (s) below which two times count as the same. */
-export const SAME_S = 1e-6;
+export const MIN_DIFFERENCE_S = 1e-6;
 
 /** Returns the time of each line, for each file. */
-function timesOf(run: Run, robot: Robot): Float64Array[] {
-  const table = blockTableOf(robot);
+function lineTimes(run: Run, robot: Robot): Float64Array[] {
+  const table = cachedBlockTable(robot);
   const times = robot.files.map((file) => new Float64Array(linesOf(run.sources, file).count + 1));
   for (let block = 0; block < table.count; ++block) {
     const of = times[table.file[block]];
@@ -67,7 +67,7 @@ class Differences {
     this.after_s.push(after_s);
   }
 
-  size_s(i: number): number {
+  absDifference_s(i: number): number {
     return Math.abs(this.after_s[i] - this.before_s[i]);
   }
 }
@@ -77,7 +77,7 @@ export function compare(beforeRun: Run, afterRun: Run, robot: number, most: numb
   const [before, after] = [beforeRun.robots[robot], afterRun.robots[robot]];
   if (!before || !after) return null;
   const all = new Differences();
-  const [timesBefore, timesAfter] = [timesOf(beforeRun, before), timesOf(afterRun, after)];
+  const [timesBefore, timesAfter] = [lineTimes(beforeRun, before), lineTimes(afterRun, after)];
   const used = timesBefore.map((times) => new Uint8Array(times.length));
   after.files.forEach((file, index) => {
     const lines = linesOf(afterRun.sources, file);
@@ -88,17 +88,17 @@ export function compare(beforeRun: Run, afterRun: Run, robot: number, most: numb
       const before_s = from > 0 ? timesBefore[other][from] : 0;
       const after_s = timesAfter[index][line];
       if (from > 0) used[other][from] = 1;
-      if (Math.abs(after_s - before_s) < SAME_S) continue;
+      if (Math.abs(after_s - before_s) < MIN_DIFFERENCE_S) continue;
       all.add(from === 0 ? "new" : matching!.changed[line] ? "changed" : "same", index, line, before_s, after_s);
     }
   });
   timesBefore.forEach((times, index) =>
     times.forEach((before_s, line) => {
-      if (before_s >= SAME_S && !used[index][line]) all.add("gone", index, line, before_s, 0);
+      if (before_s >= MIN_DIFFERENCE_S && !used[index][line]) all.add("gone", index, line, before_s, 0);
     }),
   );
   const count = all.lines.length;
-  const { indices } = greatest(count, most, (i) => all.size_s(i), () => true);
+  const { indices } = greatest(count, most, (i) => all.absDifference_s(i), () => true);
   const rows = Array.from(indices, (i): Row => {
     const gone = all.changes[i] === "gone";
     const file = (gone ? before : after).files[all.files[i]];

@@ -18,7 +18,7 @@ interface Range {
 }
 
 // Above this, the table for the longest common subsequence is too large.
-const MOST_CELLS = 250_000;
+const MAX_CELLS = 250_000;
 
 class Differ {
   readonly found: Matching;
@@ -44,13 +44,13 @@ class Differ {
     while (a.from < a.to && b.from < b.to && this.same(a.from, b.from)) this.pair(a.from++, b.from++);
     while (a.from < a.to && b.from < b.to && this.same(a.to - 1, b.to - 1)) this.pair(--a.to, --b.to);
     if (a.from === a.to || b.from === b.to) return;
-    const anchors = (a.to - a.from) * (b.to - b.from) > MOST_CELLS ? this.unique(a, b) : this.common(a, b);
+    const anchors = (a.to - a.from) * (b.to - b.from) > MAX_CELLS ? this.unique(a, b) : this.common(a, b);
     if (anchors.length === 0) return this.change(a, b);
     let [lastA, lastB] = [a.from, b.from];
-    for (const [atA, atB] of [...anchors, [a.to, b.to] as const]) {
-      this.match({ from: lastA, to: atA }, { from: lastB, to: atB });
-      if (atB < b.to) this.pair(atA, atB);
-      [lastA, lastB] = [atA + 1, atB + 1];
+    for (const [indexA, indexB] of [...anchors, [a.to, b.to] as const]) {
+      this.match({ from: lastA, to: indexA }, { from: lastB, to: indexB });
+      if (indexB < b.to) this.pair(indexA, indexB);
+      [lastA, lastB] = [indexA + 1, indexB + 1];
     }
   }
 
@@ -62,14 +62,14 @@ class Differ {
 
   /** Returns lines that occur once in both, as many as are in the same order (patience diff). */
   private unique(a: Range, b: Range): [number, number][] {
-    const inA = once(this.a, a);
-    const inB = once(this.b, b);
+    const uniqueA = once(this.a, a);
+    const uniqueB = once(this.b, b);
     const pairs: [number, number][] = [];
-    for (const [text, atA] of inA) {
-      const atB = inB.get(text);
-      if (atA > 0 && atB !== undefined && atB > 0) pairs.push([atA, atB]);
+    for (const [text, indexA] of uniqueA) {
+      const indexB = uniqueB.get(text);
+      if (indexA > 0 && indexB !== undefined && indexB > 0) pairs.push([indexA, indexB]);
     }
-    return rising(pairs);
+    return longestIncreasing(pairs);
   }
 
   /** Returns the longest common subsequence, from a table. */
@@ -108,7 +108,7 @@ function once(lines: SourceLines, { from, to }: Range): Map<string, number> {
 }
 
 /** Returns the longest part of pairs, in order of the first number, with rising second numbers. */
-function rising(pairs: [number, number][]): [number, number][] {
+function longestIncreasing(pairs: [number, number][]): [number, number][] {
   const ends: number[] = [];
   const previous = new Int32Array(pairs.length).fill(-1);
   pairs.forEach(([, second], i) => {

@@ -1,7 +1,7 @@
 // Filters blocks by the text that a user has typed.
 
 import { limitText } from "../../../core/names";
-import { DWELL, limitOf } from "../../../run/limits";
+import { DWELL, toNamedLimit } from "../../../run/limits";
 import type { Robot, Run } from "../../../run/run";
 import { limitKinds, moveKinds } from "../../../run/kinds";
 import { texts } from "../../../texts";
@@ -12,23 +12,23 @@ import { linesOf } from "./source_lines";
  * "230": that line, or the block N230; "200-260": lines; other words: part of the text of the line, of the
  * kind of motion or of its limit.
  */
-export function filterOf(words: string, run: Run, robot: Robot, table: BlockTable): (block: number) => boolean {
-  const wanted = words.trim().toLowerCase();
-  if (wanted === "") return () => true;
-  const [, from, to] = /^(\d+)\s*-\s*(\d+)$/.exec(wanted) ?? [];
+export function createFilter(words: string, run: Run, robot: Robot, table: BlockTable): (block: number) => boolean {
+  const queryText = words.trim().toLowerCase();
+  if (queryText === "") return () => true;
+  const [, from, to] = /^(\d+)\s*-\s*(\d+)$/.exec(queryText) ?? [];
   if (from) return (block) => table.line[block] >= Number(from) && table.line[block] <= Number(to);
-  if (/^\d+$/.test(wanted)) {
-    const byNumber = matchingLines(`n${wanted} `, run, robot);
-    return (block) => table.line[block] === Number(wanted) || byNumber[table.file[block]]?.[table.line[block]] === 1;
+  if (/^\d+$/.test(queryText)) {
+    const numberMatches = matchingLines(`n${queryText} `, run, robot);
+    return (block) => table.line[block] === Number(queryText) || numberMatches[table.file[block]]?.[table.line[block]] === 1;
   }
-  const byText = matchingLines(wanted, run, robot);
-  const byKind = moveKinds.map((kind) => texts.run.kinds[kind].includes(wanted));
-  const byLimit = limitMatches(wanted, robot);
+  const textMatches = matchingLines(queryText, run, robot);
+  const kindMatches = moveKinds.map((kind) => texts.run.kinds[kind].includes(queryText));
+  const limitMatchTable = limitMatches(queryText, robot);
   const columns = robot.scene.axes.length + 1;
   return (block) => {
-    if (byText[table.file[block]]?.[table.line[block]] === 1 || byKind[table.kind[block]]) return true;
-    if (moveKinds[table.kind[block]] === "dwell") return byLimit[0];
-    return byLimit[1 + table.limit[block] * columns + table.axis[block] + 1];
+    if (textMatches[table.file[block]]?.[table.line[block]] === 1 || kindMatches[table.kind[block]]) return true;
+    if (moveKinds[table.kind[block]] === "dwell") return limitMatchTable[0];
+    return limitMatchTable[1 + table.limit[block] * columns + table.axis[block] + 1];
   };
 }
 
@@ -36,11 +36,11 @@ const matchingLines = (words: string, run: Run, robot: Robot): Uint8Array[] =>
   robot.files.map((file) => linesOf(run.sources, file).matching(words));
 
 /** Returns matches: first the dwell, then each limit for no axis and for each axis. */
-function limitMatches(wanted: string, robot: Robot): boolean[] {
+function limitMatches(queryText: string, robot: Robot): boolean[] {
   const { letters } = robot;
-  const matches = (text: string) => text.toLowerCase().includes(wanted);
+  const matches = (text: string) => text.toLowerCase().includes(queryText);
   const all = limitKinds.flatMap((_, limit) =>
-    [-1, ...letters.keys()].map((axis) => matches(limitText(limitOf(limit, axis, letters)))),
+    [-1, ...letters.keys()].map((axis) => matches(limitText(toNamedLimit(limit, axis, letters)))),
   );
   return [matches(limitText(DWELL)), ...all];
 }

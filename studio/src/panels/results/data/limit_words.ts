@@ -1,7 +1,7 @@
 // Limit of a block, and advice for the programmer.
 
 import { limitColours } from "../../../core/colours";
-import { DWELL, limitOf, type NamedLimit } from "../../../run/limits";
+import { DWELL, toNamedLimit, type NamedLimit } from "../../../run/limits";
 import { moveKinds } from "../../../run/kinds";
 import { texts } from "../../../texts";
 import type { BlockTable } from "./block_table";
@@ -11,5 +11,5 @@ export const limitHint = ({ kind }: NamedLimit): string => texts.panels.limitHin
 export const limitColour = ({ kind }: NamedLimit): string => limitColours[kind];
 
 /** Returns the limit, for axes with these letters. */
-export const limitOfBlock = (table: BlockTable, block: number, letters: readonly string[]): NamedLimit =>
-  moveKinds[table.kind[block]] === "dwell" ? DWELL : limitOf(table.limit[block], table.axis[block], letters);
+export const blockLimit = (table: BlockTable, block: number, letters: readonly string[]): NamedLimit =>
+  moveKinds[table.kind[block]] === "dwell" ? DWELL : toNamedLimit(table.limit[block], table.axis[block], letters);

@@ -4,14 +4,14 @@ import type { Run, Robot } from "../../../run/run";
 import type { BlockTable } from "./block_table";
 import { linesOf, type SourceLines } from "./source_lines";
 
-const MOST_COMMENTS = 3;
+const MAX_COMMENTS = 3;
 // Line that begins a program or subprogram, and line with nothing but a comment; the first may also contain a
 // name.
 const PROGRAM = /^\s*(?:[o:](?:\d+|<[^>]*>))\s*(?:sub|endsub)?\s*(?:\(.*)?$/i;
-const ALONE = /^\s*(?:[o:](?:\d+|<[^>]*>)\s*(?:sub)?\s*)?(?:N\d+\s*)?(?:\(([^)]*)\)|;(.*))\s*$/i;
+const COMMENT_LINE = /^\s*(?:[o:](?:\d+|<[^>]*>)\s*(?:sub)?\s*)?(?:N\d+\s*)?(?:\(([^)]*)\)|;(.*))\s*$/i;
 
 /** Returns the operation of each line of a source, as an index into `names`; 0: that of its caller. */
-function operationsOf(lines: SourceLines, names: string[]): Uint32Array {
+function lineOperations(lines: SourceLines, names: string[]): Uint32Array {
   const operation = new Uint32Array(lines.count + 1);
   let comments: string[] = [];
   let current = 0;
@@ -24,10 +24,10 @@ function operationsOf(lines: SourceLines, names: string[]): Uint32Array {
       current = 0;
       comments = [];
     }
-    const comment = ALONE.exec(line)?.slice(1).find((text) => text?.trim());
+    const comment = COMMENT_LINE.exec(line)?.slice(1).find((text) => text?.trim());
     if (comment) {
       comments.push(comment.trim());
-      current = names.push(comments.slice(-MOST_COMMENTS).join(", ")) - 1;
+      current = names.push(comments.slice(-MAX_COMMENTS).join(", ")) - 1;
     } else {
       comments = [];
     }
@@ -46,7 +46,7 @@ export interface Operation {
 /** Returns the operations in the order in which they begin; empty: the program names none. */
 export function timeByOperation(run: Run, robot: Robot, table: BlockTable, unnamed: string): Operation[] {
   const names = [unnamed];
-  const byFile = robot.files.map((file) => operationsOf(linesOf(run.sources, file), names));
+  const byFile = robot.files.map((file) => lineOperations(linesOf(run.sources, file), names));
   if (names.length === 1) return [];
   const times_s = new Float64Array(names.length);
   const first = new Int32Array(names.length).fill(-1);

@@ -1,24 +1,24 @@
 // Table with a row for each axis; a click on one jumps to the source of its value.
 
 import { element } from "../../../core/dom";
-import { goTo } from "../../../core/go";
+import { goTo } from "../../../core/navigation";
 import type { Store } from "../../../core/store";
-import type { Placed } from "../../../run/report";
+import type { Located } from "../../../run/report";
 import { texts } from "../../../texts";
 import { beginRows, makeRows } from "../rows";
 
-export interface AxisRow extends Placed {
+export interface AxisRow extends Located {
   axis: string;
   t_s: number;
   cells: (Node | string)[];
   title: string;
   /** True if it exceeds the capability of the axis. */
-  isBeyond: boolean;
+  isOutOfRange: boolean;
 }
 
 export function axisTable(heads: readonly string[], rows: readonly AxisRow[], store: Store): HTMLElement {
   const head = element("tr", {}, ...heads.map((name) => element("th", { scope: "col" }, name)));
-  const body = element("tbody", {}, ...rows.map(rowOf));
+  const body = element("tbody", {}, ...rows.map(createRow));
   makeRows(body, (row) => {
     for (const each of body.children) each.setAttribute("aria-selected", "false");
     body.children[row].setAttribute("aria-selected", "true");
@@ -28,11 +28,11 @@ export function axisTable(heads: readonly string[], rows: readonly AxisRow[], st
   return element("table", { class: "travel drives" }, element("thead", {}, head), body);
 }
 
-function rowOf({ axis, line, cells, title, isBeyond }: AxisRow): HTMLElement {
+function createRow({ axis, line, cells, title, isOutOfRange }: AxisRow): HTMLElement {
   const place = line === null ? "–" : texts.run.line(line);
   return element(
     "tr",
-    { class: isBeyond ? "beyond" : "", title, "aria-selected": "false" },
+    { class: isOutOfRange ? "beyond" : "", title, "aria-selected": "false" },
     element("th", { scope: "row" }, axis),
     ...cells.map((cell) => element("td", {}, cell)),
     element("td", {}, place),

@@ -3,29 +3,29 @@
 import { kindColours } from "../../../core/colours";
 import { Debounced } from "../../../core/debounced";
 import { element } from "../../../core/dom";
-import { goToBlock } from "../../../core/go";
+import { goToBlock } from "../../../core/navigation";
 import { limitText } from "../../../core/names";
 import type { Store } from "../../../core/store";
 import { countText, feedText, lengthShort, percentText, programmedFeedText, timeText } from "../../../core/units";
 import { moveKinds } from "../../../run/kinds";
 import { texts } from "../../../texts";
 import type { Context, Tab } from "../context";
-import { blockTableOf, type BlockTable } from "../data/block_table";
-import { filterOf } from "../data/filter";
+import { cachedBlockTable, type BlockTable } from "../data/block_table";
+import { createFilter } from "../data/filter";
 import { greatest } from "../data/greatest";
-import { limitColour, limitHint, limitOfBlock } from "../data/limit_words";
+import { limitColour, limitHint, blockLimit } from "../data/limit_words";
 import { linesOf } from "../data/source_lines";
 import { beginRows, makeRows } from "../rows";
 
 const words = texts.panels;
-const FIRST = 200;
+const FIRST_ROWS = 200;
 const TYPING_PAUSE_MS = 150;
 
 const columns = ["line", "duration", "share", "limit", "kind", "length", "speed", "feed"] as const;
 type Column = (typeof columns)[number];
 
 /** Returns the sort key of a column. */
-function keyOf(column: Column, table: BlockTable): (block: number) => number {
+function sortKey(column: Column, table: BlockTable): (block: number) => number {
   switch (column) {
     case "line":
       return (block) => table.file[block] * 1e8 + table.line[block];
@@ -62,8 +62,8 @@ export class BlocksTab implements Tab {
   private readonly more = element("button", { class: "more", onclick: () => this.showMore() });
   private column: Column = "duration";
   private descending = true;
-  private most = FIRST;
-  private shown: ArrayLike<number> = [];
+  private most = FIRST_ROWS;
+  private displayed: ArrayLike<number> = [];
   private context: Context | null = null;
   private readonly typing = new Debounced(() => this.filter(this.search.value));
   readonly element: HTMLElement;
@@ -73,13 +73,13 @@ export class BlocksTab implements Tab {
     const caption = element("caption", { class: "unseen" }, words.blockCaption);
     const table = element("table", { class: "blocks" }, caption, head, this.body);
     this.element = element("div", {}, this.search, this.partial, this.count, element("div", { class: "wide" }, table), this.more);
-    makeRows(this.body, (row) => goToBlock(store, this.shown[row]));
+    makeRows(this.body, (row) => goToBlock(store, this.displayed[row]));
     store.on("selection", () => this.showSelection());
   }
 
   draw(context: Context): void {
     this.context = context;
-    this.most = FIRST;
+    this.most = FIRST_ROWS;
     this.fill();
   }
 
@@ -90,14 +90,14 @@ export class BlocksTab implements Tab {
 
   filter(text: string): void {
     this.search.value = text;
-    this.most = FIRST;
+    this.most = FIRST_ROWS;
     this.fill();
   }
 
   private sortBy(column: Column): void {
     this.descending = column === this.column ? !this.descending : column !== "line";
     this.column = column;
-    this.most = FIRST;
+    this.most = FIRST_ROWS;
     this.fill();
   }
 
@@ -119,12 +119,12 @@ export class BlocksTab implements Tab {
       this.more.hidden = true;
       return;
     }
-    const table = blockTableOf(robot);
-    const passes = filterOf(this.search.value, run, robot, table);
-    const key = keyOf(this.column, table);
+    const table = cachedBlockTable(robot);
+    const passes = createFilter(this.search.value, run, robot, table);
+    const key = sortKey(this.column, table);
     const { indices, passed } = greatest(table.count, this.most, this.descending ? key : (i) => -key(i), passes);
-    this.shown = indices;
-    this.body.replaceChildren(...Array.from(indices, (block) => this.rowOf(block, table)));
+    this.displayed = indices;
+    this.body.replaceChildren(...Array.from(indices, (block) => this.createRow(block, table)));
     beginRows(this.body);
     this.tellCount(table, passed, passes);
     this.showSelection();
@@ -133,19 +133,19 @@ export class BlocksTab implements Tab {
   private tellCount(table: BlockTable, passed: number, passes: (block: number) => boolean): void {
     let time_s = 0;
     for (let block = 0; block < table.count; ++block) if (passes(block)) time_s += table.duration_s[block];
-    const shown = countText(this.shown.length);
+    const displayed = countText(this.displayed.length);
     this.count.textContent =
-      passed === 0 ? words.noBlocks : words.blockCount(shown, countText(passed), timeText(time_s, 2));
-    this.more.hidden = passed <= this.shown.length;
-    this.more.textContent = words.more(Math.min(this.most, passed - this.shown.length));
+      passed === 0 ? words.noBlocks : words.blockCount(displayed, countText(passed), timeText(time_s, 2));
+    this.more.hidden = passed <= this.displayed.length;
+    this.more.textContent = words.more(Math.min(this.most, passed - this.displayed.length));
   }
 
-  private rowOf(block: number, table: BlockTable): HTMLElement {
+  private createRow(block: number, table: BlockTable): HTMLElement {
     const { run, robot } = this.context!;
     const units = this.store.get("units");
     const { letters } = robot!;
     const kind = moveKinds[table.kind[block]];
-    const limit = limitOfBlock(table, block, letters);
+    const limit = blockLimit(table, block, letters);
     const feed = table.feed_per_min[block];
     const moves = table.length_mm[block] > 0;
     const file = robot!.files[table.file[block]] ?? "";
@@ -173,10 +173,10 @@ export class BlocksTab implements Tab {
     const selection = this.store.get("selection");
     const robot = this.context?.robot;
     if (!robot) return;
-    const table = blockTableOf(robot);
+    const table = cachedBlockTable(robot);
     const file = selection ? robot.files.indexOf(selection.file) : -1;
     [...this.body.children].forEach((row, i) => {
-      const block = this.shown[i];
+      const block = this.displayed[i];
       const here = selection !== null && table.file[block] === file && table.line[block] === selection.line;
       const chosen = here && (selection.block < 0 || selection.block === block);
       row.setAttribute("aria-selected", String(chosen));

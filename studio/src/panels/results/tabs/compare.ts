@@ -1,18 +1,18 @@
 // Comparison of the run with the previous one.
 
 import { check, element } from "../../../core/dom";
-import { goTo, goToBlock } from "../../../core/go";
+import { goTo, goToBlock } from "../../../core/navigation";
 import type { Store } from "../../../core/store";
 import { percentText, timeText } from "../../../core/units";
 import { texts } from "../../../texts";
 import type { Context, Tab } from "../context";
-import { compare, SAME_S, type Comparison, type Row } from "../data/comparison";
+import { compare, MIN_DIFFERENCE_S, type Comparison, type Row } from "../data/comparison";
 import { beginRows, makeRows } from "../rows";
 
 const words = texts.panels;
-const MOST = 200;
+const MAX_ROWS = 200;
 
-const signed = (difference_s: number): string =>
+const signedTime = (difference_s: number): string =>
   `${difference_s < 0 ? "−" : "+"}${timeText(Math.abs(difference_s))}`;
 
 export function createCompare(store: Store): Tab {
@@ -33,7 +33,7 @@ export function createCompare(store: Store): Tab {
       if (previous.report?.program !== context.run.report?.program) {
         return host.replaceChildren(element("p", { class: "note" }, words.otherProgram(previous.report?.program ?? "")));
       }
-      const comparison = compare(previous, context.run, context.index, MOST);
+      const comparison = compare(previous, context.run, context.index, MAX_ROWS);
       if (!comparison) return host.replaceChildren(element("p", { class: "note" }, words.otherMachine));
       host.replaceChildren(total(comparison), both.row, ...table(comparison, context, store));
     },
@@ -44,7 +44,7 @@ function total({ before_s, after_s }: Comparison): HTMLElement {
   const difference_s = after_s - before_s;
   const size = timeText(Math.abs(difference_s));
   const percent = percentText(Math.abs(difference_s), before_s);
-  const same = Math.abs(difference_s) < SAME_S;
+  const same = Math.abs(difference_s) < MIN_DIFFERENCE_S;
   const faster = difference_s < 0;
   const sentence = same ? words.same : faster ? words.faster(size, percent) : words.slower(size, percent);
   return element(
@@ -64,7 +64,7 @@ function total({ before_s, after_s }: Comparison): HTMLElement {
 function table({ rows, count }: Comparison, { robot }: Context, store: Store): HTMLElement[] {
   if (rows.length === 0) return [element("p", { class: "note" }, words.noDifference)];
   const heads = [words.blockColumns.line, words.before, words.after, words.difference];
-  const body = element("tbody", {}, ...rows.map(rowOf));
+  const body = element("tbody", {}, ...rows.map(createRow));
   makeRows(body, (index) => {
     const { file, line, change } = rows[index];
     if (change === "gone" || !robot) return;
@@ -85,7 +85,7 @@ function table({ rows, count }: Comparison, { robot }: Context, store: Store): H
   ];
 }
 
-function rowOf({ change, file, line, text, before_s, after_s }: Row): HTMLElement {
+function createRow({ change, file, line, text, before_s, after_s }: Row): HTMLElement {
   const difference_s = after_s - before_s;
   return element(
     "tr",
@@ -93,6 +93,6 @@ function rowOf({ change, file, line, text, before_s, after_s }: Row): HTMLElemen
     element("td", {}, `${line} `, element("small", {}, words.changes[change])),
     element("td", {}, change === "new" ? "–" : timeText(before_s)),
     element("td", {}, change === "gone" ? "–" : timeText(after_s)),
-    element("td", { class: difference_s < 0 ? "faster" : "slower" }, signed(difference_s)),
+    element("td", { class: difference_s < 0 ? "faster" : "slower" }, signedTime(difference_s)),
   );
 }

@@ -2,7 +2,7 @@
 
 import { element } from "../../../core/dom";
 import type { Store } from "../../../core/store";
-import { energyText, figureText, percentText, timeText } from "../../../core/units";
+import { energyText, valueText, percentText, timeText } from "../../../core/units";
 import type { AxisEffort, Efforts } from "../../../run/report";
 import { texts } from "../../../texts";
 import { itemList } from "../mark_list";
@@ -15,7 +15,7 @@ export function createEfforts(efforts: Efforts, store: Store): HTMLElement {
   const { peak_power_w, peak_power_t_s, programs } = efforts;
   const power = {
     kind: "",
-    text: words.peakPower(figureText(peak_power_w)),
+    text: words.peakPower(valueText(peak_power_w)),
     title: texts.panels.goThere,
     place: timeText(peak_power_t_s, 2),
     choose: () => store.set("time_s", peak_power_t_s),
@@ -28,21 +28,21 @@ export function createEfforts(efforts: Efforts, store: Store): HTMLElement {
     "section",
     {},
     element("h3", { class: "heading" }, words.title),
-    axisTable(words.heads, efforts.axes.map(rowOf), store),
+    axisTable(words.heads, efforts.axes.map(createRow), store),
     itemList(words.power, [power], 1),
     energies,
     ...(programs.length > 1 ? [programTable(programs)] : []),
   );
 }
 
-function rowOf(of: AxisEffort): AxisRow {
+function createRow(of: AxisEffort): AxisRow {
   const { axis, unit, peak, rms, motor_peak, motor_continuous, file, line, t_s } = of;
-  const amount = (value: number | null) => (value === null ? words.notTold : `${figureText(value)} ${unit}`);
+  const amount = (value: number | null) => (value === null ? words.notTold : `${valueText(value)} ${unit}`);
   const share = motor_peak ? Math.abs(peak) / motor_peak : null;
-  const isBeyond = (share ?? 0) > 1 || (motor_continuous !== null && rms > motor_continuous);
+  const isOutOfRange = (share ?? 0) > 1 || (motor_continuous !== null && rms > motor_continuous);
   const cells = [amount(peak), amount(rms), share === null ? "–" : gauge(share)];
   const title = words.rowHint(timeText(t_s, 2), amount(motor_peak), amount(motor_continuous));
-  return { axis, t_s, file, line, cells, title, isBeyond };
+  return { axis, t_s, file, line, cells, title, isOutOfRange };
 }
 
 /** Shows the used share of the motor's capability. */

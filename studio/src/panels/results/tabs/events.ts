@@ -3,7 +3,7 @@
 import { choice, element } from "../../../core/dom";
 import { eventText } from "../../../core/names";
 import type { Store } from "../../../core/store";
-import { markKinds, marksOf, type Mark } from "../../../run/marks";
+import { markKinds, runMarks, type Mark } from "../../../run/marks";
 import { texts } from "../../../texts";
 import type { Tab } from "../context";
 import { itemList, markItem } from "../mark_list";
@@ -15,22 +15,22 @@ const nameOf = (mark: Mark) => (mark.kind === "event" ? eventText(mark.text) : w
 
 export function createEvents(store: Store): Tab {
   const host = element("div", {});
-  let wanted = "";
+  let requested = "";
   return {
     element: host,
     draw({ run, index }) {
-      const marks = marksOf(run, index);
+      const marks = runMarks(run, index);
       const rank = (name: string) => markKinds.findIndex((kind) => words.sections[kind] === name);
       const names = [...new Set(marks.map(nameOf))].sort((a, b) => rank(b) - rank(a) || a.localeCompare(b));
-      if (!names.includes(wanted)) wanted = "";
+      if (!names.includes(requested)) requested = "";
       const list = element("div", {});
       const show = () => {
-        const shown = marks.filter((mark) => wanted === "" || nameOf(mark) === wanted);
-        list.replaceChildren(itemList(words.tabs.events, shown.map((mark) => markItem(mark, store)), 200));
+        const displayed = marks.filter((mark) => requested === "" || nameOf(mark) === requested);
+        list.replaceChildren(itemList(words.tabs.events, displayed.map((mark) => markItem(mark, store)), 200));
       };
       const options = [["", words.allKinds], ...names.map((name) => [name, name])] as [string, string][];
-      const kinds = choice(words.eventKind, options, wanted, (value) => {
-        wanted = value;
+      const kinds = choice(words.eventKind, options, requested, (value) => {
+        requested = value;
         show();
       });
       show();

@@ -2,9 +2,9 @@
 // from its path.
 
 import { element } from "../../../core/dom";
-import { goTo } from "../../../core/go";
+import { goTo } from "../../../core/navigation";
 import type { Store } from "../../../core/store";
-import { axisText, figureText, lengthText, timeText } from "../../../core/units";
+import { axisText, valueText, lengthText, timeText } from "../../../core/units";
 import type { AxisFollowing, ContourError, Following } from "../../../run/report";
 import { texts } from "../../../texts";
 import { itemList, type Item } from "../mark_list";
@@ -15,28 +15,28 @@ const words = texts.panels.following;
 
 const MS_PER_S = 1000;
 
-export function createFollowing(following: Following, store: Store): HTMLElement {
+export function createFollowingErrors(following: Following, store: Store): HTMLElement {
   const { contour, rapid_contour, program_contour, in_position_s } = following;
   const contours = [
     contourItem(words.contour, contour),
     contourItem(words.rapidContour, rapid_contour),
     ...(program_contour ? [contourItem(words.programContour, program_contour)] : []),
   ];
-  const settled = in_position_s === null ? words.notSettled : timeText(in_position_s);
+  const settlingTime = in_position_s === null ? words.notSettled : timeText(in_position_s);
   return element(
     "section",
     {},
     element("h3", { class: "heading", title: words.hint }, words.title),
-    axisTable(words.heads, following.axes.map(rowOf), store),
+    axisTable(words.heads, following.axes.map(createRow), store),
     element("h3", { class: "heading", title: words.contourHint }, words.contourTitle),
     itemList(words.contourTitle, contours, contours.length),
-    element("dl", { class: "figures" }, figure(words.inPosition, settled, words.inPositionHint)),
+    element("dl", { class: "figures" }, figure(words.inPosition, settlingTime, words.inPositionHint)),
   );
 
-  function rowOf({ axis, unit, peak, rms, behind_s, file, line, t_s }: AxisFollowing): AxisRow {
+  function createRow({ axis, unit, peak, rms, behind_s, file, line, t_s }: AxisFollowing): AxisRow {
     const amount = (value: number) => axisText(value, unit === "deg", store.get("units"));
-    const cells = [amount(peak), amount(rms), figureText(MS_PER_S * behind_s)];
-    return { axis, t_s, file, line, cells, title: words.rowHint(timeText(t_s, 2)), isBeyond: false };
+    const cells = [amount(peak), amount(rms), valueText(MS_PER_S * behind_s)];
+    return { axis, t_s, file, line, cells, title: words.rowHint(timeText(t_s, 2)), isOutOfRange: false };
   }
 
   function contourItem(text: (error: string) => string, at: ContourError): Item {

@@ -2,7 +2,7 @@
 
 import { kindColours, orange } from "../../../core/colours";
 import { element } from "../../../core/dom";
-import { goToBlock } from "../../../core/go";
+import { goToBlock } from "../../../core/navigation";
 import { limitText } from "../../../core/names";
 import type { Store } from "../../../core/store";
 import { percentText, timeText } from "../../../core/units";
@@ -10,8 +10,8 @@ import { limitOfReport, type NamedLimit } from "../../../run/limits";
 import { moveKinds } from "../../../run/kinds";
 import { texts } from "../../../texts";
 import type { Context, Links, Tab } from "../context";
-import { blockTableOf, type BlockTable } from "../data/block_table";
-import { limitColour, limitHint, limitOfBlock } from "../data/limit_words";
+import { cachedBlockTable, type BlockTable } from "../data/block_table";
+import { limitColour, limitHint, blockLimit } from "../data/limit_words";
 import { timeByOperation } from "../data/operations";
 import { timeByTool } from "../data/tools";
 
@@ -25,7 +25,7 @@ interface Share {
   choose(): void;
 }
 
-export function createShares(store: Store, links: Links): Tab {
+export function createTimeShares(store: Store, links: Links): Tab {
   const host = element("div", { class: "shares" });
   return {
     element: host,
@@ -33,7 +33,7 @@ export function createShares(store: Store, links: Links): Tab {
       const { run, robot, report } = context;
       host.replaceChildren();
       if (!robot || !report) return;
-      const table = blockTableOf(robot);
+      const table = cachedBlockTable(robot);
       const operations = timeByOperation(run, robot, table, words.unnamed).map((operation) => ({
         name: operation.name,
         time_s: operation.time_s,
@@ -49,20 +49,20 @@ export function createShares(store: Store, links: Links): Tab {
         choose: () => store.set("time_s", tool.start_s),
       }));
       const isLong = robot.segments.isLong;
-      const tabled_s = isLong ? table.total_s : report.cycle_time_s;
+      const tabulated_s = isLong ? table.total_s : report.cycle_time_s;
       host.append(
-        ...bars(words.byLimit, "", byLimit(context, table, links), report.cycle_time_s),
-        ...bars(words.byTool, "", tools, report.cycle_time_s),
+        ...createBars(words.sharesByLimit, "", sharesByLimit(context, table, links), report.cycle_time_s),
+        ...createBars(words.byTool, "", tools, report.cycle_time_s),
         ...(isLong ? [element("p", { class: "note" }, words.onlyFirst)] : []),
-        ...bars(words.byOperation, words.byOperationHint, operations, tabled_s),
-        ...bars(words.byKind, "", byKind(table, links), tabled_s),
+        ...createBars(words.byOperation, words.byOperationHint, operations, tabulated_s),
+        ...createBars(words.sharesByKind, "", sharesByKind(table, links), tabulated_s),
       );
     },
   };
 }
 
 /** Uses the report, which counts each sub-segment separately; else the longest part of each block. */
-function byLimit({ robot, report }: Context, table: BlockTable, links: Links): Share[] {
+function sharesByLimit({ robot, report }: Context, table: BlockTable, links: Links): Share[] {
   const times = new Map<string, { limit: NamedLimit; time_s: number }>();
   const add = (limit: NamedLimit, time_s: number) => {
     const name = limitText(limit);
@@ -72,7 +72,7 @@ function byLimit({ robot, report }: Context, table: BlockTable, links: Links): S
     for (const { limited_by, time_s } of report.time_by_limit) add(limitOfReport(limited_by), time_s);
   } else {
     const { letters } = robot!;
-    for (let block = 0; block < table.count; ++block) add(limitOfBlock(table, block, letters), table.duration_s[block]);
+    for (let block = 0; block < table.count; ++block) add(blockLimit(table, block, letters), table.duration_s[block]);
   }
   return [...times]
     .map(([name, { limit, time_s }]) => ({
@@ -85,7 +85,7 @@ function byLimit({ robot, report }: Context, table: BlockTable, links: Links): S
     .sort((a, b) => b.time_s - a.time_s);
 }
 
-function byKind(table: BlockTable, links: Links): Share[] {
+function sharesByKind(table: BlockTable, links: Links): Share[] {
   const times_s = new Float64Array(moveKinds.length);
   for (let block = 0; block < table.count; ++block) times_s[table.kind[block]] += table.duration_s[block];
   return moveKinds
@@ -101,7 +101,7 @@ function byKind(table: BlockTable, links: Links): Share[] {
 }
 
 /** Returns an empty list if nothing can be distinguished. */
-function bars(title: string, hint: string, shares: Share[], whole_s: number): HTMLElement[] {
+function createBars(title: string, hint: string, shares: Share[], run_time_s: number): HTMLElement[] {
   if (shares.length === 0) return [];
   const most_s = Math.max(...shares.map(({ time_s }) => time_s), 1e-12);
   const rows = shares.map(({ name, time_s, colour, title: tip, choose }) =>
@@ -109,7 +109,7 @@ function bars(title: string, hint: string, shares: Share[], whole_s: number): HT
       "button",
       { class: "share", title: tip, onclick: choose, style: `--colour:${colour};--share:${(100 * time_s) / most_s}%` },
       element("span", { class: "share-name" }, name),
-      element("span", { class: "share-time" }, `${timeText(time_s, 2)} · ${percentText(time_s, whole_s)} %`),
+      element("span", { class: "share-time" }, `${timeText(time_s, 2)} · ${percentText(time_s, run_time_s)} %`),
     ),
   );
   return [element("section", {}, element("h3", { class: "heading", title: hint }, title), ...rows)];

@@ -2,17 +2,17 @@
 
 import { kindColours } from "../../../core/colours";
 import { element } from "../../../core/dom";
-import { goTo } from "../../../core/go";
+import { goTo } from "../../../core/navigation";
 import type { Store } from "../../../core/store";
 import { axisText, countText, lengthShort, percentText, timeText } from "../../../core/units";
-import { marksOf, type Mark, type MarkKind } from "../../../run/marks";
+import { runMarks, type Mark, type MarkKind } from "../../../run/marks";
 import type { Report, ReportDiagnostic } from "../../../run/report";
 import { texts } from "../../../texts";
 import type { Context, Tab } from "../context";
 import { markItem, section, type Item } from "../mark_list";
 import { createEfforts } from "./efforts";
 import { figure } from "./figure";
-import { createFollowing } from "./following";
+import { createFollowingErrors } from "./following";
 import { createTravel } from "./travel";
 
 const words = texts.panels;
@@ -23,15 +23,15 @@ export function createSummary(store: Store): Tab {
     element: host,
     draw(context) {
       const { report } = context;
-      const told = toldOf(context, store);
+      const told = diagnosticItems(context, store);
       host.replaceChildren();
       if (!report) return;
-      host.append(...sections(context, grave, store));
+      host.append(...sections(context, severeKinds, store));
       if (report.cycle_time_s > 0) host.append(figures(report, store));
       host.append(...sections(context, light, store));
       if (told.length > 0) host.append(section(words.told, "finding", told));
       if (report.efforts) host.append(createEfforts(report.efforts, store));
-      if (report.following) host.append(createFollowing(report.following, store));
+      if (report.following) host.append(createFollowingErrors(report.following, store));
       if (context.robot && report.bounds) host.append(createTravel(context.robot.scene.axes, report.bounds, axisWords));
     },
   };
@@ -42,12 +42,12 @@ export function createSummary(store: Store): Tab {
 }
 
 // Errors that make a run useless come before its values, warnings after them.
-const grave: readonly MarkKind[] = ["alarm", "collision", "violation", "zone"];
+const severeKinds: readonly MarkKind[] = ["alarm", "collision", "violation", "zone"];
 const light: readonly MarkKind[] = ["motor", "finding", "near"];
 
 function sections({ run, index }: Context, kinds: readonly MarkKind[], store: Store): HTMLElement[] {
   const byKind = new Map<MarkKind, Mark[]>();
-  for (const mark of marksOf(run, index)) {
+  for (const mark of runMarks(run, index)) {
     const known = byKind.get(mark.kind);
     if (known) known.push(mark);
     else byKind.set(mark.kind, [mark]);
@@ -58,8 +58,8 @@ function sections({ run, index }: Context, kinds: readonly MarkKind[], store: St
 }
 
 /** Returns diagnostics and warnings that are in no other list. */
-function toldOf({ run, report }: Context, store: Store): Item[] {
-  if (!report || run.failure) return [];
+function diagnosticItems({ run, report }: Context, store: Store): Item[] {
+  if (!report || run.error) return [];
   const own = ["collision", "near-miss", "axis-limit", "zone", report.alarm?.code];
   for (const { code } of report.findings ?? []) own.push(code);
   // Motor diagnostics without a source location are in no list.
@@ -83,13 +83,13 @@ function toldOf({ run, report }: Context, store: Store): Item[] {
 }
 
 function figures(report: Report & { idle_s?: number }, store: Store): HTMLElement {
-  const { time, length, lower_bound_s: bound_s, cycle_time_s: whole_s } = report;
+  const { time, length, lower_bound_s: bound_s, cycle_time_s: total_s } = report;
   const units = store.get("units");
-  const list = element("dl", { class: "figures" }, figure(words.cycleTime, timeText(whole_s)));
+  const list = element("dl", { class: "figures" }, figure(words.cycleTime, timeText(total_s)));
   list.firstElementChild!.classList.add("great");
-  if (time) list.append(timeBar(time, whole_s));
-  if (bound_s != null && whole_s > 0) {
-    const beyond = words.boundShare(percentText(whole_s - bound_s, whole_s));
+  if (time) list.append(timeBar(time, total_s));
+  if (bound_s != null && total_s > 0) {
+    const beyond = words.boundShare(percentText(total_s - bound_s, total_s));
     list.append(figure(words.bound, timeText(bound_s), words.boundHint), element("p", { class: "note" }, beyond));
   }
   if (report.idle_s !== undefined) list.append(figure(words.idle, timeText(report.idle_s)));
@@ -105,7 +105,7 @@ function figures(report: Report & { idle_s?: number }, store: Store): HTMLElemen
 }
 
 /** Shows time at feed, in rapids and in dwells as parts of one bar. */
-function timeBar(time: NonNullable<Report["time"]>, whole_s: number): HTMLElement {
+function timeBar(time: NonNullable<Report["time"]>, total_s: number): HTMLElement {
   const parts = [
     { name: words.timeOf.feed, time_s: time.feed_s, kind: "feed" },
     { name: words.timeOf.rapid, time_s: time.rapid_s, kind: "rapid" },
@@ -114,10 +114,10 @@ function timeBar(time: NonNullable<Report["time"]>, whole_s: number): HTMLElemen
   const bar = element(
     "div",
     { class: "time-bar", "aria-hidden": "true" },
-    ...parts.map(({ time_s, kind }) => element("i", { class: kind, style: `flex-grow:${time_s / whole_s}` })),
+    ...parts.map(({ time_s, kind }) => element("i", { class: kind, style: `flex-grow:${time_s / total_s}` })),
   );
   const figures = parts.map(({ name, time_s, kind }) => {
-    const row = figure(name, `${timeText(time_s)} · ${percentText(time_s, whole_s)} %`);
+    const row = figure(name, `${timeText(time_s)} · ${percentText(time_s, total_s)} %`);
     row.classList.add("of-time", kind);
     return row;
   });

@@ -8,10 +8,10 @@ import { texts } from "../../../texts";
 const words = texts.panels;
 
 type Bounds = NonNullable<Report["bounds"]>;
-type Words = (value: number, rotary: boolean) => string;
+type FormatValue = (value: number, rotary: boolean) => string;
 
-export function createTravel(axes: Axis[], bounds: Bounds, text: Words): HTMLElement {
-  const rows = axes.filter((axis) => bounds[axis.letter]).map((axis) => rowOf(axis, bounds[axis.letter], text));
+export function createTravel(axes: Axis[], bounds: Bounds, text: FormatValue): HTMLElement {
+  const rows = axes.filter((axis) => bounds[axis.letter]).map((axis) => createRow(axis, bounds[axis.letter], text));
   const head = element("tr", {}, ...words.travelHeads.map((name) => element("th", { scope: "col" }, name)));
   return element(
     "section",
@@ -21,7 +21,7 @@ export function createTravel(axes: Axis[], bounds: Bounds, text: Words): HTMLEle
   );
 }
 
-function rowOf(axis: Axis, { min, max, limit_min, limit_max }: Bounds[string], text: Words): HTMLElement {
+function createRow(axis: Axis, { min, max, limit_min, limit_max }: Bounds[string], text: FormatValue): HTMLElement {
   const beyond = (limit_min !== null && min < limit_min) || (limit_max !== null && max > limit_max);
   const end = (value: number | null) => (value === null ? words.noLimit : text(value, axis.rotary));
   const limits = limit_min === null && limit_max === null ? words.noLimit : `${end(limit_min)} … ${end(limit_max)}`;

@@ -1,8 +1,8 @@
 // Differences of two runs: in total, and block by block.
 
 import type { Robot, Run } from "../../../run/run";
-import { blockTableOf, type BlockTable } from "../../results/data/block_table";
-import { SAME_S } from "../../results/data/comparison";
+import { cachedBlockTable, type BlockTable } from "../../results/data/block_table";
+import { MIN_DIFFERENCE_S } from "../../results/data/comparison";
 import { greatest } from "../../results/data/greatest";
 import { linesOf } from "../../results/data/source_lines";
 import { matchBlocks, type BlockMatching, type Side } from "./matching";
@@ -26,8 +26,8 @@ export interface Row {
 }
 
 /** True if a run came to its end, so that its time is that of the program. */
-export const isWhole = ({ report, failure }: Run): boolean =>
-  failure === null && (report?.status === "completed" || report?.status === "violations");
+export const isCompleteRun = ({ report, error }: Run): boolean =>
+  error === null && (report?.status === "completed" || report?.status === "violations");
 
 /** Returns the block of a position in a run; -1: the run never reaches it. */
 export function blockOf({ files, blocks }: Robot, { file, line, pass }: From): number {
@@ -35,19 +35,19 @@ export function blockOf({ files, blocks }: Robot, { file, line, pass }: From): n
 }
 
 /** Returns the block at which the times of a run start; -1: the run never reaches it. */
-function beginOf(from: From | null, own: Robot, other: Robot, matched: Int32Array): number {
+function startBlock(from: From | null, own: Robot, other: Robot, matched: Int32Array): number {
   if (!from) return 0;
   const block = blockOf(own, from);
   if (block >= 0 || own.files.includes(from.file)) return block;
-  const there = blockOf(other, from);
-  return there < 0 ? -1 : matched[there];
+  const otherBlock = blockOf(other, from);
+  return otherBlock < 0 ? -1 : matched[otherBlock];
 }
 
 export class Differences {
   readonly matching: BlockMatching;
   private readonly tables: [BlockTable, BlockTable];
   /** First counted block of each run; -1: it never reaches the start of the count. */
-  readonly begins: [number, number];
+  readonly startBlocks: [number, number];
   /** When that is, s. */
   readonly starts_s: [number, number];
   /** Times from there to the end of each run, s. */
@@ -55,9 +55,9 @@ export class Differences {
   /**
    * Part of the difference in blocks that one of the runs, or both, have; the remainder is between blocks.
    */
-  readonly inBlocks_s: number;
-  private readonly ofA: Int32Array;
-  private readonly ofB: Int32Array;
+  readonly blockDifference_s: number;
+  private readonly blocksOfA: Int32Array;
+  private readonly blocksOfB: Int32Array;
 
   constructor(
     readonly a: Side,
@@ -65,19 +65,19 @@ export class Differences {
     readonly from: From | null = null,
   ) {
     this.matching = matchBlocks(a, b);
-    this.tables = [blockTableOf(a.robot), blockTableOf(b.robot)];
-    const { ofA, ofB } = this.matching;
-    this.begins = [beginOf(from, a.robot, b.robot, ofB), beginOf(from, b.robot, a.robot, ofA)];
-    const starts = [a, b].map(({ robot }, i) => (from && this.begins[i] >= 0 ? robot.blocks.start_s(this.begins[i]) : 0));
+    this.tables = [cachedBlockTable(a.robot), cachedBlockTable(b.robot)];
+    const { blocksOfA, blocksOfB } = this.matching;
+    this.startBlocks = [startBlock(from, a.robot, b.robot, blocksOfB), startBlock(from, b.robot, a.robot, blocksOfA)];
+    const starts = [a, b].map(({ robot }, i) => (from && this.startBlocks[i] >= 0 ? robot.blocks.start_s(this.startBlocks[i]) : 0));
     this.starts_s = [starts[0], starts[1]];
     this.totals_s = [a.run.end_s - starts[0], b.run.end_s - starts[1]];
-    [this.ofA, this.ofB] = this.pairs();
-    this.inBlocks_s = this.ofA.reduce((sum, _, i) => sum + this.difference_s(i), 0);
+    [this.blocksOfA, this.blocksOfB] = this.pairs();
+    this.blockDifference_s = this.blocksOfA.reduce((sum, _, i) => sum + this.difference_s(i), 0);
   }
 
   /** True if both runs reach the start of the count. */
-  get isReached(): boolean {
-    return this.begins[0] >= 0 && this.begins[1] >= 0;
+  get reachesStart(): boolean {
+    return this.startBlocks[0] >= 0 && this.startBlocks[1] >= 0;
   }
 
   /** Difference of b from a; below 0: b is faster. */
@@ -87,13 +87,13 @@ export class Differences {
 
   /** Returns all counted blocks, with matching blocks as one pair. */
   private pairs(): [Int32Array, Int32Array] {
-    if (!this.isReached) return [new Int32Array(0), new Int32Array(0)];
-    const [beginA, beginB] = this.begins;
-    const { ofA, ofB } = this.matching;
+    if (!this.reachesStart) return [new Int32Array(0), new Int32Array(0)];
+    const [beginA, beginB] = this.startBlocks;
+    const { blocksOfA, blocksOfB } = this.matching;
     const pairs: [number[], number[]] = [[], []];
     const add = (a: number, b: number) => (pairs[0].push(a), pairs[1].push(b));
-    for (let b = beginB; b < ofB.length; ++b) add(ofB[b] >= beginA ? ofB[b] : -1, b);
-    for (let a = beginA; a < ofA.length; ++a) if (ofA[a] < beginB) add(a, -1);
+    for (let b = beginB; b < blocksOfB.length; ++b) add(blocksOfB[b] >= beginA ? blocksOfB[b] : -1, b);
+    for (let a = beginA; a < blocksOfA.length; ++a) if (blocksOfA[a] < beginB) add(a, -1);
     return [Int32Array.from(pairs[0]), Int32Array.from(pairs[1])];
   }
 
@@ -102,14 +102,14 @@ export class Differences {
   }
 
   private difference_s(pair: number): number {
-    return this.time_s(1, this.ofB[pair]) - this.time_s(0, this.ofA[pair]);
+    return this.time_s(1, this.blocksOfB[pair]) - this.time_s(0, this.blocksOfA[pair]);
   }
 
   /** Returns the rows that differ and match `words`, the largest difference first; at most `most`. */
   rows(most: number, words = ""): { rows: Row[]; count: number } {
     const lets = this.filter(words);
-    const differs = (pair: number) => Math.abs(this.difference_s(pair)) >= SAME_S && lets(pair);
-    const { indices, passed } = greatest(this.ofA.length, most, (pair) => Math.abs(this.difference_s(pair)), differs);
+    const differs = (pair: number) => Math.abs(this.difference_s(pair)) >= MIN_DIFFERENCE_S && lets(pair);
+    const { indices, passed } = greatest(this.blocksOfA.length, most, (pair) => Math.abs(this.difference_s(pair)), differs);
     return { rows: Array.from(indices, (pair) => this.row(pair)), count: passed };
   }
 
@@ -117,20 +117,20 @@ export class Differences {
    * Returns the few blocks with the largest part of the difference: those that change in the same direction
    * as the total.
    */
-  foremost(most: number): Row[] {
+  largestDifferences(most: number): Row[] {
     const way = Math.sign(this.total_s);
     const share_s = (pair: number) => way * this.difference_s(pair);
-    const { indices } = greatest(this.ofA.length, most, share_s, (pair) => share_s(pair) >= SAME_S);
+    const { indices } = greatest(this.blocksOfA.length, most, share_s, (pair) => share_s(pair) >= MIN_DIFFERENCE_S);
     return Array.from(indices, (pair) => this.row(pair));
   }
 
   /** "230": that line; "200-260": lines; other words: part of the line's text. */
   private filter(words: string): (pair: number) => boolean {
-    const wanted = words.trim().toLowerCase();
-    if (wanted === "") return () => true;
-    const [, from, to = from] = /^(\d+)(?:\s*-\s*(\d+))?$/.exec(wanted) ?? [];
+    const queryText = words.trim().toLowerCase();
+    if (queryText === "") return () => true;
+    const [, from, to = from] = /^(\d+)(?:\s*-\s*(\d+))?$/.exec(queryText) ?? [];
     if (from) return (pair) => this.lineOf(pair) >= Number(from) && this.lineOf(pair) <= Number(to);
-    const texts = [this.a, this.b].map(({ run, robot }) => robot.files.map((file) => linesOf(run.sources, file).matching(wanted)));
+    const texts = [this.a, this.b].map(({ run, robot }) => robot.files.map((file) => linesOf(run.sources, file).matching(queryText)));
     return (pair) => {
       const [side, block] = this.standing(pair);
       const table = this.tables[side];
@@ -140,7 +140,7 @@ export class Differences {
 
   /** Returns the run that has the line of a pair: a, if it has it. */
   private standing(pair: number): [side: 0 | 1, block: number] {
-    return this.ofA[pair] >= 0 ? [0, this.ofA[pair]] : [1, this.ofB[pair]];
+    return this.blocksOfA[pair] >= 0 ? [0, this.blocksOfA[pair]] : [1, this.blocksOfB[pair]];
   }
 
   private lineOf(pair: number): number {
@@ -149,7 +149,7 @@ export class Differences {
   }
 
   private row(pair: number): Row {
-    const [a, b] = [this.ofA[pair], this.ofB[pair]];
+    const [a, b] = [this.blocksOfA[pair], this.blocksOfB[pair]];
     const [side, block] = this.standing(pair);
     const { run, robot } = side === 0 ? this.a : this.b;
     const [file, line] = [this.tables[side].file[block], this.tables[side].line[block]];

@@ -2,7 +2,7 @@
 // both, or if they were changed in place.
 
 import type { Robot, Run } from "../../../run/run";
-import { blockTableOf } from "../../results/data/block_table";
+import { cachedBlockTable } from "../../results/data/block_table";
 import { counterpart } from "../../results/data/comparison";
 import { matchLines, type Matching } from "../../results/data/diff";
 import { linesOf } from "../../results/data/source_lines";
@@ -21,8 +21,8 @@ export interface FilePair {
 
 export interface BlockMatching {
   /** For each block of one run the block of the other; -1: none. */
-  ofA: Int32Array;
-  ofB: Int32Array;
+  blocksOfA: Int32Array;
+  blocksOfB: Int32Array;
   /** Pass over its line for each block, from 0, in a and in b. */
   passA: Uint32Array;
   passB: Uint32Array;
@@ -33,12 +33,12 @@ export interface BlockMatching {
    * number.
    */
   otherTexts: FilePair[];
-  unread: FilePair[];
+  unloadedTexts: FilePair[];
 }
 
 /** Returns the pass over its line for each block, from 0. */
-function passesOf(robot: Robot): Uint32Array {
-  const { count, file, line } = blockTableOf(robot);
+function blockPasses(robot: Robot): Uint32Array {
+  const { count, file, line } = cachedBlockTable(robot);
   const last = robot.files.map(() => 0);
   for (let block = 0; block < count; ++block) last[file[block]] = Math.max(last[file[block]] ?? 0, line[block]);
   const counts = last.map((most) => new Uint32Array(most + 1));
@@ -46,20 +46,20 @@ function passesOf(robot: Robot): Uint32Array {
 }
 
 /** Match between the lines of a file of b and those of a: by number, or by text. */
-interface OfFile {
+interface FileMatch {
   /** -1: no such file in a. */
   file: number;
   /** Null: by number. */
   lines: Matching | null;
 }
 
-function matchFiles(a: Side, b: Side, found: BlockMatching): OfFile[] {
+function matchFiles(a: Side, b: Side, found: BlockMatching): FileMatch[] {
   return b.robot.files.map((name, index) => {
     const file = counterpart(name, index, a.robot, b.robot);
     if (file < 0) return { file, lines: null };
     const pair = { a: a.robot.files[file], b: name };
     if (!a.run.sources.has(pair.a) || !b.run.sources.has(name)) {
-      if (pair.a !== name) found.unread.push(pair);
+      if (pair.a !== name) found.unloadedTexts.push(pair);
       return { file, lines: null };
     }
     const [before, after] = [linesOf(a.run.sources, pair.a), linesOf(b.run.sources, name)];
@@ -70,15 +70,15 @@ function matchFiles(a: Side, b: Side, found: BlockMatching): OfFile[] {
 }
 
 export function matchBlocks(a: Side, b: Side): BlockMatching {
-  const [tableA, tableB] = [blockTableOf(a.robot), blockTableOf(b.robot)];
+  const [tableA, tableB] = [cachedBlockTable(a.robot), cachedBlockTable(b.robot)];
   const found: BlockMatching = {
-    ofA: new Int32Array(tableA.count).fill(-1),
-    ofB: new Int32Array(tableB.count).fill(-1),
-    passA: passesOf(a.robot),
-    passB: passesOf(b.robot),
+    blocksOfA: new Int32Array(tableA.count).fill(-1),
+    blocksOfB: new Int32Array(tableB.count).fill(-1),
+    passA: blockPasses(a.robot),
+    passB: blockPasses(b.robot),
     changed: new Uint8Array(tableB.count),
     otherTexts: [],
-    unread: [],
+    unloadedTexts: [],
   };
   const files = matchFiles(a, b, found);
   for (let block = 0; block < tableB.count; ++block) {
@@ -88,8 +88,8 @@ export function matchBlocks(a: Side, b: Side): BlockMatching {
     if (file < 0 || !lineA) continue;
     const blockA = a.robot.blocks.ofLine(file, lineA)[found.passB[block]] ?? -1;
     if (blockA < 0) continue;
-    found.ofB[block] = blockA;
-    found.ofA[blockA] = block;
+    found.blocksOfB[block] = blockA;
+    found.blocksOfA[blockA] = block;
     found.changed[block] = lines?.changed[line] ?? 0;
   }
   return found;

@@ -1,20 +1,20 @@
 // Results of variants: their runs by setup, as long as they are available, and the current status of each.
 
-import { MOST_BLOCKS, type Session } from "../../../core/session";
+import { MAX_BLOCKS, type Session } from "../../../core/session";
 import type { Setup } from "../../../core/setup";
 import type { Run } from "../../../run/run";
-import { isWhole } from "./differences";
+import { isCompleteRun } from "./differences";
 
 /** Status of a run; only "done" or "stopped" means that it is of the current documents. */
-export type Standing =
+export type VariantStatus =
   | { is: "none" | "dropped"; run: null }
   | { is: "earlier"; run: Run; files: string[] }
   | { is: "failed"; run: Run; why: string }
   | { is: "stopped" | "done"; run: Run };
 
-const keyOf = (setup: Readonly<Setup>): string => JSON.stringify(Object.entries(setup).sort());
+const setupKey = (setup: Readonly<Setup>): string => JSON.stringify(Object.entries(setup).sort());
 
-const blocksOf = (run: Run): number => run.robots.reduce((sum, { segments }) => sum + segments.count, 0);
+const segmentTotal = (run: Run): number => run.robots.reduce((sum, { segments }) => sum + segments.count, 0);
 
 export class Results {
   /** Runs in order; the latest one is the last. */
@@ -24,14 +24,14 @@ export class Results {
   constructor(
     private readonly session: Pick<Session, "origin" | "changedSince">,
     /** Limit on the segments of all runs; beyond it runs are dropped, the oldest first. */
-    private readonly mostBlocks = MOST_BLOCKS,
+    private readonly mostBlocks = MAX_BLOCKS,
   ) {}
 
   /** Keeps a run for variants with its setup. */
-  take(run: Run): void {
+  accept(run: Run): void {
     const origin = this.session.origin(run);
     if (!origin) return;
-    const key = keyOf(origin.setup);
+    const key = setupKey(origin.setup);
     this.runs.delete(key);
     // A run that is too long for the page has no blocks to compare.
     if (run.isLong) {
@@ -44,26 +44,26 @@ export class Results {
   }
 
   private makeRoom(): void {
-    let blocks = [...this.runs.values()].reduce((sum, run) => sum + blocksOf(run), 0);
+    let blocks = [...this.runs.values()].reduce((sum, run) => sum + segmentTotal(run), 0);
     for (const [key, run] of this.runs) {
       if (blocks <= this.mostBlocks || this.runs.size === 1) return;
-      blocks -= blocksOf(run);
+      blocks -= segmentTotal(run);
       this.runs.delete(key);
       this.dropped.add(key);
     }
   }
 
-  standing(setup: Readonly<Setup>): Standing {
-    const key = keyOf(setup);
+  standing(setup: Readonly<Setup>): VariantStatus {
+    const key = setupKey(setup);
     const run = this.runs.get(key);
     if (!run) return { is: this.dropped.has(key) ? "dropped" : "none", run: null };
     const files = this.session.changedSince(run);
     if (files.length > 0) return { is: "earlier", run, files };
-    if (run.failure) return { is: "failed", run, why: run.failure.message };
-    return { is: isWhole(run) ? "done" : "stopped", run };
+    if (run.error) return { is: "failed", run, why: run.error.message };
+    return { is: isCompleteRun(run) ? "done" : "stopped", run };
   }
 }
 
 /** True if its results are current. */
-export const isFresh = (standing: Standing): standing is { is: "stopped" | "done"; run: Run } =>
+export const isCurrent = (standing: VariantStatus): standing is { is: "stopped" | "done"; run: Run } =>
   standing.is === "done" || standing.is === "stopped";

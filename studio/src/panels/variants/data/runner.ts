@@ -5,13 +5,13 @@ import type { Running } from "../../../core/store";
 import type { Results } from "./results";
 import type { Variant } from "./variants_file";
 
-export interface UnderWay extends Running {
+export interface RunProgress extends Running {
   name: string;
 }
 
 export class Runner {
   /** Null: no variant runs. */
-  underWay: UnderWay | null = null;
+  runProgress: RunProgress | null = null;
   private turn = 0;
 
   constructor(
@@ -29,20 +29,20 @@ export class Runner {
       });
       if (turn !== this.turn) return;
       if (!run) break;
-      this.results.take(run);
+      this.results.accept(run);
     }
     this.tell(null);
   }
 
   cancel(): void {
-    if (!this.underWay) return;
+    if (!this.runProgress) return;
     ++this.turn;
     this.session.cancelRun();
     this.tell(null);
   }
 
-  private tell(underWay: UnderWay | null): void {
-    this.underWay = underWay;
+  private tell(runProgress: RunProgress | null): void {
+    this.runProgress = runProgress;
     this.changed();
   }
 }

@@ -1,6 +1,6 @@
 // File of variants: setups by name, each with its differences from an empty setup.
 
-import { MOST_OVERRIDE_PERCENT, emptySetup, overrideKeys, type Setup } from "../../../core/setup";
+import { MAX_OVERRIDE_PERCENT, emptySetup, overrideKeys, type Setup } from "../../../core/setup";
 import { texts } from "../../../texts";
 
 const words = texts.variants.file;
@@ -25,23 +25,23 @@ export interface Variant {
 /** Contents of a file, or a message why it cannot be read. */
 export type ReadVariants = { variants: Variant[]; fault: "" } | { variants: null; fault: string };
 
-class Fault extends Error {}
+class VariantsFileError extends Error {}
 
 type Table = Record<string, unknown>;
 
-const isTable = (value: unknown): value is Table => typeof value === "object" && value !== null && !Array.isArray(value);
+const isJsonObject = (value: unknown): value is Table => typeof value === "object" && value !== null && !Array.isArray(value);
 const isCount = (value: unknown): value is number => Number.isInteger(value) && (value as number) >= 1;
 
 function only(table: Table, known: readonly string[], where: string): void {
   const other = Object.keys(table).find((key) => !known.includes(key));
-  if (other !== undefined) throw new Fault(words.unknownKey(where, other));
+  if (other !== undefined) throw new VariantsFileError(words.unknownKey(where, other));
 }
 
-function readFrom(value: unknown, where: string): From {
-  if (!isTable(value)) throw new Fault(words.wrongFrom(where));
+function readCountStart(value: unknown, where: string): From {
+  if (!isJsonObject(value)) throw new VariantsFileError(words.wrongFrom(where));
   only(value, ["file", "line", "pass"], `${where}, from`);
   const { file, line, pass = 1 } = value;
-  if (typeof file !== "string" || !isCount(line) || !isCount(pass)) throw new Fault(words.wrongFrom(where));
+  if (typeof file !== "string" || !isCount(line) || !isCount(pass)) throw new VariantsFileError(words.wrongFrom(where));
   return { file, line, pass };
 }
 
@@ -49,32 +49,32 @@ function readSetup(values: Table, where: string): Setup {
   const setup = emptySetup();
   const put = setup as unknown as Table;
   for (const [key, value] of Object.entries(values)) {
-    if (typeof value !== typeof put[key]) throw new Fault(words.wrongValue(where, key));
+    if (typeof value !== typeof put[key]) throw new VariantsFileError(words.wrongValue(where, key));
     put[key] = value;
   }
   for (const key of overrideKeys) {
-    if (!(setup[key] >= 0 && setup[key] <= MOST_OVERRIDE_PERCENT)) throw new Fault(words.wrongOverride(where, key, MOST_OVERRIDE_PERCENT));
+    if (!(setup[key] >= 0 && setup[key] <= MAX_OVERRIDE_PERCENT)) throw new VariantsFileError(words.wrongOverride(where, key, MAX_OVERRIDE_PERCENT));
   }
   return setup;
 }
 
 function readVariant(value: unknown, number: number): Variant {
   const where = words.where(number);
-  if (!isTable(value)) throw new Fault(words.noTable(where));
+  if (!isJsonObject(value)) throw new VariantsFileError(words.noTable(where));
   const { name, from, ...setup } = value;
   only(setup, Object.keys(emptySetup()), where);
-  if (typeof name !== "string" || name === "") throw new Fault(words.noName(where));
-  return { name, setup: readSetup(setup, where), from: from === undefined ? null : readFrom(from, where) };
+  if (typeof name !== "string" || name === "") throw new VariantsFileError(words.noName(where));
+  return { name, setup: readSetup(setup, where), from: from === undefined ? null : readCountStart(from, where) };
 }
 
 function read(text: string): Variant[] {
   const value: unknown = JSON.parse(text);
-  if (!isTable(value) || !Array.isArray(value.variants)) throw new Fault(words.noList);
+  if (!isJsonObject(value) || !Array.isArray(value.variants)) throw new VariantsFileError(words.noList);
   only(value, ["format", "variants"], words.outermost);
-  if (value.format !== undefined && value.format !== FORMAT) throw new Fault(words.unknownFormat(value.format, FORMAT));
+  if (value.format !== undefined && value.format !== FORMAT) throw new VariantsFileError(words.unknownFormat(value.format, FORMAT));
   const variants = value.variants.map((each, i) => readVariant(each, i + 1));
   const double = variants.find(({ name }, i) => variants.findIndex((other) => other.name === name) !== i);
-  if (double) throw new Fault(words.twice(double.name));
+  if (double) throw new VariantsFileError(words.twice(double.name));
   return variants;
 }
 

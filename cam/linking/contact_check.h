@@ -1,0 +1,14 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "cam/linking/collision_avoidance.h"
+
+namespace gsim::linking {
+
+/// Returns the contacts along the motion of a program, the first one of each of its paths.
+std::vector<path::Error> check_contacts(std::span<const AxisStep> steps, const RapidPlanner& space,
+                                        const AxisValues& start);
+
+}  // namespace gsim::linking

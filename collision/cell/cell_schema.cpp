@@ -1,0 +1,92 @@
+#include "collision/cell/cell_schema.h"
+
+#include <string>
+#include <utility>
+
+namespace gsim::cell {
+
+namespace {
+
+using machine::choice_key;
+using machine::KeyKind;
+using machine::KeySchema;
+using machine::list_key;
+using machine::number_key;
+using machine::required;
+using machine::table_key;
+using machine::TableSchema;
+using machine::text_key;
+
+TableSchema cell_file_table() {
+    return {.at = {},
+            .meaning = "the cell file",
+            .keys = {required(table_key("cell", "what the cell is called, and its machine")),
+                     list_key("frame", KeyKind::table, 0, "places with names"),
+                     list_key("object", KeyKind::table, 0, "what stands round the machine"),
+                     list_key("shape", KeyKind::table, 0, "bodies of parts of the machine"),
+                     list_key("ignore", KeyKind::list, 0, "pairs of objects or shapes that may touch"),
+                     list_key("robot", KeyKind::table, 0, "of a file of robots, which may be the same file"),
+                     list_key("conveyor", KeyKind::table, 0, "of a file of robots, too")}};
+}
+
+KeySchema name() {
+    return required(text_key("name", "", "a name of its own"));
+}
+
+KeySchema attached_to() {
+    return text_key("attached_to", "\"world\"",
+                    "\"world\", a frame or an object above, a conveyor, \"base\", the letter of an axis, "
+                    "\"tool\" or \"work\"");
+}
+
+KeySchema form() {
+    return required(table_key("shape", "one of box_mm, cylinder_mm, capsule_mm, sphere_mm and mesh"));
+}
+
+KeySchema position_keys() {
+    return table_key("frame", "where it is on what it is attached to");
+}
+
+TableSchema table_schema(std::string kind, std::string meaning, std::vector<KeySchema> keys) {
+    return {.at = {std::move(kind)}, .many = true, .meaning = std::move(meaning), .keys = std::move(keys)};
+}
+
+TableSchema within(std::string kind, std::string key, std::string meaning, std::vector<KeySchema> keys) {
+    TableSchema table = table_schema(std::move(kind), std::move(meaning), std::move(keys));
+    table.at.push_back(std::move(key));
+    return table;
+}
+
+}  // namespace
+
+std::vector<TableSchema> cell_schema() {
+    return {
+        cell_file_table(),
+        {.at = {"cell"},
+         .meaning = "the cell",
+         .keys = {required(text_key("name", "", "for reports")),
+                  text_key("machine", "",
+                           "the machine file, from the folder of this file; where none is asked for"),
+                  text_key("machine_data", "", "the same of machine data"),
+                  number_key("clearance_mm", machine::kNotNegative, "0.0",
+                             "report what comes nearer; 0: contacts alone")}},
+        table_schema("frame", "a place with a name", {name(), attached_to(), position_keys()}),
+        table_schema("object", "what stands round the machine, or lies on it",
+                     {name(),
+                      choice_key("role", "\"fixture\"", {"workpiece", "fixture"},
+                                 "what it is; a jet may cut a workpiece"),
+                      attached_to(), form(), position_keys()}),
+        table_schema(
+            "shape", "a body of a part of the machine",
+            {name(),
+             required(text_key("on", "", "\"base\", the letter of an axis, \"tool\", \"work\" or \"jet\"")),
+             form(), position_keys()}),
+        within("frame", "frame", "where the place is", machine::frame_schema()),
+        within("object", "shape", "the form of a body", machine::shape_schema()),
+        within("object", "frame", "where a body is", machine::frame_schema()),
+        within("shape", "shape", "the form of a body", machine::shape_schema()),
+        within("shape", "frame", "where a body is", machine::frame_schema()),
+    };
+}
+
+}  // namespace gsim::cell

@@ -1,0 +1,46 @@
+#include "runtime/monitors/axes_time_monitor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/motion_sources/motion_replay.h"
+#include "runtime/motion_sources/null_segment_sink.h"
+#include "runtime/simulator/make_planner_setup.h"
+
+namespace gsim::simulation {
+
+AxesTimeMonitor::AxesTimeMonitor(const machine::Machine& machine)
+    : null_sink_(std::make_unique<NullSegmentSink>()),
+      word_times_(machine.times),
+      planner_(make_planner_setup(machine), null_sink_.get()) {
+    if (std::any_of(machine.axes.begin(), machine.axes.end(),
+                    [](const machine::Axis& axis) { return std::isinf(axis.max_acceleration); }))
+        on_unrecordable("an axis has no max_acceleration");
+}
+
+void AxesTimeMonitor::on_unrecordable(std::string_view reason) {
+    if (error_.empty()) error_ = reason;
+}
+
+void AxesTimeMonitor::on_start_position(const rrs::JointPos& joints) {
+    if (const auto started = planner_.set_position({joints, std::nullopt}); !started)
+        on_unrecordable(started.error().message);
+}
+
+void AxesTimeMonitor::on_request(const MotionRequest& request) {
+    if (!error_.empty()) return;
+    if (const auto enqueue = replay_request(request, word_times_, planner_); !enqueue)
+        on_unrecordable(enqueue.error().message);
+}
+
+void AxesTimeMonitor::ended() {
+    planner_.plan_to_final_standstill();
+    planner_.flush();
+}
+
+std::optional<double> AxesTimeMonitor::time_s() const {
+    if (!error_.empty()) return std::nullopt;
+    return planner_.time_s();
+}
+
+}  // namespace gsim::simulation

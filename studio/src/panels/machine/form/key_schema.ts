@@ -1,0 +1,68 @@
+// Possible keys in the tables of a file, as reported by the engine (docs/studio.md).
+
+import type { Session } from "../../../core/session";
+import type { Toml } from "../file/toml";
+
+/** Range of numbers that a key accepts. */
+export interface Range {
+  least?: number;
+  /** Lower limit that is itself excluded. */
+  above?: number;
+  most?: number;
+  below?: number;
+  /** Other values that it also accepts. */
+  or?: (number | string)[];
+  whole?: boolean;
+}
+
+export interface Key extends Range {
+  name: string;
+  kind: "number" | "text" | "switch" | "list" | "table";
+  meaning: string;
+  /** "mm/s2" */
+  unit?: string;
+  /** Of a list. */
+  elements?: "number" | "text" | "list" | "table";
+  default?: Toml;
+  choices?: string[];
+  /** True if other values than these choices are possible. */
+  open?: boolean;
+  required?: boolean;
+  /** Pattern for all keys of this form. */
+  pattern?: string;
+}
+
+interface Table {
+  /** Keys from the top of the document to the table. */
+  at: string[];
+  /** Condition, if tables of the same name have different keys. */
+  where?: Record<string, string>;
+  keys: Key[];
+}
+
+export type KeyedFile = "machine" | "controller";
+
+export class Keys {
+  private readonly known = new Map<KeyedFile, Promise<Table[]>>();
+
+  constructor(private readonly session: Session) {}
+
+  /**
+   * Requests the keys once. The result finds the keys of a table by its position, "controller.stops", and by
+   * its kind.
+   */
+  async of(file: KeyedFile): Promise<(at: string, kind?: string) => Key[]> {
+    const asked = this.known.get(file) ?? this.ask(file);
+    this.known.set(file, asked);
+    const tables = await asked;
+    return (at, kind) => {
+      const isMatch = ({ at: steps, where }: Table) => steps.join(".") === at && (!where || !kind || Object.values(where).includes(kind));
+      return tables.find(isMatch)?.keys ?? [];
+    };
+  }
+
+  private async ask(file: KeyedFile): Promise<Table[]> {
+    const { messages } = await this.session.sendRequest({ do: "keys", of: file }, {}, new Map());
+    return (messages.find(({ is }) => is === "keys")?.header.tables ?? []) as Table[];
+  }
+}

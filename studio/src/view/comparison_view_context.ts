@@ -1,0 +1,18 @@
+// Place of a second run on the same clock; a page that only shows a finished run has none.
+
+import type { Frames } from "../core/frames";
+import type { Session } from "../core/session";
+import type { Store } from "../core/store";
+import type { View } from "./view";
+
+export interface ComparisonViewContext {
+  host: HTMLElement;
+  view: View;
+  store: Store;
+  session: Session;
+  frames: Frames;
+}
+
+export type CreateComparisonView = (place: ComparisonViewContext) => void;
+
+export const noComparisonView: CreateComparisonView = () => undefined;
