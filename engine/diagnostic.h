@@ -33,9 +33,10 @@ struct Error {
     /// "file": a file cannot be read; "usage": a conflict in the request; "internal": an error of this
     /// library; else as Diagnostic::code.
     std::string code;
-    std::string message;      ///< A message. For a program with errors, the first one; Tell has received all.
-    std::string file = {};    ///< Name of the input; empty if the message names it.
-    bool in_program = false;  ///< The program has errors, which have been reported.
+    std::string message;  ///< A message. For a program with errors, the first one; the DiagnosticHandler has
+                          ///< received all.
+    std::string file = {};                       ///< Name of the input; empty if the message names it.
+    bool in_program = false;                     ///< The program has errors, which have been reported.
     std::optional<Diagnostic> first_error = {};  ///< First error of that program.
 };
 

@@ -54,7 +54,7 @@ struct OutputOptions {
 };
 
 /// One program on a simulated machine, or on several: open(), prepare(), the requested results, then go(),
-/// each once. All errors return as a Failure or in the report; it does not print and does not change the
+/// each once. All errors return as an Error or in the report; it does not print and does not change the
 /// process.
 class GSIM_API Run {
   public:

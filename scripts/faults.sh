@@ -16,7 +16,7 @@ for part in allocations calls kills; do
     rm -f "$rows.$part"
 done
 
-echo '| fault | jobs | places | tried | status 2 and a sentence | as without it |'
+echo '| fault | jobs | places | tried | status 2 and a message | as without it |'
 echo '| --- | ---: | ---: | ---: | ---: | ---: |'
 awk -F' *[|] *' 'NF == 8 { if (!($2 in jobs)) order[++kinds] = $2; jobs[$2]++; of[$2] += $4; tried[$2] += $5; told[$2] += $6; done[$2] += $7 }
     END { for (i = 1; i <= kinds; i++) { k = order[i]; print "| " k " | " jobs[k] " | " of[k] " | " tried[k] " | " told[k] " | " done[k] " |" } }' "$rows"

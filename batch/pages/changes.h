@@ -11,8 +11,8 @@
 
 namespace gsim::batch {
 
-/// Changes of the cases since the previous batch, by their indices in Night::cases. A case may be in several
-/// of these lists.
+/// Changes of the cases since the previous batch, by their indices in NightlyReport::cases. A case may be in
+/// several of these lists.
 struct Changes {
     std::vector<std::size_t> newly_failing, fixed;
     std::vector<std::size_t> changed_times;     ///< The greatest difference first.

@@ -39,7 +39,7 @@ struct RunFacts {
 
 /// Run of a case in a batch.
 struct HistoryEntry {
-    std::size_t batch = 0;  ///< Index in Night::batches.
+    std::size_t batch = 0;  ///< Index in NightlyReport::batches.
     const RunFacts* run = nullptr;
 };
 
@@ -54,7 +54,7 @@ struct Case {
     std::vector<HistoryEntry> history = {};  ///< By batch; the latest one, too.
 };
 
-/// All cases of one program, by their indices in Night::cases.
+/// All cases of one program, by their indices in NightlyReport::cases.
 struct ProgramCases {
     std::string program;
     std::string page;  ///< Name of its file.

@@ -34,7 +34,7 @@ struct GeometryFit {
     std::vector<FittedDeviation> found;
     std::vector<FixedDeviation> fixed;
     Eigen::MatrixXd covariance;       ///< For `found`, in its order and units.
-    Eigen::VectorXd singular_values;  ///< See Identified.
+    Eigen::VectorXd singular_values;  ///< See Identification.
     std::vector<TcpError> before;  ///< For each TCP; in the instrument's frame by the best alignment alone.
     std::vector<TcpError> after;
     std::vector<bool> outliers;       ///< TCPs with an error that noise exceeds once in 10,000.

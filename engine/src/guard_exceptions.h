@@ -10,7 +10,7 @@
 
 namespace gsim::engine {
 
-/// Returns the result of `work`, a tl::expected with a Failure; an exception becomes a Failure.
+/// Returns the result of `work`, a tl::expected with an Error; an exception becomes an Error.
 template <typename Work>
 auto guard_exceptions(const Work& work) -> decltype(work()) {
     using text::DiagnosticKind;

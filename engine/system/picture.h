@@ -7,13 +7,13 @@
 
 namespace gsim::engine {
 
-/// Returns the picture (SVG, or PNG) of a script that Document::plot has made, by gnuplot. The error is a
+/// Returns the picture (SVG, or PNG) of a script that OutputKind::plot has made, by gnuplot. The error is a
 /// message.
 tl::expected<std::string, std::string> draw_picture(const std::string& script);
 /// Checks that gnuplot is installed. The error is a message.
 tl::expected<void, std::string> find_gnuplot();
 
-/// A picture of a run, .svg or .png by the name of its file, by gnuplot from Document::plot: the path at
+/// A picture of a run, .svg or .png by the name of its file, by gnuplot from OutputKind::plot: the path at
 /// equal scales, jet on dark, jet off grey, rapids dashed, with marks; below it the speed of the tool over
 /// time with the programmed feed, and the acceleration along the path, with separate scales for rapids.
 class Picture {

@@ -42,8 +42,8 @@ constexpr std::array kMachineKeys{"name"sv, "inverse"sv};
 constexpr std::array kPathKeys{"max_feed_mm_s"sv, "max_rapid_mm_s"sv, "max_acceleration_mm_s2"sv,
                                "max_rapid_acceleration_mm_s2"sv, "max_jerk_mm_s3"sv};
 constexpr std::array kInverseNames{"none"sv, "gantry"sv, "numeric"sv};         // in the order of InverseKind
-constexpr std::array kCarriedPartNames{"tool"sv, "work"sv, "nothing"sv};       // of Carries
-constexpr std::array kRotaryModeNames{"limited"sv, "shortest"sv, "unwind"sv};  // of Turning
+constexpr std::array kCarriedPartNames{"tool"sv, "work"sv, "nothing"sv};       // of CarriedPart
+constexpr std::array kRotaryModeNames{"limited"sv, "shortest"sv, "unwind"sv};  // of RotaryMode
 constexpr std::array kDhKeys{"theta_deg"sv, "d_mm"sv, "a_mm"sv, "alpha_deg"sv};
 
 // The keys of an axis; their units depend on its kind.

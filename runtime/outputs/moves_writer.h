@@ -12,8 +12,8 @@ namespace gsim::simulation {
 /// Writer of each move as one line of JSON (docs/report.md). Values are those of the machine's axes.
 class MovesWriter : public RunOutput {
   public:
-    /// `files` are the names that Place::file indexes; they may grow while the writer is in use. All must
-    /// outlive this.
+    /// `files` are the names that SourceLocation::file indexes; they may grow while the writer is in use. All
+    /// must outlive this.
     MovesWriter(TextStream& out, const machine::Machine& machine, const std::vector<std::string>& files);
 
     void on_move(const RecordedMove& move) override;

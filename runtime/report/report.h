@@ -277,7 +277,7 @@ struct Report {
     std::vector<ProcessSummary> processes;  ///< Empty if only the program ran.
     std::vector<SignalChange> signals;
     std::vector<ZoneUse> zone_uses;  ///< Uses of shared zones, in the order of their requests.
-    std::vector<std::string> files;  ///< Names that Place::file indexes.
+    std::vector<std::string> files;  ///< Names that SourceLocation::file indexes.
 };
 
 /// Returns the report as the JSON of the design (docs/report.md); keys in a fixed order, doubles in shortest

@@ -97,7 +97,7 @@ class Simulator {
     double max_time_s() const { return limits_.max_time_s; }
     std::uint64_t max_blocks() const { return limits_.max_blocks; }
 
-    /// Returns the index for Place::file of a file name; adds a new name.
+    /// Returns the index for SourceLocation::file of a file name; adds a new name.
     std::uint32_t add_file(const std::string& name);
     const std::vector<std::string>& files() const { return files_; }
     const ZoneMonitor& zones() const { return zones_; }

@@ -15,7 +15,7 @@ const MAX_SEGMENTS = 100_000;
 /** Number of dashes in the length of the path's box. */
 const DASH_COUNT = 60;
 
-/** Path of one `Sheet`. */
+/** Path of one `PathTexture`. */
 class Way {
   readonly mesh: Mesh<BufferGeometry, RawShaderMaterial>;
 
