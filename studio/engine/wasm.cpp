@@ -37,7 +37,7 @@ std::optional<std::string> read_file(const std::string& name) {
 
 extern "C" EMSCRIPTEN_KEEPALIVE void gsim_studio_serve(const char* request_json) {
     gsim::engine::Host host;
-    host.files = gsim::engine::Files::given_value(read_file);
+    host.files = gsim::engine::Files::given(read_file);
     gsim::studio::handle_request(request_json, host, [](const std::string& bytes) {
         studio_post(bytes.data(), static_cast<double>(bytes.size()));
     });

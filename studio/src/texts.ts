@@ -26,6 +26,7 @@ export const texts = {
   page: {
     title: "gsim studio",
   },
+  unknownFormat: (format: string, known: number) => `'format' is ${format}; this gsim reads format ${known}`,
   /** Errors of a text that should be JSON. */
   json: {
     tooDeep: "values are nested too deep",

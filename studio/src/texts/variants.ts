@@ -133,7 +133,6 @@ export const variants = {
     noTable: (where: string) => `${where} should be an object`,
     noName: (where: string) => `${where} needs a name`,
     twice: (name: string) => `two variants are called ${name}`,
-    unknownFormat: (format: unknown, known: number) => `'format' is ${String(format)}; this gsim reads format ${known}`,
     unknownKey: (where: string, key: string) => `${where}: there is no key '${key}'`,
     wrongValue: (where: string, key: string) => `${where}: '${key}' has a value of another kind`,
     wrongOverride: (where: string, key: string, most: number) => `${where}: '${key}' should be from 0 to ${most}`,

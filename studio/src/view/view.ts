@@ -383,9 +383,7 @@ export class View {
     return this.frame;
   }
 
-  /**
-   * Returns the time until a frame is drawn: at standstill, while the camera orbits, or for an empty frame.
-   */
+  /** Returns the time until a frame is drawn: at standstill, in an orbit of the camera, or empty. */
   measureFrame_ms(kind: "rest" | "orbit" | "empty"): number {
     const begun_ms = performance.now();
     if (kind === "empty") {

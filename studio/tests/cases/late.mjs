@@ -152,7 +152,7 @@ export default {
   "where another machine is chosen meanwhile neither is changed, and that is said": (places) =>
     withMachine(places, ROUTER, async (page, speed) => {
       await answeredLate(page, "toml", speed, () => change(page, { machine: UNLIMITED }));
-      await page.waitForFunction(() => /^Another file is displayed by now/.test(window.studio.store.get("notice")));
+      await page.waitForFunction(() => /^Another file is shown by now/.test(window.studio.store.get("notice")));
       const [machine, own] = await page.evaluate(() => [window.studio.session.setup.machine, window.studio.documents.ownNames()]);
       assert.deepEqual([machine, own], [UNLIMITED, ["move.nc", "mine.toml"]]);
     }),

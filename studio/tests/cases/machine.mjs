@@ -82,7 +82,7 @@ export default {
       await ranIn(page, moveTime(500, 100, 500));
       assert.equal((await setup(page)).machine, "my-router3.toml");
       assert.equal(await text(page, ROUTER), sample, "the sample stays");
-      assert.deepEqual(changedLines(sample, await text(page, "my-router3.toml")), ["21: max_speed_mm_s = 100.0"]);
+      assert.deepEqual(changedLines(sample, await text(page, "my-router3.toml")), ["23: max_speed_mm_s = 100.0"]);
 
       await page.locator("#undo-button").click();
       await ranIn(page, moveTime(500, 150, 500));
@@ -192,7 +192,7 @@ export default {
       await openFiles(page, [{ name: "broken.toml", bytes: broken }]);
       await openForm(page);
       const fault = form(page).locator(".faults:visible li").first();
-      assert.match(await fault.innerText(), /broken\.toml:21:1 unknown key 'max_sped_mm_s'.*max_speed_mm_s/s);
+      assert.match(await fault.innerText(), /broken\.toml:23:1 unknown key 'max_sped_mm_s'.*max_speed_mm_s/s);
       // Valid TOML is shown as a form all the same.
       await fill(await openCard(page, "Y"), "Max speed", "140");
       await hasText(page, "broken.toml", "max_speed_mm_s = 140.0");
@@ -216,7 +216,7 @@ export default {
       await openFiles(page, [{ name: "cut.toml", bytes: sound.replace('letter = "Y"', 'letter = "Y') }]);
       await openForm(page);
       await form(page).locator(".faults:visible li").first().waitFor();
-      assert.match(await form(page).locator(".faults:visible").innerText(), /cut\.toml:26:/);
+      assert.match(await form(page).locator(".faults:visible").innerText(), /cut\.toml:28:/);
       assert.equal(await form(page).locator("details.card:visible").count(), 0);
       await form(page).getByRole("button", { name: "Edit as text" }).locator("visible=true").click();
       await page.evaluate(() => window.studio.store.set("textAsked", { file: "cut.toml", line: 26 }));

@@ -263,7 +263,7 @@ export default {
         await window.studio.session.run();
         return window.studio.store.get("run");
       });
-      assert.match(error.message, /does not response/);
+      assert.match(error.message, /does not answer/);
       await noticed(page, "gsim-studio has ended");
       const downloading = page.waitForEvent("download");
       await page.locator("#save-button").click();

@@ -399,7 +399,7 @@ export default {
 
       // A line without motion is reported as such.
       await page.locator("#code .cm-line").filter({ hasText: /^M99$/ }).first().click();
-      await here.getByText(/line 13\. The run that is displayed has no block of this line/).waitFor();
+      await here.getByText(/line 13\. The run that is shown has no block of this line/).waitFor();
       assert.equal(await here.getByRole("button", { name: "Make a variant from here" }).isVisible(), false);
     }),
 };

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 
 export const modules = [
-  ...["code/words", "code/modal", "code/comments", "code/dialect", "code/sheet", "code/findings", "code/lua_of_own", "code/text_change"],
+  ...["code/words", "code/modal", "code/comments", "code/dialect", "code/editor_file", "code/findings", "code/edited_translations", "code/text_change"],
   ...["core/documents", "@codemirror/state"],
 ];
 

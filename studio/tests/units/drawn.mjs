@@ -5,7 +5,7 @@ import assert from "node:assert/strict";
 import { lawOf, near, segmentsMessage } from "./made.mjs";
 
 export const modules = [
-  ...["run/segments", "time/charts/probe", "time/charts/leaves", "time/charts/curves", "time/charts/traces"],
+  ...["run/segments", "time/charts/curve_sampler", "time/charts/extrema_tree", "time/charts/curves", "time/charts/traces"],
   ...["view/path/path_data", "view/path/path_colours", "view/picking", "view/marks/grid"],
 ];
 
@@ -66,7 +66,7 @@ export default {
     const widened = (group) => {
       const probe = new CurveSampler(segments, group);
       const [low, high] = [new Float32Array(probe.width).fill(Infinity), new Float32Array(probe.width).fill(-Infinity)];
-      probe.widen(probe.spot(0), low, high, 0);
+      probe.expand(probe.spot(0), low, high, 0);
       return [low[0], high[0]];
     };
     assert.deepEqual(widened("path"), [0, 10]);
@@ -83,7 +83,7 @@ export default {
     const data = way(page);
     assert.equal(data.count, 7);
     assert.deepEqual([1, 2, 3, 5, 6].map((vertex) => data.vertexSegment(vertex)), [0, 0, 1, 2, 2]);
-    assert.deepEqual([data.axisRange(0, 1), data.axisRange(1, 2), data.axisRange(1, 3)], [[0, 3], [3, 5], [3, 7]]);
+    assert.deepEqual([data.vertexRange(0, 1), data.vertexRange(1, 2), data.vertexRange(1, 3)], [[0, 3], [3, 5], [3, 7]]);
     assert.deepEqual([-1, 0, 0.5, 5.5, 6, 9].map((t_s) => data.at(t_s)), [0, 1, 1, 6, 7, 7]);
     assert.deepEqual([data.isRapid(2), data.isRapid(3)], [false, true]);
     assert.deepEqual(data.bounds.max.toArray(), [4, 9, 0]);

@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 
-export const modules = ["core/folder", "core/history", "core/documents", "core/turns", "core/store", "core/path_desk", "texts"];
+export const modules = ["core/folder", "core/history", "core/documents", "core/turns", "core/store", "core/path_editing", "texts"];
 
 const bytesOf = (text) => new TextEncoder().encode(text);
 const textOf = (bytes) => new TextDecoder().decode(bytes);

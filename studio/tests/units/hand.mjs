@@ -4,8 +4,8 @@ import assert from "node:assert/strict";
 import { near, runOf, scene } from "./made.mjs";
 
 export const modules = [
-  ...["run/run", "run/chain", "run/path/tool_direction", "run/path/rotary_search", "run/path/turned", "view/camera", "view/hand_path/grips"],
-  ...["core/store", "core/path_desk", "panels/teach/jog_state", "panels/paths/choice_of_points", "panels/paths/tree_rows", "three"],
+  ...["run/run", "run/chain", "run/path/tool_direction", "run/path/rotary_solver", "run/path/rotate_orientation", "view/camera", "view/hand_path/grips"],
+  ...["core/store", "core/path_editing", "panels/teach/jog_state", "panels/paths/target_selection", "panels/paths/tree_rows", "three"],
 ];
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
@@ -199,7 +199,7 @@ export default {
     assert.equal(keys().length, 5 + 200 + 1);
     reveal(displayed, state, { path: 0, target: 420 });
     assert.deepEqual([keys().includes("1/1/420"), keys().includes("1/1/3"), keys().length], [true, false, 5 + 200 + 1]);
-    state.widen("1/1", 249);
+    state.expand("1/1", 249);
     assert.deepEqual([keys().includes("1/1/249"), keys().length], [true, 5 + 330 + 1]);
     reveal(displayed, state, { path: 2, target: 0 });
     assert.equal(keys().at(-1), "2/0");

@@ -4,9 +4,9 @@ import assert from "node:assert/strict";
 import { leanMessage, longRunOf, near, runOf } from "./made.mjs";
 
 export const modules = [
-  ...["run/run", "run/segments", "run/stretch", "run/laws", "run/blocks", "core/store", "core/go", "core/shown", "core/fetching"],
-  ...["time/steps", "time/process", "time/charts/overview", "time/charts/probe", "code/block_facts"],
-  ...["view/path/path_data", "view/path/path_colours", "view/path/plan", "view/chosen"],
+  ...["run/run", "run/segments", "run/run_section", "run/chunk_cache", "run/blocks", "core/store", "core/navigation", "core/display_state", "core/fetching"],
+  ...["time/steps", "time/process", "time/charts/overview", "time/charts/curve_sampler", "code/block_facts"],
+  ...["view/path/path_data", "view/path/path_colours", "view/path/plan", "view/selected_ranges"],
 ];
 
 const move = (line, duration_s, more = {}) => ({ line, duration_s, from: [line, 0], to: [line + 1, 0], ...more });
@@ -188,7 +188,7 @@ export default {
     const { segments } = run.robots[0];
     const data = new page.PathData(segments);
     assert.deepEqual([data.count, data.vertexSegment(9), data.isRapid(5), data.isRapid(9), data.at(8.5)], [12, 9, true, false, 8]);
-    assert.deepEqual(data.axisRange(5, 7), [5, 7]);
+    assert.deepEqual(data.vertexRange(5, 7), [5, 7]);
     assert.deepEqual([...data.vertices(3, 9)].map(({ from, to, vertex }) => [from, to, vertex]), [[3, 4, 3], [0, 4, 4], [0, 1, 8]]);
     assert.deepEqual(page.legendKey("kind", [segments]).classes, ["rapid", "linear"]);
     assert.ok(Math.abs(page.legendKey("speed", [segments]).scale.high / 50 - 1) < 0.05);

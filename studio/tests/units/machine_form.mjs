@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 
 const form = ["file/paths", "form/quantity", "items/pose", "items/shape", "items/tree"].map((name) => `panels/machine/${name}`);
-export const modules = [...form, "run/gap", "core/faults", "core/references", "three"];
+export const modules = [...form, "run/gap", "core/response_diagnostics", "core/references", "three"];
 
 const near = (a, b, within = 1e-6) => assert.ok(Math.abs(a - b) <= within, `${a} is not ${b}`);
 

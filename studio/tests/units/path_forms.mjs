@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 
-export const modules = ["run/path/path_file", "run/path/path_edit", "run/path/machine_points", "run/path/target_faults"];
+export const modules = ["run/path/path_file", "run/path/path_edit", "run/path/machine_points", "run/path/target_checks"];
 
 const known = {
   fixed: [{ number: 1, name: "CLAMP1" }, { number: 7, name: "" }],

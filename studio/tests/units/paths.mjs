@@ -6,8 +6,8 @@ import { fileURLToPath } from "node:url";
 import { near, segmentsMessage } from "./made.mjs";
 
 export const modules = [
-  ...["core/json_text", "run/segments", "run/path/path_file", "run/path/path_walk", "run/path/path_edit", "run/path/path_arc"],
-  ...["run/path/path_motion", "run/path/leads", "run/path/pieces", "run/path/round_trip"],
+  ...["core/json_text", "run/segments", "run/path/path_file", "run/path/path_traversal", "run/path/path_edit", "run/path/path_arc"],
+  ...["run/path/path_motion", "run/path/leads", "run/path/line_segment_tree", "run/path/round_trip"],
 ];
 
 const sample = readFileSync(fileURLToPath(new URL("../../../samples/wheel.path.json", import.meta.url)), "utf8");
@@ -57,7 +57,7 @@ export default {
   "what is no path file is told with its place": (page) => {
     const tell = (text) => page.readPathFile(text).text;
     assert.equal(tell("{}"), "Line 1, column 1: a path file needs 'paths' with one path at least");
-    assert.match(tell('{"path": []}'), /unknown key 'path' in the path file; it may hold: \$schema, name, root, paths/);
+    assert.match(tell('{"path": []}'), /unknown key 'path' in the path file; it may hold: \$schema, format, name, root, paths/);
     assert.equal(tell('{"paths": [\n{"name": "a", "targets": []}]}'), "Line 2, column 1: the path 'a' has no targets");
     const point = (members) => page.readPathFile(part(`{"position_mm": [0, 0, 0], ${members}}`)).text;
     assert.equal(point('"feed_mm_min": 0'), "Line 6, column 3: 'feed_mm_min' must be a number greater than 0 and at most 1e9");

@@ -5,7 +5,7 @@ import { near, runOf, segmentsMessage } from "./made.mjs";
 
 export const modules = [
   ...["run/run", "run/segments", "run/blocks", "run/marks", "run/limits", "run/search", "run/report"],
-  ...["core/store", "core/go", "core/shown", "time/steps", "time/process", "code/line_times", "code/block_facts"],
+  ...["core/store", "core/navigation", "core/display_state", "time/steps", "time/process", "code/line_times", "code/block_facts"],
 ];
 
 const move = (line, duration_s, more = {}) => ({ line, duration_s, ...more });

@@ -4,7 +4,7 @@
 import assert from "node:assert/strict";
 import { createServer } from "node:http";
 
-export const modules = ["core/frame_cutter", "core/message", "core/remote_engine", "core/server", "core/documents", "core/of_run", "core/kinds", "core/setup"];
+export const modules = ["core/frame_splitter", "core/message", "core/remote_engine", "core/server", "core/documents", "core/affects_run", "core/kinds", "core/setup"];
 
 const bytesOf = (text) => new TextEncoder().encode(text);
 
@@ -91,7 +91,7 @@ export default {
     await fails((_, response) => response.end(numbers().subarray(0, 20)), /ended too soon/);
     await fails((_, response) => response.end(Uint8Array.of(1, 0, 0, 0)), /1 bytes/);
     await fails((_, response) => response.end(frame({ is: "failed", message: "no such axis" })), /^no such axis$/);
-    await fails((_, response) => response.destroy(), /does not result/);
+    await fails((_, response) => response.destroy(), /does not answer/);
   },
 
   "questions wait for each other, and end together": (page) => {

@@ -131,6 +131,6 @@ export default {
     window.show(10);
     assert.ok(window.start_s <= 10 && window.end_s >= 10 && Math.abs(window.span_s - 10) < 1e-9);
     window.zoom(10, 1e9);
-    assert.equal(window.isCompleteRun, true);
+    assert.equal(window.isComplete, true);
   },
 };

@@ -5,7 +5,7 @@ import { near, runOf } from "./made.mjs";
 
 export const modules = [
   ...["differences", "matching", "results", "variants_file"].map((name) => `panels/variants/data/${name}`),
-  ...["run/run", "core/setup", "core/origin", "core/documents"],
+  ...["run/run", "core/setup", "core/run_snapshot", "core/documents"],
 ];
 
 const move = (line, duration_s, more = {}) => ({ line, duration_s, ...more });
@@ -92,7 +92,7 @@ export default {
 
   "a block that a run never comes to is told, and nothing is compared": (page) => {
     const found = between(page, looped(page, [[1, 1], [1, 1]]), looped(page, [[1, 1]]), { file: "a.nc", line: 3, pass: 2 });
-    assert.deepEqual([found.reachesStart, found.begins[1]], [false, -1]);
+    assert.deepEqual([found.reachesStart, found.startBlocks[1]], [false, -1]);
     assert.equal(found.rows(10).count, 0);
     assert.equal(page.blockOf(looped(page, [[1, 1]]).robots[0], { file: "a.nc", line: 4, pass: 1 }), -1);
   },

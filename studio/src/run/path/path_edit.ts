@@ -1,5 +1,6 @@
 // Changes of a path file's text. Each returns the new text; unchanged parts keep their layout.
 
+import { FILE_FORMAT } from "../../core/file_format";
 import {
   changeValue,
   insertItems,
@@ -133,11 +134,11 @@ export function renamePath(text: string, file: PathFile, path: number, name: str
 }
 
 export const setRoot = (text: string, name: string): string =>
-  setMember(text, [], "root", name, ["$schema", "name", "root", "work_offsets", "paths"]);
+  setMember(text, [], "root", name, ["$schema", "format", "name", "root", "work_offsets", "paths"]);
 
 /** Returns the text of a new file with one path of one point. */
 export const newPathFile = (name: string, point: Point): string =>
-  `{\n"name": ${JSON.stringify(name)},\n"root": ${JSON.stringify(name)},\n"paths": [\n` +
+  `{\n"format": ${FILE_FORMAT},\n"name": ${JSON.stringify(name)},\n"root": ${JSON.stringify(name)},\n"paths": [\n` +
   `${pathText(name, [jsonLine(point as unknown as JsonValue)])}\n]\n}\n`;
 
 /**

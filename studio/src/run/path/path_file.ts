@@ -1,5 +1,6 @@
 // Path file (docs/paths.md) in the page: paths of points and sub-paths, and errors of its text.
 
+import { formatError } from "../../core/file_format";
 import { JsonError, readJson, valueSpan, type JsonPath, type JsonValue } from "../../core/json_text";
 import { texts } from "../../texts";
 import { setupValuesError, targetError, setUpKeys } from "./target_checks";
@@ -137,7 +138,7 @@ export const isRecorded = ({ work_offsets }: PathFile): boolean => Object.keys(w
 
 const words = texts.paths.faults;
 
-const FILE_KEYS = ["$schema", "name", "root", "paths", "work_offsets"];
+const FILE_KEYS = ["$schema", "format", "name", "root", "paths", "work_offsets"];
 /** Keys of a path, in the order of files. */
 export const pathKeys = ["name", ...setUpKeys, "targets"];
 
@@ -155,6 +156,8 @@ function shapeError(value: JsonValue): { text: string; at: JsonPath } | null {
   if (!isObject(value)) return { text: words.noObject, at: [] };
   const unknown = strange(value, FILE_KEYS, words.ofFile);
   if (unknown) return { text: unknown, at: [] };
+  const otherFormat = formatError(value.format);
+  if (otherFormat) return { text: otherFormat, at: ["format"] };
   for (const key of ["name", "root", "$schema"]) {
     if (value[key] !== undefined && typeof value[key] !== "string") return { text: words.noString(key), at: [key] };
   }

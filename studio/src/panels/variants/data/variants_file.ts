@@ -1,12 +1,11 @@
 // File of variants: setups by name, each with its differences from an empty setup.
 
 import { MAX_OVERRIDE_PERCENT, emptySetup, overrideKeys, type Setup } from "../../../core/setup";
+import { FILE_FORMAT, formatError } from "../../../core/file_format";
 import { texts } from "../../../texts";
 
 const words = texts.variants.file;
 
-/** Format of the file (docs/versions.md). */
-const FORMAT = 1;
 
 /** Block of a run: that of a line, at the given pass over it, from 1. */
 export interface From {
@@ -71,7 +70,8 @@ function read(text: string): Variant[] {
   const value: unknown = JSON.parse(text);
   if (!isJsonObject(value) || !Array.isArray(value.variants)) throw new VariantsFileError(words.noList);
   only(value, ["format", "variants"], words.outermost);
-  if (value.format !== undefined && value.format !== FORMAT) throw new VariantsFileError(words.unknownFormat(value.format, FORMAT));
+  const otherFormat = formatError(value.format);
+  if (otherFormat) throw new VariantsFileError(otherFormat);
   const variants = value.variants.map((each, i) => readVariant(each, i + 1));
   const double = variants.find(({ name }, i) => variants.findIndex((other) => other.name === name) !== i);
   if (double) throw new VariantsFileError(words.twice(double.name));
@@ -94,7 +94,7 @@ export function writeVariants(variants: readonly Variant[]): string {
     ...Object.fromEntries(Object.entries(setup).filter(([key, value]) => value !== first[key])),
     ...(from && { from }),
   }));
-  return `${JSON.stringify({ format: FORMAT, variants: tables }, null, 2)}\n`;
+  return `${JSON.stringify({ format: FILE_FORMAT, variants: tables }, null, 2)}\n`;
 }
 
 /** Returns "a name", or "a name 2" if that is taken. */
