@@ -219,7 +219,7 @@ export default {
       assert.match(await form(page).locator(".faults:visible").innerText(), /cut\.toml:28:/);
       assert.equal(await form(page).locator("details.card:visible").count(), 0);
       await form(page).getByRole("button", { name: "Edit as text" }).locator("visible=true").click();
-      await page.evaluate(() => window.studio.store.set("textAsked", { file: "cut.toml", line: 26 }));
+      await page.evaluate(() => window.studio.store.set("textAsked", { file: "cut.toml", line: 28 }));
       await page.keyboard.press("End");
       await page.keyboard.type('"');
       await openCard(page, "Y");
