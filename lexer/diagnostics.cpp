@@ -59,8 +59,9 @@ std::string printable(std::string_view text) {
     return out;
 }
 
-text::Diagnostic Diagnostics::make_diagnostic(const Location& location, text::Severity severity, DiagnosticKind kind,
-                                   std::string_view message, std::string_view hint) const {
+text::Diagnostic Diagnostics::make_diagnostic(const Location& location, text::Severity severity,
+                                              DiagnosticKind kind, std::string_view message,
+                                              std::string_view hint) const {
     const std::string line = source_.line_at(location.line_begin);
     return {.severity = severity,
             .kind = kind,

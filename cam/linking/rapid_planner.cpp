@@ -91,7 +91,7 @@ SearchSpace RapidPlanner::space(const AxisValues& from, const AxisValues& to, do
 
 // Up, over with the rotations, and down: the usual path, which people can read in a program.
 std::optional<AxisPath> RapidPlanner::lifted(const SearchSpace& space, const AxisValues& from,
-                                           const AxisValues& to) const {
+                                             const AxisValues& to) const {
     const auto z = static_cast<Eigen::Index>(*machine_->machine().find('Z'));
     const double max_z = std::max(from[z], to[z]);
     const double top = machine_->max_z_mm().value_or(max_z + kSearchMargin);

@@ -109,8 +109,8 @@ void NeighbourMonitor::measure_reaches(const std::array<MachineMotion, 2>& motio
 }
 
 /// Checks all pairs if the machines turn so far that ReachBound gives no distance.
-void NeighbourMonitor::check_pairs(double start_s, const TwoMachinesMotion& motion, const MotionPart& full_motion,
-                            double travel_mm) {
+void NeighbourMonitor::check_pairs(double start_s, const TwoMachinesMotion& motion,
+                                   const MotionPart& full_motion, double travel_mm) {
     if (std::isfinite(travel_mm)) {
         travelled_mm_ += travel_mm;
     } else {

@@ -7,8 +7,8 @@
 namespace gsim::motion {
 
 // Stops during a motion. Each law brakes by itself, as hard as its limits allow: the leading law along its
-// path, followers with it. Two simultaneous motions (Segment::superimposed) keep the path that they make together
-// (scaled_blend.h). No motion leaves its path, turns back, or is faster than was planned.
+// path, followers with it. Two simultaneous motions (Segment::superimposed) keep the path that they make
+// together (scaled_blend.h). No motion leaves its path, turns back, or is faster than was planned.
 
 /// Motion that is cut by a stop. Segments follow on one another; those without duration are left out.
 struct StoppedMotion {

@@ -33,10 +33,9 @@ float SteppedRamps::mean_acceleration(float speed_mm_min, float acceleration_mm_
 }
 
 double SteppedRamps::mean_acceleration_s(double speed, double acceleration, double jerk) {
-    const double mean = mean_acceleration(
-        static_cast<float>(speed * kMinute_s),
-        static_cast<float>(acceleration * kMinute_s * kMinute_s),
-        static_cast<float>(jerk * kMinute_s * kMinute_s * kMinute_s));
+    const double mean = mean_acceleration(static_cast<float>(speed * kMinute_s),
+                                          static_cast<float>(acceleration * kMinute_s * kMinute_s),
+                                          static_cast<float>(jerk * kMinute_s * kMinute_s * kMinute_s));
     return mean / (kMinute_s * kMinute_s);
 }
 

@@ -129,7 +129,8 @@ void EffortMonitor::jump(const rrs::JointPos& position, const rrs::JointPos& to,
     velocity_ = to;
 }
 
-void EffortMonitor::inspect_sample(const EffortSample& sample, double start_s, const SourceLocation& location) {
+void EffortMonitor::inspect_sample(const EffortSample& sample, double start_s,
+                                   const SourceLocation& location) {
     const double power_w = sample.powers_w.sum();
     if (power_w > report_.peak_power_w) {
         report_.peak_power_w = power_w;

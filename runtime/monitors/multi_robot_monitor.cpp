@@ -216,7 +216,7 @@ bool MultiRobotMonitor::may_enter_zone(const Pair& pair) const {
 
 /// Bodies that were not checked before count as a new contact.
 void MultiRobotMonitor::check_pair(Pair& pair, const std::array<const TrackSegment*, 2>& sub_segments,
-                             double until_s) {
+                                   double until_s) {
     if (std::array now{sub_segments[0]->bodies, sub_segments[1]->bodies}; now != pair.bodies) {
         pair.monitor.set_bodies(now[0], now[1]);
         pair.bodies = std::move(now);

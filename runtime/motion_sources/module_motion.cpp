@@ -86,7 +86,7 @@ Status ModuleMotion::retry_until_room(const Call& call) {
 }
 
 Status ModuleMotion::on_queued(Status status, rrs::TargetId id, rrs::TargetParam param,
-                            const rrs::CartPos& cartesian, const rrs::JointPos& joints) {
+                               const rrs::CartPos& cartesian, const rrs::JointPos& joints) {
     if (is_error_status(status) || param == rrs::TargetParam::via) return status;
     target_ = solve_joints(cartesian, joints);
     pending_targets_.push_back(id);

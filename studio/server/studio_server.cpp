@@ -61,8 +61,7 @@ void set_close_on_exec(int socket) {
 /// Returns the last message if the engine could not write it.
 std::string failed_message(const std::string& text) {
     Message message("failed");
-    message.header().update(
-        {{"code", "internal"}, {"message", text}, {"file", ""}, {"in_program", false}});
+    message.header().update({{"code", "internal"}, {"message", text}, {"file", ""}, {"in_program", false}});
     return message.bytes();
 }
 
