@@ -13,7 +13,7 @@
 #include "base/os/file_handle.h"
 #include "base/text/json.h"
 #include "machine/file/machine_file.h"
-#include "tests/accuracy/machine_folders.h"
+#include "tests/support/machine_folders.h"
 
 namespace gsim::accuracy {
 
@@ -67,7 +67,7 @@ GsimProgram::GsimProgram(std::string gsim_run, std::vector<std::string> machines
 
 tl::expected<std::string, std::string> GsimProgram::run(const Recording& recording,
                                                         const std::vector<std::string>& outputs) const {
-    return run_on(machine_file_in(machines_, recording.machine_file), recording, outputs);
+    return run_on(tests::machine_file_in(machines_, recording.machine_file), recording, outputs);
 }
 
 tl::expected<std::string, std::string> GsimProgram::run_on(const fs::path& machine,
@@ -100,7 +100,7 @@ tl::expected<double, std::string> GsimProgram::cycle_time_s(const Recording& rec
 }
 
 tl::expected<ProgrammedRun, std::string> GsimProgram::programmed_run(const Recording& recording) const {
-    auto machine = machine::load_machine(machine_file_in(machines_, recording.machine_file));
+    auto machine = machine::load_machine(tests::machine_file_in(machines_, recording.machine_file));
     if (!machine) return tl::unexpected(machine.error());
     const machine::Machine full = *machine;
     rrs::ControllerRules& rules = machine->controller;

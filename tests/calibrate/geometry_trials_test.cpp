@@ -16,7 +16,7 @@
 #include "calibrate/geometry/simulate.h"
 #include "calibrate/geometry/suggest.h"
 #include "machine/file/machine_file.h"
-#include "tests/build_files/build_files.h"
+#include "tests/support/machine_path.h"
 
 namespace gsim::calibrate::geometry_trials_test {
 namespace {
@@ -57,10 +57,8 @@ std::string geometry_of(const machine::Machine& machine) {
 /// Each geometry among the samples, by the name of the first file that has it.
 std::map<std::string, machine::Machine> sample_geometries() {
     std::map<std::string, machine::Machine> files, geometries;
-    for (const auto& entry : fs::directory_iterator(tests::source_path("samples/machines"))) {
-        if (entry.path().extension() == ".toml")
-            files[entry.path().stem().string()] = machine::load_machine(entry.path()).value();
-    }
+    for (const fs::path& file : tests::machine_files())
+        files[file.stem().string()] = machine::load_machine(file).value();
     std::map<std::string, std::vector<std::string>> names;
     for (const auto& [name, machine] : files) {
         auto& same = names[geometry_of(machine)];

@@ -10,6 +10,7 @@
 
 #include "tests/build_files/build_files.h"
 #include "tests/engine/memory_files.h"
+#include "tests/support/machine_path.h"
 
 namespace gsim::engine::pose_test {
 namespace {
@@ -26,14 +27,13 @@ Machine make_machine(const std::string& file) {
 }
 
 Machine sample(const std::string& name) {
-    return make_machine(tests::source_path("samples/machines/") + name);
+    return make_machine(tests::machine_path(name).string());
 }
 
 std::vector<std::string> sample_names() {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(tests::source_path("samples/machines")))
-        names.push_back(entry.path().filename().string());
-    std::sort(names.begin(), names.end());
+    for (const std::filesystem::path& file : tests::machine_files())
+        names.push_back(file.filename().string());
     return names;
 }
 

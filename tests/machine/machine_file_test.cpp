@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/build_files/build_files.h"
+#include "tests/support/machine_path.h"
 
 namespace gsim::machine::machine_file_test {
 namespace {
@@ -28,21 +29,19 @@ std::string with_axis_line(std::string_view line) {
 
 std::vector<std::string> sample_machines() {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(tests::source_path("samples/machines"))) {
-        if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
-    }
-    std::sort(names.begin(), names.end());
+    for (const std::filesystem::path& file : tests::machine_files())
+        names.push_back(file.filename().string());
     return names;
 }
 
 class SampleMachine : public testing::TestWithParam<std::string> {};
 
 TEST_P(SampleMachine, ReadsAndPrintsBackEqual) {
-    const auto machine = load_machine(tests::source_path("samples/machines/") + GetParam());
+    const auto machine = load_machine(tests::machine_path(GetParam()));
     ASSERT_TRUE(machine) << machine.error();
-    const auto relist = read_machine(print_machine(*machine), "printed");
-    ASSERT_TRUE(relist) << relist.error();
-    EXPECT_EQ(*relist, *machine) << print_machine(*machine);
+    const auto repeated = read_machine(print_machine(*machine), "printed");
+    ASSERT_TRUE(repeated) << repeated.error();
+    EXPECT_EQ(*repeated, *machine) << print_machine(*machine);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SampleMachine, testing::ValuesIn(sample_machines()), [](const auto& sample) {
@@ -130,9 +129,9 @@ TEST(MachineFile, JerkSpeedStepAndStepOfAnAxis) {
 TEST(MachineFile, NameMayHoldAnyCharacter) {
     Machine machine = read_machine(with_axis_line(""), "m.toml").value();
     machine.name = "a \"b\" \\ c\n\t\x01 \u00fc";
-    const auto relist = read_machine(print_machine(machine), "printed");
-    ASSERT_TRUE(relist) << relist.error();
-    EXPECT_EQ(relist->name, machine.name);
+    const auto repeated = read_machine(print_machine(machine), "printed");
+    ASSERT_TRUE(repeated) << repeated.error();
+    EXPECT_EQ(repeated->name, machine.name);
 }
 
 TEST(MachineFile, UnknownKeyNamesTheNearestKnownOne) {

@@ -14,6 +14,7 @@
 #include "motion/kinematics/dh_chain.h"
 #include "motion/kinematics/pose.h"
 #include "tests/build_files/build_files.h"
+#include "tests/support/machine_path.h"
 
 namespace gsim::check::axis_motion_test {
 namespace {
@@ -118,9 +119,9 @@ TEST(AxisMotion, OneAxisTurnedRoundIsLeftHandedAndSoAreSlidesBehind) {
 }
 
 TEST(AxisMotion, NoSampleIsLeftHanded) {
-    for (const auto& entry : std::filesystem::directory_iterator(tests::source_path("samples/machines"))) {
-        const machine::Machine machine = machine::load_machine(entry.path()).value();
-        EXPECT_THAT(find_left_handed(axis_motions(machine)), IsEmpty()) << entry.path();
+    for (const std::filesystem::path& file : tests::machine_files()) {
+        const machine::Machine machine = machine::load_machine(file).value();
+        EXPECT_THAT(find_left_handed(axis_motions(machine)), IsEmpty()) << file;
     }
 }
 

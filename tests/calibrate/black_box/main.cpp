@@ -16,9 +16,9 @@
 #include "cli/parse.h"
 #include "machine/file/machine_file.h"
 #include "tests/accuracy/controller.h"
-#include "tests/accuracy/machine_folders.h"
 #include "tests/calibrate/black_box/black_box.h"
 #include "tests/conformance/scratch_folder.h"
+#include "tests/support/machine_folders.h"
 
 namespace gsim::calibrate {
 
@@ -142,7 +142,7 @@ int run(const Arguments& arguments) {
     for (const BlackBox& box : boxes) {
         if (box.name.rfind(arguments.only, 0) != 0) continue;
         const auto machine =
-            machine::load_machine(accuracy::machine_file_in(arguments.machines, box.name + ".toml"));
+            machine::load_machine(tests::machine_file_in(arguments.machines, box.name + ".toml"));
         if (!machine) throw std::runtime_error(machine.error());
         auto outcome = try_box(box, without_inside(*machine), arguments.fitted, arguments.most_moves,
                                static_cast<std::uint32_t>(arguments.seed), data, print_progress);
