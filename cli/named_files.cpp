@@ -90,9 +90,9 @@ class NamedFiles {
     static std::optional<std::string> conflict(const NamedFile& a, const NamedFile& b) {
         if (!a.is_written() && !b.is_written()) return std::nullopt;
         if (a.option != nullptr && b.option != nullptr) {
-            const bool feasible = a.option->shares_file_with == b.option->long_name() ||
-                                  b.option->shares_file_with == a.option->long_name();
-            if (feasible) return std::nullopt;
+            const bool allowed = a.option->shares_file_with == b.option->long_name() ||
+                                 b.option->shares_file_with == a.option->long_name();
+            if (allowed) return std::nullopt;
             if (a.is_written() && b.is_written() && is_standard_stream(a.value) &&
                 is_standard_stream(b.value)) {
                 return fmt::format("{} - and {} - both want standard output; give one of them a file",

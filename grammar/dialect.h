@@ -65,7 +65,7 @@ enum class Support : std::uint8_t { full, without_words, planned };
 /// runs next to the path (RS274/NGC permits a radius of 0). Or the tool is led out before it and in again
 /// after it (9/Series). Or the move before it ends first, whatever corner follows (RS274/NGC).
 enum class Compensation : std::uint8_t {
-    feasible,
+    allowed,
     rejected,
     refused_next_to_path,
     lead_out_and_in,
@@ -116,7 +116,7 @@ struct Code {
                              ///< K1=, ',' for ,C ,R ,A.
     Support support;
     std::string_view meaning;  ///< As messages and documents say it.
-    Compensation compensation = Compensation::feasible;
+    Compensation compensation = Compensation::allowed;
 };
 
 /// Meaning of a letter, or of a longer address.

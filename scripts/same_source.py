@@ -1,7 +1,8 @@
 """Compares two versions of a source (C++, flex, Bison, Lua) for what a compiler makes of them: names, comments and layout may differ.
 
 Two versions are the same if one becomes the other by renaming: each name of the first has one name in the second, no two names share one, and everything else
-is equal, token by token. Renamings that a list declares need not be one-to-one, because they follow scopes, which this module does not know. A renamed source is built and tested as every other one; only checks that cost hours do not repeat for it."""
+is equal, token by token. Renamings that a list declares need not be one-to-one, because they follow scopes, which this module does not know.
+A renamed source is built and tested as every other one; only checks that cost hours do not repeat for it."""
 
 import re
 
@@ -15,8 +16,6 @@ C_TOKENS = re.compile(
 LUA_TOKENS = re.compile(
     rf"""(?P<comment>--\[\[.*?\]\]|--[^\n]*)|(?P<raw>\[\[.*?\]\])|(?P<text>{STRING})|'(?:[^'\\\n]|\\.)*'"""
     r"""|(?P<number>\.?\d[\w.]*)|(?P<name>[A-Za-z_]\w*)|\S""", re.DOTALL)
-
-
 NO_CODE = re.compile(rf"//[^\n]*|/\*.*?\*/|{STRING}|^--[^\n]*", re.DOTALL | re.MULTILINE)
 NAME = re.compile(r"[A-Za-z_]\w*")
 

@@ -43,9 +43,9 @@ InverseCheck check_inverse(const machine::Machine& machine, const machine::Joint
         if (!found) {
             if (check.unsolved++ == 0) check.message = found.error();
         } else {
-            const rrs::CartPos relist = kinematics->forward(*found);
-            const double mm = (relist.translation() - pose.translation()).norm();
-            const Eigen::AngleAxisd turn(pose.linear().transpose() * relist.linear());
+            const rrs::CartPos reached_pose = kinematics->forward(*found);
+            const double mm = (reached_pose.translation() - pose.translation()).norm();
+            const Eigen::AngleAxisd turn(pose.linear().transpose() * reached_pose.linear());
             check.worst_mm = std::max(check.worst_mm, mm);
             check.worst_rad = std::max(check.worst_rad, std::abs(turn.angle()));
             check.inaccurate_count +=

@@ -42,7 +42,7 @@ struct RulesetAttributes {
 };
 
 struct [[gnu::packed]] PathRule {
-    std::uint64_t feasible;
+    std::uint64_t allowed;
     std::int32_t parent;
 };
 
@@ -80,7 +80,7 @@ class Ruleset {
     tl::expected<void, std::string> allow(const std::vector<std::filesystem::path>& paths,
                                           std::uint64_t rights) {
         for (const std::filesystem::path& path : paths) {
-            if (auto feasible = allow(path, rights); !feasible) return feasible;
+            if (auto allowed = allow(path, rights); !allowed) return allowed;
         }
         return {};
     }
@@ -90,9 +90,9 @@ class Ruleset {
         const Descriptor opened(::open(path.c_str(), O_PATH | O_CLOEXEC));
         struct stat found {};
         if (opened.number() < 0 || ::fstat(opened.number(), &found) != 0) return {};
-        std::uint64_t feasible = rights & handled_;
-        if (!S_ISDIR(found.st_mode)) feasible &= kFileRights;
-        const PathRule rule{feasible, opened.number()};
+        std::uint64_t allowed = rights & handled_;
+        if (!S_ISDIR(found.st_mode)) allowed &= kFileRights;
+        const PathRule rule{allowed, opened.number()};
         // Objects outside any file system (pipes by their name in /proc) take no rule, and need none.
         if (::syscall(SYS_landlock_add_rule, number(), kRulePathBeneath, &rule, 0U) != 0 && errno != EBADFD)
             return confinement_error(fmt::format("allow '{}'", path.string()));
@@ -105,7 +105,7 @@ class Ruleset {
 
 }  // namespace
 
-tl::expected<bool, std::string> confine(const SandboxPolicy& feasible) {
+tl::expected<bool, std::string> confine(const SandboxPolicy& policy) {
     const long version = landlock_version();
     if (version < 1) return false;
     const RulesetAttributes all = all_rights(version);
@@ -116,10 +116,10 @@ tl::expected<bool, std::string> confine(const SandboxPolicy& feasible) {
     constexpr std::uint64_t kReadRights = kReadFile | kReadFolder;
     constexpr std::uint64_t kWriteRights = kWriteFile | kTruncate;
     for (const auto& [paths, rights] :
-         {std::pair{&feasible.read, kReadRights},
-          {&feasible.run, kReadRights | kExecute},
-          {&feasible.written, kWriteRights},
-          {&feasible.changed, kReadRights | kWriteRights | kMakeFile | kRemoveFile}}) {
+         {std::pair{&policy.read, kReadRights},
+          {&policy.run, kReadRights | kExecute},
+          {&policy.written, kWriteRights},
+          {&policy.changed, kReadRights | kWriteRights | kMakeFile | kRemoveFile}}) {
         if (auto result = rules.allow(*paths, rights); !result) return tl::unexpected(result.error());
     }
     if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return confinement_error("give up privileges");

@@ -47,9 +47,9 @@ tl::expected<Names, std::string> find_files(const fs::path& folder, const auto& 
     auto entry =
         fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, error);
     for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-        const bool ground_truth = entry->path().filename().string().starts_with('.');
-        if (ground_truth && entry->is_directory()) entry.disable_recursion_pending();
-        if (!ground_truth && entry->is_regular_file() && accepts(entry->path()))
+        const bool is_hidden = entry->path().filename().string().starts_with('.');
+        if (is_hidden && entry->is_directory()) entry.disable_recursion_pending();
+        if (!is_hidden && entry->is_regular_file() && accepts(entry->path()))
             found.push_back(entry->path().lexically_normal().string());
     }
     if (error) return Unexpected(fmt::format("cannot read '{}': {}", folder.string(), error.message()));

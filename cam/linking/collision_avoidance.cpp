@@ -110,8 +110,10 @@ class RapidRerouter {
     /// Returns the first error of each path.
     std::vector<Error> release_errors() {
         std::set<std::size_t> reported;
-        const auto relist = [&](const Error& error) { return !reported.insert(error.where.path).second; };
-        errors_.erase(std::remove_if(errors_.begin(), errors_.end(), relist), errors_.end());
+        const auto is_repeated = [&](const Error& error) {
+            return !reported.insert(error.where.path).second;
+        };
+        errors_.erase(std::remove_if(errors_.begin(), errors_.end(), is_repeated), errors_.end());
         return std::move(errors_);
     }
 

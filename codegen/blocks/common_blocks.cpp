@@ -20,7 +20,7 @@ namespace {
 /// Set that detects repeated addresses; occasionally also two that are different.
 class SeenAddresses {
   public:
-    bool relist(Address address) {
+    bool is_repeated(Address address) {
         const std::uint64_t bit = std::uint64_t{1} << (address & 63U);
         const bool known = (addresses_ & bit) != 0;
         addresses_ |= bit;
@@ -48,7 +48,7 @@ bool BlockPlan::plan_axis_words(const Block& block) {
     const std::vector<Word>& words = block.text->words;
     SeenAddresses seen;
     for (const Word& word : words) {
-        if (!is_axis(word) || seen.relist(word.address)) return false;
+        if (!is_axis(word) || seen.is_repeated(word.address)) return false;
     }
     if (!words.empty()) add_single_call({}, 0, words.size());
     return true;
@@ -69,7 +69,7 @@ bool BlockPlan::plan_single_motion(const Block& block) {
     for (const Word& word : std::span(words).subspan(1)) {
         const bool is_allowed = is_axis(word) || (word.role != Role::time && word.role != Role::program &&
                                                   accepts(*code, word.address));
-        if (!is_allowed || seen.relist(word.address)) return false;
+        if (!is_allowed || seen.is_repeated(word.address)) return false;
         has_arc_words |= is_arc_word(word.address);
     }
     if (is_arc(*code) && !has_arc_words) return false;

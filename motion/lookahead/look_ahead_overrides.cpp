@@ -97,10 +97,10 @@ void LookAhead::replan() {
 /// Sets the limits of a block under the current overrides. A block with curvature or many corners keeps the
 /// acceleration that these leave at the higher speed.
 void LookAhead::update_limits(Block& block) const {
-    const auto relist = setup_.move_limits ? limited_block(block.move, setup_, overrides_)
-                                           : make_block(block.move, setup_, overrides_);
-    if (!relist || !*relist) return;
-    const Block& limits = **relist;
+    const auto replanned = setup_.move_limits ? limited_block(block.move, setup_, overrides_)
+                                              : make_block(block.move, setup_, overrides_);
+    if (!replanned || !*replanned) return;
+    const Block& limits = **replanned;
     block.max_speed = limits.max_speed;
     block.speed_limit = limits.speed_limit;
     block.jerk = limits.jerk;

@@ -328,7 +328,7 @@ PlanResult Planner::build_path(const Move& move) {
 
 PlanResult Planner::build_circle(const Move& move, PathMove& path) const {
     path.kind = SegmentKind::circular;
-    if (PlanResult feasible = check_circular(move.move_parameters.rapid); !feasible) return feasible;
+    if (PlanResult allowed = check_circular(move.move_parameters.rapid); !allowed) return allowed;
     const Eigen::Vector3d start = read_position(setup_, path.start);
     const Eigen::Vector3d end = read_position(setup_, path.end);
     if (!move.circle) {

@@ -117,8 +117,8 @@ TEST_F(Path2Gcode, SubPathsInFilesOfTheirOwnAreFound) {
 
 TEST_F(Path2Gcode, FilesOfSubPathsReplaceNoOthers) {
     write("wheel_O0002.ppg", "of somebody else");
-    const std::vector<std::string> relist = {"--separate-files", "-o", "wheel.nc", kWheel};
-    const Ended rejected = path2gcode(relist);
+    const std::vector<std::string> repeated = {"--separate-files", "-o", "wheel.nc", kWheel};
+    const Ended rejected = path2gcode(repeated);
     EXPECT_EQ(rejected.status, 2);
     EXPECT_EQ(
         rejected.err,

@@ -29,9 +29,9 @@ TEST_F(Repeatable, InEachProcess) {
     EXPECT_EQ(first.status, 1);
     EXPECT_TRUE(contains(first.out, "'charlie'")) << first.out;
     for (int i = 0; i < 8; ++i) {
-        const Ended relist = gsim_run({"part.lua", "--json"});
-        EXPECT_EQ(relist.err, first.err);
-        EXPECT_EQ(relist.out, first.out);
+        const Ended repeated = gsim_run({"part.lua", "--json"});
+        EXPECT_EQ(repeated.err, first.err);
+        EXPECT_EQ(repeated.out, first.out);
     }
 }
 

@@ -54,8 +54,8 @@ TEST_F(Violations, TheRemedyIsTrue) {
     EXPECT_EQ(moved["remedy"],
               text::parse_json<json>(R"([{"offset": "G54", "axis": "X", "shift_mm": 22.86}])"));
     write("data.txt", "NCFILE\nOFFSET\n54 12.5 0 0\nENDFILE\n");
-    const Ended relist = gsim_run({"--machine", kRouter, "--machine-data", "data.txt", "off.nc"});
-    EXPECT_EQ(relist.status, 0) << relist.out;
+    const Ended repeated = gsim_run({"--machine", kRouter, "--machine-data", "data.txt", "off.nc"});
+    EXPECT_EQ(repeated.status, 0) << repeated.out;
 }
 
 TEST_F(Violations, NoRemedyWhereTheShiftWouldBreakAnotherThing) {

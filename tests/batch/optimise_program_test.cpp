@@ -161,11 +161,11 @@ TEST_F(OptimiseProgram, FindsTheOrderThatTryingAllFinds) {
               number("SELECT min(cycle_time_s) FROM latest", "all.sqlite"));
     EXPECT_LT(found()["best"]["value"].get<double>(), found()["start"]["value"].get<double>());
     // The written program has the same result by itself.
-    const Ended relist = apps::run_program(
+    const Ended repeated = apps::run_program(
         tests::program_path("gsim-run"),
         {"--machine", "router3", "--dialect", "rs274ngc", "--json", "best/slots.nc"}, folder_);
-    ASSERT_EQ(relist.status, 0) << relist.err;
-    EXPECT_NEAR(text::parse_json<json>(relist.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
+    ASSERT_EQ(repeated.status, 0) << repeated.err;
+    EXPECT_NEAR(text::parse_json<json>(repeated.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
 }
 
 // On the thesis's gantry, the plate with its clamps and the program are placed where the rotary axes' limits
@@ -184,11 +184,11 @@ TEST_F(OptimiseProgram, PlacesTheWheel) {
     const json metrics = found()["best"]["runs"][0];
     EXPECT_GE(metrics["clearance_mm"].get<double>(), 0.25);
     // By the program that everybody has, from the files that were written.
-    const Ended relist = apps::run_program(
+    const Ended repeated = apps::run_program(
         tests::program_path("gsim-run"),
         {"best/wheel.nc", "--machine", "af5-measured", "--cell", "best/wheel.cell.toml", "--json"}, folder_);
-    ASSERT_EQ(relist.status, 0) << relist.err;
-    const json report = text::parse_json<json>(relist.out);
+    ASSERT_EQ(repeated.status, 0) << repeated.err;
+    const json report = text::parse_json<json>(repeated.out);
     EXPECT_NEAR(report["cycle_time_s"], best_s, 1e-9);
     EXPECT_TRUE(report["collisions"].empty());
     EXPECT_TRUE(report["clearances"].empty());
@@ -218,10 +218,10 @@ to = 2000
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_THAT(read("there/best/p.ngc.machine.toml"), HasSubstr("kind = \"linear\""));
     EXPECT_THAT(ended.out, HasSubstr("# without variables, which it has no word for"));
-    const Ended relist =
+    const Ended repeated =
         apps::run_program(tests::program_path("gsim-run"),
                           {"p.ngc", "--machine", "there/best/p.ngc.machine.toml", "--json"}, folder_);
-    EXPECT_NEAR(text::parse_json<json>(relist.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
+    EXPECT_NEAR(text::parse_json<json>(repeated.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
     // The proof is made, not found.
     ASSERT_EQ(optimise({"plan.toml", "--best", "there/best", "--overwrite"}).status, 0);
     EXPECT_EQ(number("SELECT reused FROM batch_run ORDER BY batch DESC LIMIT 1"), 0);

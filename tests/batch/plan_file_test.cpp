@@ -74,10 +74,10 @@ steps = 3
               R"({"machine.axis.X.max_speed_mm_s":100.0,"machine.controller.model":"blend"})");
     EXPECT_THAT(job.options.at("cell").get<std::string>(), EndsWith("/m.toml"));
     EXPECT_TRUE(job.stored_documents.report);
-    const auto relist = read_job(print_job(job));
-    ASSERT_TRUE(relist);
-    EXPECT_EQ(relist->settings, job.settings);
-    EXPECT_EQ(relist->options, job.options);
+    const auto repeated = read_job(print_job(job));
+    ASSERT_TRUE(repeated);
+    EXPECT_EQ(repeated->settings, job.settings);
+    EXPECT_EQ(repeated->options, job.options);
 }
 
 TEST_F(PlanFile, SaysWhereItIsWrong) {

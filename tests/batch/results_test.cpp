@@ -210,9 +210,9 @@ TEST_F(ResultsFile, TakesOverWhatOthersHaveOnce) {
     const std::vector<std::string> shards{file_with("a", 0, 3), file_with("b", 3, 5)};
     // A requeued task has begun a batch, and ended before it had recorded a run.
     {
-        auto relist = Results::open(shards[0], Journal::rollback);
-        ASSERT_TRUE(relist->begin_batch("plan", 3, "v"));
-        ASSERT_TRUE(relist->end_batch(false));
+        auto repeated = Results::open(shards[0], Journal::rollback);
+        ASSERT_TRUE(repeated->begin_batch("plan", 3, "v"));
+        ASSERT_TRUE(repeated->end_batch(false));
     }
     auto results = Results::open(file_, Journal::rollback);
     ASSERT_TRUE(results->begin_batch("plan", 5, "v"));

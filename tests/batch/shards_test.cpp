@@ -56,9 +56,9 @@ TEST(Shards, AreWrittenAndReadBack) {
                      {.keys = {"option.dialect"}, .domain = Choices{{"ab9"}}}};
     plan.design = {.sampling = Sampling::sobol, .runs = 9, .seed = 4};
     ASSERT_TRUE(write_stored_plan(folder, plan));
-    const auto relist = read_stored_plan(folder);
-    ASSERT_TRUE(relist) << relist.error();
-    const Jobs ours(plan), theirs(*relist);
+    const auto repeated = read_stored_plan(folder);
+    ASSERT_TRUE(repeated) << repeated.error();
+    const Jobs ours(plan), theirs(*repeated);
     ASSERT_EQ(theirs.size(), 9U);
     for (std::uint64_t job = 0; job < 9; ++job)
         EXPECT_EQ(print_job(ours.job(job)), print_job(theirs.job(job)));

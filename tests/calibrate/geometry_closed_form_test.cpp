@@ -78,23 +78,23 @@ GeometryFit fitted(const machine::Machine& machine, const std::vector<MeasuredTc
 
 // Y is tilted towards X by 0.4 mrad, Z away from Y by 0.3 mrad; X moves 100 ppm too far.
 TEST(GeometryClosedForm, AGantryThatIsNotSquare) {
-    const double compact = 4e-4, back = 3e-4;
+    const double tilt_rad = 4e-4, back = 3e-4;
     const auto tcps = tips_of(gantry(), [&](const std::vector<double>& axes) -> Vector3d {
         return axes[0] * 1.0001 * Vector3d::UnitX() +
-               axes[1] * Vector3d(std::sin(compact), std::cos(compact), 0) +
+               axes[1] * Vector3d(std::sin(tilt_rad), std::cos(tilt_rad), 0) +
                axes[2] * Vector3d(0, -std::sin(back), std::cos(back));
     });
     const GeometryFit fit = fitted(gantry(), tcps);
     EXPECT_LT(summarize_errors(fit.after).max_um, 1e-3);
-    EXPECT_NEAR(value_of(fit, "Y tilt_z_deg"), -compact / kDeg, 1e-7);
+    EXPECT_NEAR(value_of(fit, "Y tilt_z_deg"), -tilt_rad / kDeg, 1e-7);
     EXPECT_NEAR(value_of(fit, "Z tilt_x_deg"), back / kDeg, 1e-7);
     EXPECT_NEAR(value_of(fit, "X scale_ppm"), 100, 1e-3);
     EXPECT_NEAR(value_of(fit, "base turn_z_deg"), 0, 1e-7);
     const auto square = compute_squareness(gantry(), fit);
     ASSERT_EQ(square.size(), 3U);  // X Y, X Z, Y Z
-    EXPECT_NEAR(square[0].value_um_m, 1e6 * std::sin(compact), 1e-2);
+    EXPECT_NEAR(square[0].value_um_m, 1e6 * std::sin(tilt_rad), 1e-2);
     EXPECT_NEAR(square[1].value_um_m, 0, 1e-2);
-    EXPECT_NEAR(square[2].value_um_m, -1e6 * std::sin(back) * std::cos(compact), 1e-2);
+    EXPECT_NEAR(square[2].value_um_m, -1e6 * std::sin(back) * std::cos(tilt_rad), 1e-2);
     EXPECT_EQ(fixed_reason(fit, "tool x_mm"), "does what -X zero_mm does");
     EXPECT_EQ(fixed_reason(fit, "tool turn_x_deg"), "moves no tip that was measured");
 }

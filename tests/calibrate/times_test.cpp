@@ -254,11 +254,11 @@ TEST_F(Recordings, OfOneCurveLeaveTwoShares) {
 TEST_F(Recordings, BecomeAMachineFileThatIsReadAgain) {
     record(router(730, 0.012), 0.005);
     const Fit found = fit(router(400, 0.03));
-    const auto relist = machine::read_machine(machine_text(found, runs_), "fitted.toml");
-    ASSERT_TRUE(relist) << relist.error();
+    const auto repeated = machine::read_machine(machine_text(found, runs_), "fitted.toml");
+    ASSERT_TRUE(repeated) << repeated.error();
     machine::Machine calibrated = found.machine;
     calibrated.calibration = make_calibration(found);
-    EXPECT_EQ(*relist, calibrated);
+    EXPECT_EQ(*repeated, calibrated);
     EXPECT_THAT(residuals_svg(found, runs_), HasSubstr("0.ngc"));
 }
 

@@ -167,9 +167,9 @@ TEST(MachineDataValues, JsonGoesBothWays) {
     const MachineData data = read_machine_data();
     const std::string written = data.to_json().value();
     EXPECT_EQ(data.list(Format::json), written);
-    const auto relist = MachineData::from_json(written, "d.json");
-    ASSERT_TRUE(relist) << relist.error().message;
-    EXPECT_EQ(relist->to_json(), written);
+    const auto repeated = MachineData::from_json(written, "d.json");
+    ASSERT_TRUE(repeated) << repeated.error().message;
+    EXPECT_EQ(repeated->to_json(), written);
     EXPECT_EQ(rejection(MachineData::from_json("[", "d.json")), "d.json: byte 2: this is no JSON");
     EXPECT_EQ(rejection(MachineData::from_json("[]", "d.json")),
               "d.json: this is no JSON object with a list for each section");
@@ -183,8 +183,8 @@ TEST(MachineDataValues, NamesOfPointsGoWithThem) {
               "FIXED\n  ID  X  Y  Z     NAME    UNIT\n  1   0  0  25.4  CLAMP1  metric\n  2   1  2  3        "
               "     metric\n");
     EXPECT_EQ(data.get(Format::text, "REFERENCE", "1", "NAME"), "Pallet\n");
-    const MachineData relist = MachineData::from_json(data.to_json().value(), "d.json").value();
-    EXPECT_EQ(relist.to_json().value(), data.to_json().value());
+    const MachineData repeated = MachineData::from_json(data.to_json().value(), "d.json").value();
+    EXPECT_EQ(repeated.to_json().value(), data.to_json().value());
     ASSERT_TRUE(data.convert(LengthUnit::inch));
     EXPECT_EQ(data.get(Format::text, "FIXED", "1"), "X 0\nY 0\nZ 1\nNAME CLAMP1\nUNIT inch\n");
     ASSERT_TRUE(data.reset("FIXED", "1"));

@@ -40,9 +40,9 @@ struct Toll {
 void expect_next_run_goes_well(const Job& job, const Outcome& killed) {
     Job next = job;
     next.files = killed.files;
-    const Outcome relist = run(next, {});
-    EXPECT_EQ(relist.status, 0) << relist.err;
-    for (const auto& [name, text] : relist.files)
+    const Outcome repeated = run(next, {});
+    EXPECT_EQ(repeated.status, 0) << repeated.err;
+    for (const auto& [name, text] : repeated.files)
         EXPECT_TRUE(killed.files.count(name) > 0 || !is_left_over(name)) << name;
 }
 

@@ -21,9 +21,9 @@ std::vector<machine::Axis> data_axes() {
 std::optional<std::string> fault_of_data(const machine::MachineData& data,
                                          const std::vector<machine::Axis>& axes) {
     const std::string text = machine::write_machine_data(data, axes);
-    const auto relist = machine::read_machine_data(text, "again", axes);
-    if (!relist) return fmt::format("what is written is refused: {}\n{}", relist.error(), text);
-    if (*relist != data) return fmt::format("what is written means other data:\n{}", text);
+    const auto repeated = machine::read_machine_data(text, "again", axes);
+    if (!repeated) return fmt::format("what is written is refused: {}\n{}", repeated.error(), text);
+    if (*repeated != data) return fmt::format("what is written means other data:\n{}", text);
     if (const auto aliases = engine::make_aliases(data); !aliases) return fault_of_sentence(aliases.error());
     return std::nullopt;
 }
@@ -80,9 +80,10 @@ Outcome check_machine_data_json(std::string_view json) {
         return rejected();
     }
     const std::string written = engine::data_to_json(*document).dump();
-    const auto relist = engine::data_from_json(written, file, axes);
-    if (!relist) return broken(fmt::format("what is written is refused: {}\n{}", relist.error(), written));
-    if (relist->data() != document->data()) return broken("what is written means other data:\n" + written);
+    const auto repeated = engine::data_from_json(written, file, axes);
+    if (!repeated)
+        return broken(fmt::format("what is written is refused: {}\n{}", repeated.error(), written));
+    if (repeated->data() != document->data()) return broken("what is written means other data:\n" + written);
     if (auto violation = fault_of_data(document->data(), axes)) return broken(*std::move(violation));
     return accepted();
 }
@@ -92,9 +93,10 @@ Outcome check_variables(std::string_view text) {
     const auto values = engine::parse_variables(text, file);
     if (!values) return refused_with(values.error(), file);
     const std::string written = engine::variables_text(*values);
-    const auto relist = engine::parse_variables(written, file);
-    if (!relist) return broken(fmt::format("what is written is refused: {}\n{}", relist.error(), written));
-    if (*relist != *values) return broken("what is written means other values:\n" + written);
+    const auto repeated = engine::parse_variables(written, file);
+    if (!repeated)
+        return broken(fmt::format("what is written is refused: {}\n{}", repeated.error(), written));
+    if (*repeated != *values) return broken("what is written means other values:\n" + written);
     return accepted();
 }
 

@@ -32,9 +32,10 @@ Outcome check_machine(std::string_view toml) {
     auto machine = machine::read_machine(toml, file);
     if (!machine) return refused_with(machine.error(), file);
     const std::string printed = machine::print_machine(*machine);
-    const auto relist = machine::read_machine(printed, file);
-    if (!relist) return broken(fmt::format("what is printed is refused: {}\n{}", relist.error(), printed));
-    if (*relist != *machine)
+    const auto repeated = machine::read_machine(printed, file);
+    if (!repeated)
+        return broken(fmt::format("what is printed is refused: {}\n{}", repeated.error(), printed));
+    if (*repeated != *machine)
         return broken(fmt::format("what is printed reads as another machine:\n{}", printed));
     return move_it(*std::move(machine));
 }
@@ -47,9 +48,10 @@ Outcome check_controller(std::string_view toml) {
     machine::print_controller(out, *rules);
     const std::string printed = out.release();
     if (printed.empty()) return accepted();  // as a machine without such a table
-    const auto relist = machine::read_controller(printed, file, "fuzz");
-    if (!relist) return broken(fmt::format("what is printed is refused: {}\n{}", relist.error(), printed));
-    if (*relist != *rules) return broken(fmt::format("what is printed reads as other rules:\n{}", printed));
+    const auto repeated = machine::read_controller(printed, file, "fuzz");
+    if (!repeated)
+        return broken(fmt::format("what is printed is refused: {}\n{}", repeated.error(), printed));
+    if (*repeated != *rules) return broken(fmt::format("what is printed reads as other rules:\n{}", printed));
     machine::Machine machine = machine_with(*rules);
     if (machine::find_controller_error(machine)) return accepted();
     return move_it(std::move(machine));

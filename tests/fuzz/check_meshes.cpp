@@ -45,17 +45,17 @@ Outcome check_solid_packet(std::string_view bytes) {
     solid::PacketReader contours(bytes);
     const solid::WallContours walls = solid::unpack_contours(contours);
     if (contours.is_complete()) {
-        solid::PacketWriter relist;
-        solid::pack_contours(relist, walls);
-        if (relist.bytes().size() > bytes.size()) return broken("contours are written in another way");
+        solid::PacketWriter repeated;
+        solid::pack_contours(repeated, walls);
+        if (repeated.bytes().size() > bytes.size()) return broken("contours are written in another way");
     }
     solid::PacketReader mesh(bytes);
     const solid::Mesh triangles = solid::unpack_mesh(mesh);
     if (!mesh.is_complete() && !plate.is_complete() && !contours.is_complete()) return rejected();
     if (!mesh.is_complete()) return accepted();
-    solid::PacketWriter relist;
-    solid::pack_mesh(relist, triangles);
-    if (!bytes.starts_with(relist.bytes())) return broken("a mesh is written in another way");
+    solid::PacketWriter repeated;
+    solid::pack_mesh(repeated, triangles);
+    if (!bytes.starts_with(repeated.bytes())) return broken("a mesh is written in another way");
     return accepted();
 }
 

@@ -103,9 +103,9 @@ std::optional<std::string> fault_of_program(const path::PathFile& file, const ma
 
 Outcome check_path(const path::PathFile& file) {
     const std::string json = path::to_json(file.program);
-    const auto relist = path::read_json(json, "again.json");
-    if (!relist) return broken(fmt::format("what is written is refused: {}\n{}", relist.error(), json));
-    if (relist->program != file.program)
+    const auto repeated = path::read_json(json, "again.json");
+    if (!repeated) return broken(fmt::format("what is written is refused: {}\n{}", repeated.error(), json));
+    if (repeated->program != file.program)
         return broken(fmt::format("what is written is another path:\n{}", json));
     if (!is_small(file.program)) return accepted();
     const machine::Machine machine = path_machine();

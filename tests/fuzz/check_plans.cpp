@@ -13,9 +13,9 @@ constexpr std::uint64_t kMostJobs = 10'000;  // which take milliseconds
 std::optional<std::string> fault_of_job(const batch::Job& job) {
     const std::string line = batch::print_job(job);
     if (line.find('\n') != std::string::npos) return "a job of two lines";
-    const auto relist = batch::read_job(line);
-    if (!relist) return "a job is refused: " + relist.error();
-    if (batch::print_job(*relist) != line) return "a job is another one when it is written";
+    const auto repeated = batch::read_job(line);
+    if (!repeated) return "a job is refused: " + repeated.error();
+    if (batch::print_job(*repeated) != line) return "a job is another one when it is written";
     return std::nullopt;
 }
 

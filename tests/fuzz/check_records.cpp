@@ -72,10 +72,10 @@ std::optional<std::string> fault_of_tips(const calibrate::TcpList& list) {
     for (const calibrate::MeasuredTcp& tcp : list.tcps) {
         if (tcp.readings.size() != machine.axes.size()) return "a tip without readings of all axes";
         if (!all_finite(tcp.readings) || !tcp.tcp.matrix().allFinite()) return "a tip that is nowhere";
-        const auto relist =
+        const auto repeated =
             calibrate::read_tcps(calibrate::print_tcps({tcp}, machine, tcp.has_orientation, true), machine);
-        if (!relist) return "what was written is refused: " + relist.error();
-        if (relist->tcps.size() != 1 || !is_same(tcp, relist->tcps.front()))
+        if (!repeated) return "what was written is refused: " + repeated.error();
+        if (repeated->tcps.size() != 1 || !is_same(tcp, repeated->tcps.front()))
             return "a tip is another one when it is written";
     }
     return std::nullopt;

@@ -76,10 +76,10 @@ Outcome check_toml_edit(std::string_view bytes) {
                 return broken("a change that is refused has changed something");
             continue;
         }
-        const auto relist = base::toml_json(edit->text(), "again");
-        if (!relist)
-            return broken(fmt::format("what is written is no TOML: {}\n{}", relist.error(), edit->text()));
-        if (*relist != edit->value())
+        const auto repeated = base::toml_json(edit->text(), "again");
+        if (!repeated)
+            return broken(fmt::format("what is written is no TOML: {}\n{}", repeated.error(), edit->text()));
+        if (*repeated != edit->value())
             return broken(fmt::format("what is written is another value:\n{}", edit->text()));
     }
     return accepted();

@@ -46,27 +46,27 @@ std::optional<std::string_view> option_value(std::string_view argument,
 /// be added to, the dictionary, and the folder for findings. An input cannot open other files, except those
 /// in tests/fuzz/beside.
 gsim::os::SandboxPolicy fuzz_sandbox_policy(int argc, char** argv) {
-    gsim::os::SandboxPolicy feasible;
-    feasible.read.emplace_back(gsim::tests::source_path("tests/fuzz/beside"));
-    for (const char* path : {"/proc/self", "/dev/null"}) feasible.read.emplace_back(path);
+    gsim::os::SandboxPolicy policy;
+    policy.read.emplace_back(gsim::tests::source_path("tests/fuzz/beside"));
+    for (const char* path : {"/proc/self", "/dev/null"}) policy.read.emplace_back(path);
     // The symbolizer of the sanitizers, and what it reads.
-    feasible.run.emplace_back(gsim::tests::build_path("lib/fuzz_modules"));
-    for (const char* folder : {"/usr", "/lib", "/lib64"}) feasible.run.emplace_back(folder);
+    policy.run.emplace_back(gsim::tests::build_path("lib/fuzz_modules"));
+    for (const char* folder : {"/usr", "/lib", "/lib64"}) policy.run.emplace_back(folder);
     std::error_code ignored;
-    feasible.read.push_back(fs::read_symlink("/proc/self/exe", ignored));
+    policy.read.push_back(fs::read_symlink("/proc/self/exe", ignored));
     bool is_first = true;
     for (int i = 1; i < argc; ++i) {
         const std::string_view argument = argv[i];
         if (const auto dictionary = option_value(argument, {"-dict="})) {
-            feasible.read.emplace_back(*dictionary);
+            policy.read.emplace_back(*dictionary);
         } else if (const auto output =
                        option_value(argument, {"-artifact_prefix=", "-exact_artifact_path="})) {
-            feasible.changed.push_back(fs::absolute(*output).parent_path());
+            policy.changed.push_back(fs::absolute(*output).parent_path());
         } else if (!argument.starts_with('-')) {
-            (std::exchange(is_first, false) ? feasible.changed : feasible.read).emplace_back(argument);
+            (std::exchange(is_first, false) ? policy.changed : policy.read).emplace_back(argument);
         }
     }
-    return feasible;
+    return policy;
 }
 
 }  // namespace

@@ -216,8 +216,8 @@ Outcome outcome_of(const RunResult& result) {
 
 Outcome check_run(const SmallRun& run) {
     const RunResult first = run_once(run);
-    const bool relist = std::hash<std::string>()(run.lua) % kRunTwice == 0;
-    if (relist && simulation::to_json(first.report) != simulation::to_json(run_once(run).report))
+    const bool repeated = std::hash<std::string>()(run.lua) % kRunTwice == 0;
+    if (repeated && simulation::to_json(first.report) != simulation::to_json(run_once(run).report))
         return broken("two runs of one program differ");
     return outcome_of(first);
 }

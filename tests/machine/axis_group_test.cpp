@@ -34,9 +34,9 @@ TEST(AxisGroup, IsReadAndPrintedBack) {
     ASSERT_EQ(machine->groups.size(), 2U);
     EXPECT_EQ(machine->groups[0], (AxisGroup{"table", {2}, GroupMotion::coordinated}));
     EXPECT_EQ(machine->groups[1], (AxisGroup{"track", {0}, GroupMotion::synchronous}));
-    const auto relist = read_machine(print_machine(*machine), "printed");
-    ASSERT_TRUE(relist) << relist.error();
-    EXPECT_EQ(*relist, *machine);
+    const auto repeated = read_machine(print_machine(*machine), "printed");
+    ASSERT_TRUE(repeated) << repeated.error();
+    EXPECT_EQ(*repeated, *machine);
 }
 
 TEST(AxisGroup, WhatCannotBeIsSaidWithItsPlace) {

@@ -51,9 +51,9 @@ TEST(CalibrationSection, IsReadAndPrintedBack) {
         .parameters = {{"X", "max_acceleration_mm_s2"}, {"controller", "speed_step_s"}},
         .covariance_percent2 = {{4, 1}, {1, 9}}};
     EXPECT_EQ(machine->calibration, expected_value);
-    const auto relist = read_machine(print_machine(*machine), "m.toml");
-    ASSERT_TRUE(relist) << relist.error();
-    EXPECT_EQ(*relist, *machine);
+    const auto repeated = read_machine(print_machine(*machine), "m.toml");
+    ASSERT_TRUE(repeated) << repeated.error();
+    EXPECT_EQ(*repeated, *machine);
 }
 
 TEST(CalibrationSection, FiguresMayBeTimesOfWords) {

@@ -103,9 +103,9 @@ drag_n_per_mm_s = 0.01
                                                   .stiffness_n_per_mm = 0.05,
                                                   .drag_n_per_mm_s = 0.01}}};
     EXPECT_EQ(machine->dynamics, expected_value);
-    const auto relist = read_machine(print_machine(*machine), "printed.toml");
-    ASSERT_TRUE(relist) << relist.error();
-    EXPECT_EQ(*relist, *machine);
+    const auto repeated = read_machine(print_machine(*machine), "printed.toml");
+    ASSERT_TRUE(repeated) << repeated.error();
+    EXPECT_EQ(*repeated, *machine);
 }
 
 TEST(DynamicsSection, WithoutMoreItIsStandardGravityAndNothingElse) {

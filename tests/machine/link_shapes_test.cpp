@@ -58,9 +58,9 @@ TEST(LinkShapes, AllKindsAreReadAndPrintedBack) {
     EXPECT_EQ(machine->shapes[4].frame.z_mm, 2.5);
     using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
     EXPECT_EQ(machine->ignored, (Pairs{{0, 1}, {4, 2}}));
-    const auto relist = read_machine(print_machine(*machine), "elsewhere/printed.toml");
-    ASSERT_TRUE(relist) << relist.error() << print_machine(*machine);
-    EXPECT_EQ(*relist, *machine) << print_machine(*machine);
+    const auto repeated = read_machine(print_machine(*machine), "elsewhere/printed.toml");
+    ASSERT_TRUE(repeated) << repeated.error() << print_machine(*machine);
+    EXPECT_EQ(*repeated, *machine) << print_machine(*machine);
 }
 
 TEST(LinkShapes, MeshesAreInTheFolderOfTheMachineFile) {
@@ -78,9 +78,9 @@ TEST(LinkShapes, TheToleranceOfASolidIsKept) {
         with(shape("body", "X", fmt::format("mesh = \"{}\", tolerance_mm = 0.25", file.string()))), "m.toml");
     ASSERT_TRUE(machine) << machine.error();
     EXPECT_EQ(machine->shapes[0].form, ShapeForm(MeshShape{file, 1, 0.25}));
-    const auto relist = read_machine(print_machine(*machine), "m.toml");
-    ASSERT_TRUE(relist) << relist.error();
-    EXPECT_EQ(*relist, *machine);
+    const auto repeated = read_machine(print_machine(*machine), "m.toml");
+    ASSERT_TRUE(repeated) << repeated.error();
+    EXPECT_EQ(*repeated, *machine);
     std::filesystem::remove(file);
 }
 

@@ -38,9 +38,9 @@ TEST(ProcessSection, ReadsWordsAndChecks) {
     EXPECT_FALSE(process.checks.end_with_process_on);
     EXPECT_TRUE(process.checks.rapid_with_process_on);
     EXPECT_EQ(process.checks.dwell_s, 5);
-    const auto relist = read_machine(print_machine(*machine), "printed");
-    ASSERT_TRUE(relist) << relist.error();
-    EXPECT_EQ(*relist, *machine);
+    const auto repeated = read_machine(print_machine(*machine), "printed");
+    ASSERT_TRUE(repeated) << repeated.error();
+    EXPECT_EQ(*repeated, *machine);
 }
 
 TEST(ProcessSection, ASpindleMayDwell) {

@@ -37,9 +37,9 @@ TEST(TimesSection, ReadsNamesAndCodes) {
     EXPECT_EQ(times.process_off_s, 0.2);
     EXPECT_FALSE(times.before_first_move);
     EXPECT_EQ(times.codes_s, (std::map<int, double>{{8, 0}, {100, 4}}));
-    const auto relist = read_machine(print_machine(*machine), "printed");
-    ASSERT_TRUE(relist) << relist.error();
-    EXPECT_EQ(*relist, *machine);
+    const auto repeated = read_machine(print_machine(*machine), "printed");
+    ASSERT_TRUE(repeated) << repeated.error();
+    EXPECT_EQ(*repeated, *machine);
 }
 
 TEST(TimesSection, WithoutItNoWordTakesTime) {

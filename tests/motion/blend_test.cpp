@@ -256,7 +256,7 @@ TEST_P(Blends, LimitsHoldOnRandomWays) {
 /// little if sharp corners must be passed without jumps of the acceleration.
 TEST_P(Blends, FewBlocksKnownAreNoTrap) {
     std::mt19937 random(32);
-    const double feasible = GetParam() == CornerRule::smooth_blend ? 1.05 : 1.001;
+    const double allowed = GetParam() == CornerRule::smooth_blend ? 1.05 : 1.001;
     std::uniform_real_distribution<double> unit(-1, 1);
     for (int run = 0; run < 20; ++run) {
         PlannerSetup setup = blend_setup(GetParam());
@@ -272,7 +272,7 @@ TEST_P(Blends, FewBlocksKnownAreNoTrap) {
             for (Path* path : {&blended, &stopping}) path->line(to.x(), to.y());
         }
         for (Path* path : {&blended, &stopping}) path->standstill();
-        EXPECT_LE(blended.out().time_s(), stopping.out().time_s() * feasible) << run;
+        EXPECT_LE(blended.out().time_s(), stopping.out().time_s() * allowed) << run;
     }
 }
 

@@ -113,8 +113,8 @@ Outcome WayRound::end(const Way& write_mode, const std::vector<std::string>& opt
     arguments.insert(arguments.end(), options.begin(), options.end());
     const apps::Ended written = apps::run_program(tests::program_path("path2gcode"), arguments, folder_);
     if (written.status != 0) return {Ending::not_written, {}, written.err, false};
-    const apps::Ended relist = gsim_run("again.nc", write_mode.dialect, "again", kExactStop, false);
-    if (relist.status != 0) return {Ending::not_run, {}, relist.err, false};
+    const apps::Ended repeated = gsim_run("again.nc", write_mode.dialect, "again", kExactStop, false);
+    if (repeated.status != 0) return {Ending::not_run, {}, repeated.err, false};
     const RunRecord first = read("first"), second = read("again");
     Outcome outcome;
     const std::set<std::string> unsaid = comments_of(written.err);

@@ -303,11 +303,11 @@ TEST(PathChanges, FeedsThatOthersTakeOverAreNotChangedAlone) {
     behind.paths[0].targets = {SubPath{2}, point_at(9, std::nullopt)};
     EXPECT_THAT(change_feeds(behind, change).error(), HasSubstr("'root' takes one over"));
     // The second time round.
-    Program relist = of_three({"c", {point_at(3, std::nullopt), SubPath{2}}});
-    relist.paths[0].targets = {SubPath{1}, SubPath{3, 2}};
-    EXPECT_THAT(change_feeds(relist, change).error(), HasSubstr("'c' takes one over"));
-    relist.paths[0].targets = {SubPath{1}, SubPath{3, 1}};
-    EXPECT_TRUE(change_feeds(relist, change));
+    Program repeated = of_three({"c", {point_at(3, std::nullopt), SubPath{2}}});
+    repeated.paths[0].targets = {SubPath{1}, SubPath{3, 2}};
+    EXPECT_THAT(change_feeds(repeated, change).error(), HasSubstr("'c' takes one over"));
+    repeated.paths[0].targets = {SubPath{1}, SubPath{3, 1}};
+    EXPECT_TRUE(change_feeds(repeated, change));
 }
 
 }  // namespace

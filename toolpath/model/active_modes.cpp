@@ -86,9 +86,9 @@ tl::expected<std::vector<std::string>, std::string> insert_restore_actions(
         all.push_back(action);
         active_modes.pass(action);
         if (!is_tool_change(action)) continue;
-        auto relist = restore_actions(active_modes, stops);
-        if (!relist) return relist;
-        all.insert(all.end(), relist->begin(), relist->end());
+        auto restored = restore_actions(active_modes, stops);
+        if (!restored) return restored;
+        all.insert(all.end(), restored->begin(), restored->end());
     }
     return all;
 }

@@ -78,11 +78,11 @@ std::optional<Error> PathSetup::change(const Inherited<std::string>& frame, cons
 }
 
 std::optional<Error> PathSetup::change_tool(const Tool& tool, const State& at) {
-    const auto relist = restore_actions(at.active_modes, stops_);
-    if (!relist) return make_error(relist.error());
+    const auto restored = restore_actions(at.active_modes, stops_);
+    if (!restored) return make_error(restored.error());
     sink_.action(fmt::format("tool_select T{}", tool.number));
     sink_.action(fmt::format("tool_change T{}", tool.number));
-    for (const std::string& each : *relist) sink_.action(each);
+    for (const std::string& each : *restored) sink_.action(each);
     sink_.action(tool.length_offset == 0 ? "tool_length_off"
                                          : fmt::format("tool_length H{}", tool.length_offset));
     if (tool.diameter_offset) sink_.action(fmt::format("tool_diameter D{}", *tool.diameter_offset));

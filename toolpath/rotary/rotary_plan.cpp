@@ -237,11 +237,11 @@ class Planner {
     OptionalError check_repeats(const State& before, const SubPath& sub_path, const TargetId& id) {
         const AxisValues& entry = *entries_[sub_path.path];
         const AxisValues exit = path_exit(sub_path.path);
-        State relist = before;
-        states_.pass(relist, Target(sub_path));
+        State next_state = before;
+        states_.pass(next_state, Target(sub_path));
         const bool is_shortest_turn =
             turn_between(exit, entry) <= min_turn_between(exit, entry) + kTurnTolerance_deg;
-        if (is_shortest_turn || !begins_cutting(sub_path, relist)) return std::nullopt;
+        if (is_shortest_turn || !begins_cutting(sub_path, next_state)) return std::nullopt;
         AxisValues unwound_position = entry;
         for (Eigen::Index i = 0; i < unwound_position.size(); ++i) {
             unwound_position[i] += std::remainder(exit[i] - entry[i], 360.0);

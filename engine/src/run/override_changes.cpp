@@ -46,7 +46,7 @@ struct Kind {
     std::string_view key;
     std::optional<double> OverrideOptions::*percent;
     double Overrides::*share;
-    PercentRange (*feasible)(const rrs::OverrideRules&);
+    PercentRange (*allowed)(const rrs::OverrideRules&);
 };
 
 constexpr std::array kOverrideKinds{
@@ -68,9 +68,9 @@ constexpr std::array kOverrideKinds{
 std::string override_error(const Kind& kind, double percent, const rrs::ControllerRules& controller) {
     if (controller.planner == rrs::PlannerKind::klipper && percent != 100)
         return "the planner \"klipper\" follows no override; M220 in the program sets its speed factor";
-    const PercentRange feasible = kind.feasible(controller.overrides);
-    if (!feasible.accepts(percent))
-        return fmt::format("the controller {} takes {}", controller.model, feasible.text());
+    const PercentRange allowed = kind.allowed(controller.overrides);
+    if (!allowed.accepts(percent))
+        return fmt::format("the controller {} takes {}", controller.model, allowed.text());
     if (percent <= 0 && kind.share == &Overrides::spindle)
         return "a spindle at 0 % would never let go on what follows it";
     return {};

@@ -15,7 +15,7 @@ constexpr char kSpindle = '$';
 
 std::string compensation_text(Compensation compensation) {
     switch (compensation) {
-        case Compensation::feasible: return "";
+        case Compensation::allowed: return "";
         case Compensation::rejected: return "refused";
         case Compensation::refused_next_to_path: return "refused beside the path";
         case Compensation::lead_out_and_in: return "led out";

@@ -92,8 +92,8 @@ int Engine::function_body(lua_State* state) {
     const auto index = static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(3)));
     const std::vector<ScriptChunk>& chunks = loaded_script.script.functions[index].chunks;
     if (chunks.size() == 1) {
-        const auto [relist, is_new] = loaded_script.compiled.try_emplace(index, LUA_NOREF);
-        if (!is_new) return engine.run_compiled(state, loaded_script, chunks.front(), relist->second);
+        const auto [entry, is_new] = loaded_script.compiled.try_emplace(index, LUA_NOREF);
+        if (!is_new) return engine.run_compiled(state, loaded_script, chunks.front(), entry->second);
     }
     lua_settop(state, 0);
     luaL_checkstack(state, kFirstKey + kLetters + kStackForCall, nullptr);

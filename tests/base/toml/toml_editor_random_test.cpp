@@ -191,8 +191,8 @@ class RandomEdits {
             const auto moved = edit.move(below(list, last), std::get<std::size_t>(path.back()));
             ASSERT_TRUE(moved) << moved.error() << edit.text();
         } else {
-            const auto relist = edit.set(path, old);
-            ASSERT_TRUE(relist) << relist.error() << edit.text();
+            const auto repeated = edit.set(path, old);
+            ASSERT_TRUE(repeated) << repeated.error() << edit.text();
         }
         EXPECT_EQ(edit.value(), before) << edit.text();
     }

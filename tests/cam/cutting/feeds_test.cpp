@@ -47,12 +47,12 @@ TEST(Feeds, PartsAddUpForRandomShapes) {
     std::mt19937 random(5);
     for (int i = 0; i < 50; ++i) {
         const geometry::Contour contour = geometry::star(random, 20, 3, 20, 0.5);
-        geometry::Contour relist;
-        for (const FeedSegment& edge : assign_feeds(contour, rules())) append_edge(relist, edge.edge, 0);
-        EXPECT_NEAR(length_mm(relist), length_mm(contour), 1e-6);
-        relist.vertices.pop_back();
-        relist.closed = true;
-        EXPECT_NEAR(area_mm2(relist), area_mm2(contour), 1e-6);
+        geometry::Contour repeated;
+        for (const FeedSegment& edge : assign_feeds(contour, rules())) append_edge(repeated, edge.edge, 0);
+        EXPECT_NEAR(length_mm(repeated), length_mm(contour), 1e-6);
+        repeated.vertices.pop_back();
+        repeated.closed = true;
+        EXPECT_NEAR(area_mm2(repeated), area_mm2(contour), 1e-6);
     }
 }
 

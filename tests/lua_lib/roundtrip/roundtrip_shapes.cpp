@@ -300,9 +300,9 @@ Body Shapes::cycle(const Scope& scope) {
     if (random_.chance(2)) return body;  // the next motion code ends it
     add(body, {.codes = {"G80"}});
     if (is_ab9()) {
-        Block relist;
-        add_axes(relist, scope, some_of("XYZ"));
-        add(body, std::move(relist));
+        Block repeated;
+        add_axes(repeated, scope, some_of("XYZ"));
+        add(body, std::move(repeated));
     }
     return body;
 }

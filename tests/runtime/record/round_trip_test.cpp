@@ -99,9 +99,9 @@ class Record : public apps::Apps {
             const Ended written = path2gcode({"first.path.json", "--machine", machine, "--rotary", "as-given",
                                               "--dialect", write_mode.post, "-o", "again.nc"});
             ASSERT_EQ(written.status, 0) << written.err;
-            const Ended relist = gsim_run({"again.nc", "--dialect", write_mode.dialect, "--machine", machine,
-                                           "--quiet", "--moves", "again.jsonl"});
-            ASSERT_EQ(relist.status, 0) << write_mode.post << relist.err;
+            const Ended repeated = gsim_run({"again.nc", "--dialect", write_mode.dialect, "--machine",
+                                             machine, "--quiet", "--moves", "again.jsonl"});
+            ASSERT_EQ(repeated.status, 0) << write_mode.post << repeated.err;
             SCOPED_TRACE(write_mode.post);
             expect_same_moves("first.jsonl", "again.jsonl", kHalfDigit);
         }
@@ -190,18 +190,18 @@ TEST_F(Record, AnObliqueArcComesBackAsOneBlock) {
     for (int round = 0; round < 4; ++round) {
         const std::string text = oblique_part(random);
         expect_way_round(write("part.nc", text), "ab9", {{"ab9", "ab9"}}, machine);
-        const std::vector<json> first = moves("first.jsonl"), relist = moves("again.jsonl");
+        const std::vector<json> first = moves("first.jsonl"), repeated = moves("again.jsonl");
         int oblique = 0;
-        for (std::size_t i = 0; i < first.size() && i < relist.size(); ++i) {
+        for (std::size_t i = 0; i < first.size() && i < repeated.size(); ++i) {
             if (!first[i].contains("normal") || !first[i]["plane"].is_null()) continue;
             ++oblique;
             for (const char* letter : {"X", "Y", "Z"}) {
                 EXPECT_NEAR(first[i]["center"][letter].get<double>(),
-                            relist[i]["center"][letter].get<double>(), 0.02)
-                    << first[i] << relist[i];
+                            repeated[i]["center"][letter].get<double>(), 0.02)
+                    << first[i] << repeated[i];
                 EXPECT_NEAR(first[i]["normal"][letter].get<double>(),
-                            relist[i]["normal"][letter].get<double>(), 1e-3)
-                    << first[i] << relist[i];
+                            repeated[i]["normal"][letter].get<double>(), 1e-3)
+                    << first[i] << repeated[i];
             }
         }
         EXPECT_EQ(oblique, 20) << text;
@@ -278,9 +278,9 @@ TEST_F(Record, ErrorsOfShortMovesDoNotAddUp) {
     for (const Way& write_mode : kAllAxes) {
         SCOPED_TRACE(write_mode.post);
         ASSERT_EQ(path2gcode({"first.path.json", "--dialect", write_mode.post, "-o", "again.nc"}).status, 0);
-        const Ended relist =
+        const Ended repeated =
             gsim_run({"again.nc", "--dialect", write_mode.dialect, "--quiet", "--moves", "again.jsonl"});
-        ASSERT_EQ(relist.status, 0) << relist.err;
+        ASSERT_EQ(repeated.status, 0) << repeated.err;
         const apps::Ends found = apps::ends_of_moves(read("again.jsonl"));
         EXPECT_LE(found.size(), expected_value.size());
         const auto near = [](const std::array<double, 5>& a, const std::array<double, 5>& b) {

@@ -104,8 +104,9 @@ TEST(TipControl, SlidesThatAreNotQuiteSquareMakeSquareParts) {
     const Vector3d first = tip_after(r, 0);
     const Vector3d step = tip_after(r, 1) - first;
     // The slide of Y leans out of the plane of X and Y by 0.02 degrees: that plane is the part's.
-    const double compact = 0.02 * std::acos(-1.0) / 180;
-    const Vector3d y(0, std::cos(compact), std::sin(compact)), z(0, -std::sin(compact), std::cos(compact));
+    const double tilt_rad = 0.02 * std::acos(-1.0) / 180;
+    const Vector3d y(0, std::cos(tilt_rad), std::sin(tilt_rad)),
+        z(0, -std::sin(tilt_rad), std::cos(tilt_rad));
     EXPECT_LT((step - (5 * Vector3d::UnitX() - 3 * y - 7 * z)).norm(), 1e-6) << step.transpose();
     EXPECT_LT((tip_after(r, 2) - first).norm(), 1e-9);
     crooked.machine.axes.at(1).frame->roll_deg = 2;

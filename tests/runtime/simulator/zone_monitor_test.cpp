@@ -152,23 +152,23 @@ void expect_entries(const machine::Zone& zone, const Collected& run, const std::
     }
     std::size_t begun = 0;
     double allowed_s = 0;
-    bool feasible = true;
+    bool allowed = true;
     for (double t_s = 0; t_s < run.end_s(); t_s += 1e-3) {
         const double allowance = allowance_mm(zone, run.at(t_s));
         while (begun < entries.size() && entries[begun].t_s <= t_s) ++begun;
         if (allowance > kWall_mm) {
-            feasible = true;
+            allowed = true;
             allowed_s = t_s;
         } else if (allowance < -1e-3) {
             ASSERT_GT(begun, 0U) << t_s;
-            if (feasible) {
+            if (allowed) {
                 EXPECT_GE(entries[begun - 1].t_s, allowed_s) << t_s;
             }
-            if (!feasible) {
+            if (!allowed) {
                 EXPECT_LE(entries[begun - 1].t_s, t_s) << t_s;
             }
             EXPECT_GE(entries[begun - 1].amount(), 0) << t_s;
-            feasible = false;
+            allowed = false;
         }
     }
 }
