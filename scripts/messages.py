@@ -15,7 +15,6 @@ from words import CODE, ROOT, TOKENS
 
 TABLE = ROOT / "tests/messages/messages.txt"
 HEAD = "# The messages of gsim by module, as its sources have them (scripts/messages.py --renew).\n"
-LITERALS = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
 # A message has three words or more, two of them without capitals; code has none of that between blanks.
 WORD = re.compile(r"(?<![\w#.<{/=-])[a-z][a-z']+(?![\w(=:.]\w)")
 ANY_WORD = re.compile(r"[A-Za-z][a-z']+")
