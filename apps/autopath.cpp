@@ -63,10 +63,12 @@ void add_material_options(apps::CommandLine& line, AutopathArguments& arguments)
     line.add("--pierce", &cutting.pierce_s, "time of a pierce, instead of the material's")
         .with_value_name("SECONDS")
         .within(0, 3600);
-    line.add("--moving-pierce", &cutting.dynamic_pierce,
-             "move the nozzle to and fro on the lead while it pierces, which takes less time");
-    line.add("--straighten", &cutting.taper_compensation,
-             "lean the jet against the taper of its kerf, so that sides get straight");
+    line.add("--dynamic-pierce", &cutting.dynamic_pierce,
+             "move the nozzle to and fro on the lead while it pierces, which takes less time")
+        .formerly("--moving-pierce");
+    line.add("--taper-compensation", &cutting.taper_compensation,
+             "lean the jet against the taper of its kerf, so that sides get straight")
+        .formerly("--straighten");
     line.add("--report", &arguments.report, "print how the values were found and what the job costs")
         .exclude_option("--json");
 }
@@ -153,20 +155,23 @@ void add_surface_options(apps::CommandLine& line, AutopathArguments& arguments) 
     line.add("--axis", &arguments.axis, "where the jet goes: along the walls, or along the face's normal")
         .one_of({"wall", "normal"})
         .show_default();
-    line.add("--lean", &arguments.surface.tilt_deg,
+    line.add("--tilt-angle", &arguments.surface.tilt_deg,
              "lean to the side, from the normal; above 0 the part is smaller below")
         .with_value_name("DEG")
         .within(-80, 80)
-        .show_default();
-    line.add("--tilt", &arguments.surface.lead_angle_deg, "lean forwards, with the nozzle ahead")
+        .show_default()
+        .formerly("--lean");
+    line.add("--lead-angle", &arguments.surface.lead_angle_deg, "lean forwards, with the nozzle ahead")
         .with_value_name("DEG")
         .within(-60, 60)
-        .show_default();
-    line.add("--max-lean", &arguments.surface.max_tilt_deg,
+        .show_default()
+        .formerly("--tilt");
+    line.add("--max-tilt", &arguments.surface.max_tilt_deg,
              "refuse edges where the jet leans more from the normal")
         .with_value_name("DEG")
         .within(0, 85)
-        .show_default();
+        .show_default()
+        .formerly("--max-lean");
 }
 
 void add_cell_options(apps::CommandLine& line, AutopathArguments& arguments) {
@@ -237,9 +242,9 @@ std::string option_without_contours(const AutopathArguments& arguments) {
     if (arguments.box_low_mm != none.box_low_mm) return "--box-low";
     if (arguments.box_high_mm != none.box_high_mm) return "--box-high";
     if (arguments.axis != none.axis) return "--axis";
-    if (given.tilt_deg != none.surface.tilt_deg) return "--lean";
-    if (given.lead_angle_deg != none.surface.lead_angle_deg) return "--tilt";
-    return given.max_tilt_deg != none.surface.max_tilt_deg ? "--max-lean" : "";
+    if (given.tilt_deg != none.surface.tilt_deg) return "--tilt-angle";
+    if (given.lead_angle_deg != none.surface.lead_angle_deg) return "--lead-angle";
+    return given.max_tilt_deg != none.surface.max_tilt_deg ? "--max-tilt" : "";
 }
 
 engine::DrawingRequest make_request(const AutopathArguments& arguments) {

@@ -112,8 +112,9 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
              "end of the axis")
         .with_value_name("MM")
         .within(-1e6, 1e6);
-    line.add("--go-on", &a.continue_on_unknown,
-             "what the control has no word for becomes a comment, counted and listed, instead of an error");
+    line.add("--continue-on-unknown", &a.continue_on_unknown,
+             "what the control has no word for becomes a comment, counted and listed, instead of an error")
+        .formerly("--go-on");
     line.add("--tolerance", &a.tolerance_mm, "by which lines in place of an arc may be off it")
         .with_value_name("MM")
         .within(1e-4, 10)

@@ -81,11 +81,13 @@ void add_fit_options(apps::CommandLine& line, GeometryArguments& arguments) {
     line.add("--noise-arcsec", &arguments.noise_arcsec, "the same of measured turns")
         .with_value_name("ARCSEC")
         .make_positive();
-    line.add("--own-frame", &arguments.instrument_frame,
-             "tips are in the instrument's own frame, wherever that is; else in the work frame");
-    line.add("--hold", &arguments.fixed,
+    line.add("--instrument-frame", &arguments.instrument_frame,
+             "tips are in the instrument's own frame, wherever that is; else in the work frame")
+        .formerly("--own-frame");
+    line.add("--fix", &arguments.fixed,
              "what is not looked for: a name, or words of it, as 'scale', 'base', 'C tilt'")
-        .with_value_name("NAME");
+        .with_value_name("NAME")
+        .formerly("--hold");
     line.add("-q,--quiet", &arguments.quiet, "no word on the way");
 }
 
@@ -104,10 +106,11 @@ void add_simulation_options(apps::CommandLine& line, GeometryArguments& argument
              "write what an instrument would measure at the list's poses")
         .with_value_name("FILE")
         .takes_file(apps::FileKind::output, {".csv"});
-    line.add("--hidden", &arguments.ground_truth,
+    line.add("--ground-truth", &arguments.ground_truth,
              "with --simulate: on a machine that is off, which is written here")
         .with_value_name("FILE")
-        .takes_file(apps::FileKind::output, {".toml"});
+        .takes_file(apps::FileKind::output, {".toml"})
+        .formerly("--hidden");
     line.add("--seed", &arguments.seed, "of noise and of what is hidden").with_value_name("N").show_default();
 }
 
@@ -209,7 +212,7 @@ VoidResult run_geometry(const GeometryArguments& arguments) {
     const auto machine = machine::load_machine(arguments.machine);
     if (!machine) return tl::unexpected(machine.error());
     if (const auto unknown = find_unknown_fixed(*machine, arguments.deviation_options()))
-        return tl::unexpected(fmt::format("--hold: nothing that may be off is called '{}'", *unknown));
+        return tl::unexpected(fmt::format("--fix: nothing that may be off is called '{}'", *unknown));
     if (arguments.suggested_count > 0) return suggest(arguments, *machine);
     if (!arguments.simulated_tcps.empty()) return simulate(arguments, *machine);
     return fit_to_tcps(arguments, *machine);

@@ -128,7 +128,7 @@ def path_runs():
     for path in files(SAMPLES, "*.path.json", "*.path.lua"):
         yield Run(SAMPLES, ("write", path, "--output", OUTPUT))
     for post in files(SAMPLES, "posts/*.toml"):
-        yield Run(SAMPLES, ("write", Input("wheel.path.json"), "--dialect", post, "--machine", Input("machines/unlimited.toml"), "--go-on",
+        yield Run(SAMPLES, ("write", Input("wheel.path.json"), "--dialect", post, "--machine", Input("machines/unlimited.toml"), "--continue-on-unknown",
                             "--output", OUTPUT))
     for drawing in files(SAMPLES, "*.dxf", "*.svg"):
         yield Run(SAMPLES, ("path", drawing, "--speed", "400", "--kerf", "1", "--output", OUTPUT), to_last_bits=False)

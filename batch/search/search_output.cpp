@@ -215,13 +215,13 @@ std::string to_text(const SearchPlan& search, const SearchState& state,
 std::string to_json(const SearchPlan& search, const SearchState& state,
                     const std::optional<VerificationRun>& verification_run) {
     ordered_json text{{"plan", search.plan.name},      {"search", state.search},
-                      {"whole", state.complete},       {"variants", state.trials},
+                      {"complete", state.complete},       {"variants", state.trials},
                       {"allowed", state.feasible},     {"best_number", state.best_number},
                       {"start", as_json(state.start)}, {"best", as_json(state.best)}};
     if (verification_run) {
-        text["proof"] = {{"start", bound_json(verification_run->start)},
+        text["verification"] = {{"start", bound_json(verification_run->start)},
                          {"best", bound_json(verification_run->best)}};
-        for (const Job& job : verification_run->files) text["proof"]["commands"].push_back(command_line(job));
+        for (const Job& job : verification_run->files) text["verification"]["commands"].push_back(command_line(job));
     }
     return text.dump(1, ' ', false, ordered_json::error_handler_t::replace) + '\n';
 }

@@ -11,7 +11,7 @@
 
 namespace gsim::batch {
 
-/// Returns the result of a search, for people. `proof`: given if the best variant was run once more.
+/// Returns the result of a search, for people. `verification_run`: set if the best variant was run once more.
 std::string to_text(const SearchPlan& search, const SearchState& state,
                     const std::optional<VerificationRun>& verification_run);
 std::string to_json(const SearchPlan& search, const SearchState& state,

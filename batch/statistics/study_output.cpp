@@ -43,8 +43,8 @@ ordered_json as_json(const SampleSummary& summary) {
             {"mean", summary.mean},
             {"mean_interval_95", as_json(summary.mean_interval)},
             {"deviation", summary.deviation},
-            {"least", summary.min},
-            {"most", summary.max},
+            {"min", summary.min},
+            {"max", summary.max},
             {"percentiles", percentiles},
             {"runs_for_1_percent", summary.runs_for_percent}};
 }

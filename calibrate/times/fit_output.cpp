@@ -129,8 +129,8 @@ std::string fit_json(const Fit& fit, std::span<const RecordedRun> runs,
     for (const Score& score : selection->scores) {
         Json& entry = models.emplace_back(Json{{"name", score.name}});
         entry["fitted_percent"] = score.error_text.empty() ? Json(score.fitted_percent) : Json(nullptr);
-        entry["foretold_percent"] = score.is_predicted ? Json(score.mean_percent) : Json(nullptr);
-        entry["foretold_largest_percent"] = score.is_predicted ? Json(score.largest_percent) : Json(nullptr);
+        entry["predicted_percent"] = score.is_predicted ? Json(score.mean_percent) : Json(nullptr);
+        entry["predicted_largest_percent"] = score.is_predicted ? Json(score.largest_percent) : Json(nullptr);
         if (!score.error_text.empty()) entry["refused"] = score.error_text;
     }
     json["chosen"] = selection->scores[selection->best].name;

@@ -108,7 +108,7 @@ class JetPathBuilder {
             if (tilt_deg <= options_.max_tilt_deg) continue;
             return Unexpected(
                 fmt::format("{} cannot be cut: at {} the jet would lean {:.4g} deg from the face's "
-                            "normal, more than {:g} deg (--max-lean)",
+                            "normal, more than {:g} deg (--max-tilt)",
                             name(number), display_text(at.edge_mm), tilt_deg, options_.max_tilt_deg));
         }
         edges_.push_back(std::move(jet_path));

@@ -63,7 +63,7 @@ void append_accuracy(std::string& out, const JobReport& report) {
                             taper_compensation_deg(plan, plan.cutting_speed_mm_min));
     } else {
         text::append_format(out,
-                            "  {:<18}{:>12} s   not asked for: sides are off by {:.3g} mm (--straighten)\n",
+                            "  {:<18}{:>12} s   not asked for: sides are off by {:.3g} mm (--taper-compensation)\n",
                             "straight sides", 0, plan.taper_mm);
     }
     if (plan.dynamic_pierce_s) {

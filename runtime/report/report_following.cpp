@@ -23,7 +23,7 @@ Json following_axis_json(const Report& report, const AxisFollowing& axis) {
     return {{"axis", letter(axis.letter)},
             {"unit", following_unit(axis)},
             {"position_gain_1_s", number(axis.gain_1_s)},
-            {"behind_s", number(axis.constant_speed_lag_s)},
+            {"lag_s", number(axis.constant_speed_lag_s)},
             {"peak", number(axis.peak)},
             {"t_s", number(axis.peak_t_s)},
             {"file", has_lag ? file(report, axis.peak_location) : Json(nullptr)},

@@ -42,7 +42,7 @@ nlohmann::ordered_json field_json(const MachineData::Field& field) {
                                 {"open", field.may_be_unlimited}};
     if (!field.choices.empty()) json["choices"] = field.choices;
     if (field.quantity == MachineData::Quantity::integer)
-        json.update({{"least", field.min}, {"greatest", field.max}});
+        json.update({{"min", field.min}, {"max", field.max}});
     return json;
 }
 

@@ -49,6 +49,18 @@ TEST_F(Front, WhatIsNotKnownIsToldWithTheNearestName) {
     EXPECT_EQ(gsim({}).status, 2);
 }
 
+TEST_F(Front, ARenamedOptionWorksUnderItsOldNameWithAWarning) {
+    const std::string path =
+        write("p.json", R"({"format": 1, "paths": [{"name": "p", "targets": [{"point_mm": [1, 2, 3]}]}]})");
+    const auto old_name = gsim({"path2gcode", path, "--go-on", "--post", "grbl"});
+    const auto new_name = gsim({"path2gcode", path, "--continue-on-unknown", "--post", "grbl"});
+    EXPECT_EQ(old_name.out, new_name.out);
+    EXPECT_EQ(old_name.status, new_name.status);
+    EXPECT_TRUE(contains(old_name.err, "warning: --go-on is named --continue-on-unknown now"))
+        << old_name.err;
+    EXPECT_FALSE(contains(new_name.err, "warning")) << new_name.err;
+}
+
 TEST_F(Front, AnOptionOfManyValuesLeavesTheNextWordAlone) {
     const Ended ended = gsim({"run", "--envelope", "reach.csv", part_});
     EXPECT_TRUE(contains(ended.err, "take away part.nc")) << ended.err;

@@ -122,8 +122,8 @@ TEST_F(RecordedProgram, WhatAControlHasNoWordForIsRefusedByName) {
     EXPECT_EQ(rejection({"--dialect", "rs274ngc"}),
               "error: the post 'rs274ngc' has no words for 'ramp_limit acceleration X 500 mm', 'ramp_limit "
               "acceleration "
-              "X 600 mm'; with --go-on they become comments\n");
-    const Ended went_on = path2gcode({"--dialect", "rs274ngc", "--go-on", "x.path.json"});
+              "X 600 mm'; with --continue-on-unknown they become comments\n");
+    const Ended went_on = path2gcode({"--dialect", "rs274ngc", "--continue-on-unknown", "x.path.json"});
     EXPECT_EQ(went_on.status, 0);
     EXPECT_EQ(
         went_on.err,

@@ -38,7 +38,7 @@ TEST_F(Violations, OnePassTellsAllAndWhatMendsThem) {
     EXPECT_EQ(first["amount"], 12.5);
     EXPECT_EQ(first["offset"], "G54");
     EXPECT_EQ(r["valid_until_s"], first["t_s"]);
-    EXPECT_EQ(r["remedy"], text::parse_json<json>(R"([{"offset": "G54", "axis": "X", "shift_mm": 12.5}])"));
+    EXPECT_EQ(r["suggested_fix"], text::parse_json<json>(R"([{"offset": "G54", "axis": "X", "shift_mm": 12.5}])"));
     EXPECT_TRUE(contains(gsim_run({"--machine", kRouter, "off.nc"}).out,
                          "G54 X +12.5 mm would bring the whole program within the limits\n"));
     EXPECT_EQ(report({"--machine", kRouter, "--stop-at-first", "off.nc"}, 1)["status"], "alarm");
@@ -51,7 +51,7 @@ TEST_F(Violations, TheRemedyIsTrue) {
                 write("inch.nc", "G20 M3 S9\nG0 X0.1\nG1 X-1 F40\nM2\n")},
                1);
     // G54 X is 0.1 inch in the variables: X-1 is -22.86 mm.
-    EXPECT_EQ(moved["remedy"],
+    EXPECT_EQ(moved["suggested_fix"],
               text::parse_json<json>(R"([{"offset": "G54", "axis": "X", "shift_mm": 22.86}])"));
     write("data.txt", "NCFILE\nOFFSET\n54 12.5 0 0\nENDFILE\n");
     const Ended repeated = gsim_run({"--machine", kRouter, "--machine-data", "data.txt", "off.nc"});
@@ -65,7 +65,7 @@ TEST_F(Violations, NoRemedyWhereTheShiftWouldBreakAnotherThing) {
                                 "G10 L2 P1 X-5\nG0 X0\nM30\n"}) {
         const json r = report({"--machine", kRouter, "--dialect", "rs274ngc", write("p.nc", program)}, 1);
         EXPECT_EQ(r["status"], "violations") << program;
-        EXPECT_EQ(r["remedy"], json::array()) << program;
+        EXPECT_EQ(r["suggested_fix"], json::array()) << program;
     }
 }
 
@@ -124,7 +124,7 @@ TEST_F(Violations, WordsThatNoDialectHasAreRefusedAtOnce) {
 
 TEST_F(Violations, TheJetOfAnRs274ngcProgramHasItsLength) {
     const std::string program = "G21\nG0 X10\nM8\nG1 X60 F1000\nM9\nG0 X0\nM2\n";
-    EXPECT_EQ(report({"--dialect", "rs274ngc", write("p.ngc", program)}, 0)["length"]["jet_on_mm"], 50);
+    EXPECT_EQ(report({"--dialect", "rs274ngc", write("p.ngc", program)}, 0)["length"]["process_on_mm"], 50);
 }
 
 }  // namespace

@@ -65,8 +65,8 @@ TEST_F(OptimiseProgram, FindsTheEndOfARangeAndALimit) {
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_NEAR(found()["start"]["value"], slide_s(100), 1e-9);
     EXPECT_NEAR(found()["best"]["value"], slide_s(150), 1e-3);
-    EXPECT_NEAR(found()["proof"]["best"]["value"], found()["best"]["value"], 1e-12);
-    EXPECT_LE(found()["proof"]["best"]["lower_bound_s"].get<double>(),
+    EXPECT_NEAR(found()["verification"]["best"]["value"], found()["best"]["value"], 1e-12);
+    EXPECT_LE(found()["verification"]["best"]["lower_bound_s"].get<double>(),
               found()["best"]["value"].get<double>());
     EXPECT_THAT(ended.out, HasSubstr("option.feed_override_percent"));
     EXPECT_THAT(read("found.html"), HasSubstr("<polyline"));
@@ -180,7 +180,7 @@ TEST_F(OptimiseProgram, PlacesTheWheel) {
     const double start_s = found()["start"]["value"], best_s = found()["best"]["value"];
     EXPECT_NEAR(start_s, 88.331, 0.001);
     EXPECT_LT(best_s, 0.96 * start_s);
-    EXPECT_GE(best_s, found()["proof"]["best"]["lower_bound_s"].get<double>());
+    EXPECT_GE(best_s, found()["verification"]["best"]["lower_bound_s"].get<double>());
     const json metrics = found()["best"]["runs"][0];
     EXPECT_GE(metrics["clearance_mm"].get<double>(), 0.25);
     // By the program that everybody has, from the files that were written.
@@ -192,7 +192,7 @@ TEST_F(OptimiseProgram, PlacesTheWheel) {
     EXPECT_NEAR(report["cycle_time_s"], best_s, 1e-9);
     EXPECT_TRUE(report["collisions"].empty());
     EXPECT_TRUE(report["clearances"].empty());
-    EXPECT_NEAR(report["length"]["jet_on_mm"], 3183.626, 0.01) << "what is cut is the same";
+    EXPECT_NEAR(report["length"]["process_on_mm"], 3183.626, 0.01) << "what is cut is the same";
 }
 
 // Written files are in another folder, and mean the same there; values that look like names of files stay.
@@ -222,7 +222,7 @@ to = 2000
         apps::run_program(tests::program_path("gsim-run"),
                           {"p.ngc", "--machine", "there/best/p.ngc.machine.toml", "--json"}, folder_);
     EXPECT_NEAR(text::parse_json<json>(repeated.out)["cycle_time_s"], found()["best"]["value"], 1e-9);
-    // The proof is made, not found.
+    // The verification is run, not searched.
     ASSERT_EQ(optimise({"plan.toml", "--best", "there/best", "--overwrite"}).status, 0);
     EXPECT_EQ(number("SELECT reused FROM batch_run ORDER BY batch DESC LIMIT 1"), 0);
 }

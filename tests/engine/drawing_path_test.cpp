@@ -304,7 +304,7 @@ TEST(DrawingPath, WhatIsForOtherPartsDoesNotGoWithContours) {
     EXPECT_THAT(rejection(bevelled), HasSubstr("--bevel is for flat parts"));
     DrawingRequest leaned = request_of_contours();
     leaned.surface->tilt_deg = 10;
-    EXPECT_THAT(rejection(leaned), HasSubstr("--lean is from the face's normal"));
+    EXPECT_THAT(rejection(leaned), HasSubstr("--tilt-angle is from the face's normal"));
     DrawingRequest edges = request_of_contours();
     edges.surface->contours.kind = "edges";
     EXPECT_THAT(rejection(edges), HasSubstr("--contours edges needs the numbers of edges (--edge)"));

@@ -229,10 +229,10 @@ TEST(FileKeys, HaveTheRangesThatTheReadersKeep) {
         const auto has = [&](const json& value) {
             return std::find(others.begin(), others.end(), value) != others.end();
         };
-        const double min = key.value(key.contains("least") ? "least" : "above", 0.0);
-        const double max = key.value(key.contains("most") ? "most" : "below", 0.0);
-        EXPECT_EQ(number.rejected(min).empty(), key.contains("least"));
-        EXPECT_EQ(number.rejected(max).empty(), key.contains("most"));
+        const double min = key.value(key.contains("min") ? "min" : "above", 0.0);
+        const double max = key.value(key.contains("max") ? "max" : "below", 0.0);
+        EXPECT_EQ(number.rejected(min).empty(), key.contains("min"));
+        EXPECT_EQ(number.rejected(max).empty(), key.contains("max"));
         EXPECT_EQ(number.rejected(std::min(min + 1, (min + max) / 2)), "");
         EXPECT_NE(number.rejected(min > 0 ? min / 2 : min - 1), "");
         EXPECT_NE(number.rejected(2 * max + 1), "");
@@ -241,7 +241,7 @@ TEST(FileKeys, HaveTheRangesThatTheReadersKeep) {
         }
         EXPECT_EQ(number.refused_infinite("inf").empty(), has("inf"));
         EXPECT_EQ(number.refused_infinite("-inf").empty(), has("-inf"));
-        EXPECT_EQ(number.rejected(min + 1.5).empty(), !key.contains("whole") && min + 1.5 < max);
+        EXPECT_EQ(number.rejected(min + 1.5).empty(), !key.contains("integer") && min + 1.5 < max);
     });
 }
 

@@ -61,10 +61,10 @@ tl::expected<ResolvedCutting, std::string> resolve_by_parameters(const CuttingOp
         return tl::unexpected(std::string("give --material and --thickness, or --speed and --kerf"));
     if (options.taper_compensation)
         return tl::unexpected(
-            std::string("--straighten needs --material and --thickness: the taper is theirs"));
+            std::string("--taper-compensation needs --material and --thickness: the taper is theirs"));
     if (options.dynamic_pierce && !options.pierce_s)
         return tl::unexpected(
-            std::string("--moving-pierce needs --material, or how long it takes (--pierce)"));
+            std::string("--dynamic-pierce needs --material, or how long it takes (--pierce)"));
     ResolvedCutting resolved;
     resolved.rules.kerf_mm = *options.kerf_mm;
     resolved.rules.speed_mm_min = *options.speed_mm_min;

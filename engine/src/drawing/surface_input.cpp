@@ -85,18 +85,18 @@ std::string find_contour_option_error(const DrawingRequest& request) {
     const DrawingOptions& reading = request.reading;
     if (request.cutting.taper_compensation || request.cutting.dynamic_pierce) {
         return fmt::format("{} is for drawings and flat parts: it does not go with --contours",
-                           request.cutting.taper_compensation ? "--straighten" : "--moving-pierce");
+                           request.cutting.taper_compensation ? "--taper-compensation" : "--dynamic-pierce");
     }
     if (reading.flip || !reading.up.empty()) return "--up and --flip are for flat parts, without --contours";
     if (reading.unit_mm != 0 || !reading.layers.empty())
         return "--unit and --layer are for drawings; a STEP or IGES file says its unit";
     if (std::abs(request.ways.bevel_deg) > 0)
-        return "--bevel is for flat parts; with --contours the jet goes along the walls, or leans by --lean";
+        return "--bevel is for flat parts; with --contours the jet goes along the walls, or leans by --tilt-angle";
     const SurfaceCuttingOptions& surface = *request.surface;
     if (surface.contours.kind == "edges" && surface.contours.edges.empty())
         return "--contours edges needs the numbers of edges (--edge)";
     if (surface.contours.along_walls && std::abs(surface.tilt_deg) > 0)
-        return "--lean is from the face's normal (--axis normal); along walls they say how the jet leans";
+        return "--tilt-angle is from the face's normal (--axis normal); along walls they say how the jet leans";
     return {};
 }
 

@@ -88,7 +88,7 @@ std::string PathCheck::error() const {
         names.push_back(count == 1 ? name : fmt::format("{} ({} times)", name, count));
     }
     const std::size_t more = unsupported_actions_.size() - names.size();
-    return fmt::format("the post '{}' has no words for {}{}; with --go-on they become comments", post_.name,
+    return fmt::format("the post '{}' has no words for {}{}; with --continue-on-unknown they become comments", post_.name,
                        text::joined(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
 }
 

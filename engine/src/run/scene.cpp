@@ -213,14 +213,14 @@ Scene make_scene(const simulation::Simulator& simulator, const rrs::CartPos& bas
         {"zones", zones(simulator.zones())}};
     Json tcps = Json::array();
     for (const Vector3d& tcp_mm : simulator.tcp_offsets_mm()) tcps.push_back(point(tcp_mm));
-    json["tips_mm"] = std::move(tcps);
+    json["tcps_mm"] = std::move(tcps);
     if (const simulation::CellMonitor* cell = simulator.cell()) {
         json["cell"] = cell->cell().name;
         json["clearance_mm"] = cell->cell().clearance_mm;
         json["frames"] = frames(cell->cell().frames);
         json["bodies"] = bodies(cell->cell(), scene);
         json["drifts"] = drifts_json(cell->history());
-        json["drifts_whole"] = cell->history_is_complete();
+        json["drifts_complete"] = cell->history_is_complete();
         Json near = Json::array();
         for (const std::optional<double>& t_s : cell->clearance_times_s())
             near.push_back(t_s ? Json(*t_s) : Json(nullptr));

@@ -97,7 +97,7 @@ export interface Efforts {
 export interface AxisFollowing extends Located {
   axis: string;
   unit: string;
-  behind_s: number;
+  lag_s: number;
   t_s: number;
   peak: number;
   rms: number;
@@ -127,7 +127,7 @@ export interface Report {
   /** With violations: time after which the times are not those of the machine. */
   valid_until_s?: number | null;
   time?: { rapid_s: number; feed_s: number; dwell_s: number; words_s?: number };
-  length?: { rapid_mm: number; feed_mm: number; jet_on_mm: number };
+  length?: { rapid_mm: number; feed_mm: number; process_on_mm: number };
   blocks?: number;
   moves?: number;
   process?: string;
@@ -140,7 +140,7 @@ export interface Report {
   findings?: (Located & { t_s: number; code: string; message: string })[];
   collisions?: Collision[];
   clearances?: Clearance[];
-  cell?: { name: string; clearance_mm: number; looked_at?: { pairs: number; with_robots?: number } };
+  cell?: { name: string; clearance_mm: number; checked?: { pairs: number; with_robots?: number } };
   time_by_limit?: { limited_by: string; time_s: number }[];
   lower_bound_s?: number | null;
   efforts?: Efforts;

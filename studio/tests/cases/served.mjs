@@ -44,7 +44,7 @@ export default {
       // A hole is tapered, by 12 degrees.
       await dialog.getByLabel("Lean at most").fill("5");
       await dialog.getByRole("button", { name: "Make path" }).click();
-      await dialog.getByRole("alert").filter({ hasText: "more than 5 deg (--max-lean)" }).waitFor();
+      await dialog.getByRole("alert").filter({ hasText: "more than 5 deg (--max-tilt)" }).waitFor();
       await dialog.getByLabel("Lean at most").fill("60");
       await dialog.getByRole("button", { name: "Make path" }).click();
       await dialog.waitFor({ state: "detached" });

@@ -30,7 +30,7 @@ const head = () =>
       ],
       end: identity,
     },
-    tips_mm: [[0, 0, -30]],
+    tcps_mm: [[0, 0, -30]],
   });
 
 const turn = ({ Quaternion, Vector3 }, about, degrees) =>
@@ -143,8 +143,8 @@ export default {
     const store = new page.Store(page.initialState());
     const state = new page.JogState(store);
     assert.equal(state.frame, null);
-    const { axes, tool_side, tips_mm } = head();
-    const run = runOf(page, [{ line: 1, duration_s: 1 }], { more: { axes, tool_side, tips_mm } });
+    const { axes, tool_side, tcps_mm } = head();
+    const run = runOf(page, [{ line: 1, duration_s: 1 }], { more: { axes, tool_side, tcps_mm } });
     run.robots[0].joints_at = () => [7, 0, 0];
     store.set("run", run);
     state.begin();
@@ -158,7 +158,7 @@ export default {
     assert.equal(store.get("jog"), null);
     state.begin();
     assert.deepEqual(state.values.map(Math.round), [200, -90, 5]);
-    const other = runOf(page, [{ line: 1, duration_s: 1 }], { more: { axes, tool_side, tips_mm, machine: "another" } });
+    const other = runOf(page, [{ line: 1, duration_s: 1 }], { more: { axes, tool_side, tcps_mm, machine: "another" } });
     other.robots[0].joints_at = () => [9, 0, 0];
     store.set("run", other);
     state.begin();

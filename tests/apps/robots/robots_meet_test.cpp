@@ -24,7 +24,7 @@ TEST_F(TwoSlides, MeetAtTheSameTimeInBothPrograms) {
         EXPECT_EQ(collisions[0]["kind"], "penetrating");
         // Each point is in its own world.
         EXPECT_NEAR(collisions[0]["point_mm"][0].get<double>(), i == 0 ? left_mm : 700 - left_mm, 1e-5);
-        EXPECT_EQ(robots[i]["cell"]["looked_at"]["with_robots"], 1);
+        EXPECT_EQ(robots[i]["cell"]["checked"]["with_robots"], 1);
     }
     EXPECT_EQ(robots[0]["diagnostics"][1]["code"], "collision") << robots[0]["diagnostics"];
     EXPECT_EQ(meet(0, {"--no-collisions"}).status, 0);

@@ -144,7 +144,7 @@ TEST_F(Robots, TheSampleOfTwoSlidesTakesTurns) {
     EXPECT_NEAR(report["robots"][0]["cycle_time_s"].get<double>(), 3 * (2 * rapid_s + work_s), 1e-9);
     EXPECT_NEAR(report["robots"][1]["idle_s"].get<double>(), work_s, 1e-9);
     EXPECT_TRUE(report["robots"][0]["collisions"].empty());
-    EXPECT_EQ(report["robots"][1]["cell"]["looked_at"]["with_robots"], 1);
+    EXPECT_EQ(report["robots"][1]["cell"]["checked"]["with_robots"], 1);
 }
 
 TEST_F(Robots, AnAlarmOfOneEndsTheRun) {

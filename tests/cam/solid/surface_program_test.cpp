@@ -152,7 +152,7 @@ TEST_F(SurfaceProgram, TheWheelFromItsModelIsTheThesissWheel) {
     const auto pockets = wheel_pockets(sample("wheel.path.json"));
     const auto& at = kWheelMiddle_mm;
     const auto jet_path = jets(sample("parts/wheel.step"), {at[0], at[1], at[2]},
-                               {"--contours", "all", "--cut-height", "0", "--max-lean", "72", "--speed",
+                               {"--contours", "all", "--cut-height", "0", "--max-tilt", "72", "--speed",
                                 "6350", "--cell", sample("cell/wheel.toml")},
                                sample("cell/wheel.toml"), "af5");
     EXPECT_TRUE(contains(told_, "6 contours, 6 pierces")) << told_;
@@ -205,7 +205,7 @@ TEST_F(SurfaceProgram, WhatCannotBeCutIsRefusedWithEdgeAndReason) {
     const Ended tilt = autopath(sample("parts/wheel.step"), {"--contours", "all"});
     EXPECT_EQ(tilt.status, 1);
     EXPECT_TRUE(contains(tilt.err, "edge #")) << tilt.err;
-    EXPECT_TRUE(contains(tilt.err, "deg from the face's normal, more than 60 deg (--max-lean)")) << tilt.err;
+    EXPECT_TRUE(contains(tilt.err, "deg from the face's normal, more than 60 deg (--max-tilt)")) << tilt.err;
     const Ended wide = autopath(bracket, {"--contours", "holes", "--box-low", "-45", "0", "0"}, "19");
     EXPECT_TRUE(contains(wide.err, "cannot be cut")) << wide.err;
     const Ended standalone = autopath(bracket, {"--side", "y"});

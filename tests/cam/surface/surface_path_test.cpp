@@ -231,7 +231,7 @@ TEST(SurfacePath, RefusalsNameTheEdgeAndWhy) {
         rejection(round_hole(20, 1.2)),
         "edge #7 cannot be cut: at (20, 0, 0) the jet would lean 68.75 deg from the face's normal, more "
         "than 60 "
-        "deg (--max-lean)");
+        "deg (--max-tilt)");
     // A slit of 0.6 mm: the paths along both sides do not even cross.
     const std::vector<Vector> slit{{0, 0, 0}, {0, 0.6, 0}, {20, 0.6, 0}, {20, 0, 0}};
     EXPECT_THAT(rejection(polygon(slit, true)),

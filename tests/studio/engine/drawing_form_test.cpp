@@ -175,10 +175,10 @@ TEST(DrawingForm, WhatCannotBeCutFailsInASentence) {
     request_json["contours"] = {{"kind", "holes"}, {"colour", "red"}};
     EXPECT_EQ(error(request_json), "there is no key 'colour' of contours");
     request_json["contours"] = {{"kind", "holes"}, {"axis", "wall"}, {"lean_deg", 5}};
-    EXPECT_THAT(error(request_json), HasSubstr("--lean is from the face's normal"));
+    EXPECT_THAT(error(request_json), HasSubstr("--tilt-angle is from the face's normal"));
     request_json["contours"] = {{"kind", "holes"}};
     request_json["straighten"] = true;
-    EXPECT_THAT(error(request_json), HasSubstr("--straighten"));
+    EXPECT_THAT(error(request_json), HasSubstr("--taper-compensation"));
     request_json = by_figures("square.svg");
     request_json["contours"] = {{"kind", "holes"}};
     EXPECT_THAT(error(request_json), HasSubstr("--contours is for STEP and IGES files"));

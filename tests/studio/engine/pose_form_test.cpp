@@ -97,7 +97,7 @@ TEST(PoseForm, TheLengthOfAToolIsThatOfItsCompensation) {
         const auto frames = request_frames(run.dump(), files);
         const auto scenes = filter_frames(frames, "scene");
         ASSERT_FALSE(scenes.empty()) << last(frames).header;
-        const json tcp = scenes.back().header["scene"]["tips_mm"].back();
+        const json tcp = scenes.back().header["scene"]["tcps_mm"].back();
         EXPECT_NEAR(tcp[2].get<double>(), -30, 1e-9) << machine << tcp;
         const json with = request_pose(request_json);
         request_json.erase("tool_mm");

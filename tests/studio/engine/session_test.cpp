@@ -65,7 +65,7 @@ TEST(Session, TheDrawnWayIsThatOfTheToolsTip) {
     // The new TCP begins at its position at the change: 30 mm below the old one.
     ASSERT_GE(vertices.size(), 6U);
     EXPECT_NEAR(vertices[vertices.size() - 4], 70, 1e-4);
-    const auto tcps = filter_frames(frames, "scene").back().header["scene"]["tips_mm"];
+    const auto tcps = filter_frames(frames, "scene").back().header["scene"]["tcps_mm"];
     ASSERT_EQ(tcps.size(), 2U);
     EXPECT_NEAR(std::hypot(tcps[1][0].get<double>(), tcps[1][1].get<double>(), tcps[1][2].get<double>()), 30,
                 1e-9);

@@ -109,7 +109,7 @@ TEST(KeysForm, TellsWhatAFileMayHave) {
                                       {"meaning", "limit of its speed"},
                                       {"unit", "mm/s"},
                                       {"above", 0},
-                                      {"most", 1e9},
+                                      {"max", 1e9},
                                       {"or", {"inf"}},
                                       {"default", "inf"}}));
     EXPECT_EQ(make_error(R"({"do": "keys", "of": "mesh"})"),

@@ -27,7 +27,7 @@ function createCellSection(context: Context): Section {
     context,
     {
       name: { label: words.name, kind: "text", isRequired: true },
-      clearance_mm: { label: words.clearance, kind: "number", unit: "mm", least: 0, meaning: words.clearanceHint, showsMeaning: true },
+      clearance_mm: { label: words.clearance, kind: "number", unit: "mm", min: 0, meaning: words.clearanceHint, showsMeaning: true },
     },
     home,
   );

@@ -86,7 +86,7 @@ export class JogState {
    */
   private get tip(): Vector3 {
     const { robot } = this;
-    return new Vector3(...(robot?.scene.tips_mm[robot.tcp_at(this.store.get("time_s")) ?? 0] ?? [0, 0, 0]));
+    return new Vector3(...(robot?.scene.tcps_mm[robot.tcp_at(this.store.get("time_s")) ?? 0] ?? [0, 0, 0]));
   }
 
   /**

@@ -22,7 +22,7 @@ const MOST_PASSES = 500;
 
 /** Returns the TCP in use, in the work frame, mm. */
 function tcpInWork(robot: Robot, t_s: number): Vector3 {
-  const tip = new Vector3(...(robot.scene.tips_mm[robot.tcp_at(t_s)!] ?? [0, 0, 0]));
+  const tip = new Vector3(...(robot.scene.tcps_mm[robot.tcp_at(t_s)!] ?? [0, 0, 0]));
   return tip.applyMatrix4(toolInWork(robot.chain, robot.joints_at(t_s)!, t_s));
 }
 

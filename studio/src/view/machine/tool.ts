@@ -59,11 +59,11 @@ export class Tool {
 
   /** Returns the position of a tool's TCP in the world. */
   tip(places: LinkPoses, tip: number): Vector3 {
-    return new Vector3(...(this.robot.scene.tips_mm[tip] ?? [0, 0, 0])).applyMatrix4(places.tool);
+    return new Vector3(...(this.robot.scene.tcps_mm[tip] ?? [0, 0, 0])).applyMatrix4(places.tool);
   }
 
   place(places: LinkPoses, tip: number, processOn: boolean): void {
-    const offset = new Vector3(...(this.robot.scene.tips_mm[tip] ?? [0, 0, 0]));
+    const offset = new Vector3(...(this.robot.scene.tcps_mm[tip] ?? [0, 0, 0]));
     const columnBase = places.tool.clone().multiply(new Matrix4().makeTranslation(offset.x, offset.y, offset.z));
     if (this.sign < 0) columnBase.multiply(new Matrix4().makeRotationX(Math.PI));
     this.point.matrix.copy(columnBase);

@@ -137,13 +137,13 @@ export class Field {
   }
 
   private faultOf(value: number): string {
-    const { least, above, most, below, or = [], whole, unit = "" } = this.spec;
+    const { min, above, max, below, or = [], integer, unit = "" } = this.spec;
     const text = (limit: number) => numberText(limit, unit, this.store.get("units"));
     if (or.includes(value)) return "";
-    if (whole && !Number.isInteger(value)) return words.whole;
-    if (least !== undefined && value < least) return words.atLeast(text(least));
+    if (integer && !Number.isInteger(value)) return words.whole;
+    if (min !== undefined && value < min) return words.atLeast(text(min));
     if (above !== undefined && value <= above) return words.above(text(above));
-    if (most !== undefined && value > most) return words.atMost(text(most));
+    if (max !== undefined && value > max) return words.atMost(text(max));
     return below !== undefined && value >= below ? words.below(text(below)) : "";
   }
 

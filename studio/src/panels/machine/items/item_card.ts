@@ -66,7 +66,7 @@ export class ItemCard implements Card {
   private sizeFields(kind: ShapeKind): Field[] {
     return shapeSizes(kind).parts.map((part, i) => {
       const label = words.sizes[part as keyof typeof words.sizes];
-      const spec = { label, kind: "number" as const, unit: "mm", above: 0, most: MAX_LENGTH_MM, isRequired: true, isNarrow: true };
+      const spec = { label, kind: "number" as const, unit: "mm", above: 0, max: MAX_LENGTH_MM, isRequired: true, isNarrow: true };
       return new Field(this.context.store, spec, (value) => this.edit(label, [{ op: "set", at: [...this.at, "shape", ...dimensionPath(kind, i)], value: value! }]));
     });
   }

@@ -33,9 +33,9 @@ export function createFollowingErrors(following: Following, store: Store): HTMLE
     element("dl", { class: "figures" }, figure(words.inPosition, settlingTime, words.inPositionHint)),
   );
 
-  function createRow({ axis, unit, peak, rms, behind_s, file, line, t_s }: AxisFollowing): AxisRow {
+  function createRow({ axis, unit, peak, rms, lag_s, file, line, t_s }: AxisFollowing): AxisRow {
     const amount = (value: number) => axisText(value, unit === "deg", store.get("units"));
-    const cells = [amount(peak), amount(rms), valueText(MS_PER_S * behind_s)];
+    const cells = [amount(peak), amount(rms), valueText(MS_PER_S * lag_s)];
     return { axis, t_s, file, line, cells, title: words.rowHint(timeText(t_s, 2)), isOutOfRange: false };
   }
 

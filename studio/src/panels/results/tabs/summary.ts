@@ -96,7 +96,7 @@ function figures(report: Report & { idle_s?: number }, store: Store): HTMLElemen
   if (length) {
     list.append(figure(words.feedLength, lengthShort(length.feed_mm, units)));
     list.append(figure(words.rapidLength, lengthShort(length.rapid_mm, units)));
-    if (length.jet_on_mm > 0) list.append(figure(words.process, lengthShort(length.jet_on_mm, units)));
+    if (length.process_on_mm > 0) list.append(figure(words.process, lengthShort(length.process_on_mm, units)));
   }
   if (report.blocks !== undefined) list.append(figure(words.blocks, countText(report.blocks)));
   if (report.moves !== undefined) list.append(figure(words.moves, countText(report.moves)));
