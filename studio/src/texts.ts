@@ -26,6 +26,8 @@ export const texts = {
   page: {
     title: "gsim studio",
   },
+  unknownMessageFormat: (format: string, known: number) =>
+    `The engine sends messages of format ${format}, and this page reads format ${known}: they are of different versions of gsim. Reload the page.`,
   unknownFormat: (format: string, known: number) => `'format' is ${format}; this gsim reads format ${known}`,
   /** Errors of a text that should be JSON. */
   json: {

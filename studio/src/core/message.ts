@@ -1,5 +1,7 @@
 // Messages of the engine to the page: frames of a JSON header and columns of numbers (docs/studio.md).
 
+import { texts } from "../texts";
+
 export type Column = Float64Array | Float32Array | Uint32Array | Uint8Array;
 
 export interface Message {
@@ -17,6 +19,9 @@ const kinds = {
 
 const alignUp = (size: number) => (size + 7) & ~7;
 
+/** Format of messages (studio/engine/message.h). An engine of another version may have another one. */
+export const MESSAGE_FORMAT = 1;
+
 /** Error for bytes that are no message, or that end too soon. */
 export class InvalidMessage extends Error {}
 
@@ -29,6 +34,7 @@ export function readMessage(bytes: Uint8Array): Message {
   const headerSize = view.getUint32(4, true);
   if (HEADER_BYTES + headerSize > bytes.length) throw new InvalidMessage("a message ends within its header");
   const header = JSON.parse(new TextDecoder().decode(bytes.subarray(HEADER_BYTES, HEADER_BYTES + headerSize)));
+  if (header.format !== MESSAGE_FORMAT) throw new InvalidMessage(texts.unknownMessageFormat(String(header.format), MESSAGE_FORMAT));
   const columns = new Map<string, Column>();
   let at = alignUp(HEADER_BYTES + headerSize);
   for (const [name, kind, count] of (header.columns ?? []) as [string, keyof typeof kinds, number][]) {
