@@ -57,8 +57,8 @@ std::string describe(const lexer::Lexer& lexer, const lexer::BlockText& text) {
         case lexer::kLogicWord:
         case lexer::kComparison: return "the operator has no value before it";
         case lexer::kNumber:
-            return lexer.is_ngc() && text.structural ? "values behind an O-word stand in brackets"
-                                                     : "a number without its letter";
+            return lexer.rules().has_o_words && text.structural ? "values behind an O-word stand in brackets"
+                                                                : "a number without its letter";
         case lexer::kHash:
         case lexer::kVariable: return "a variable stands here neither as the value of a word nor before '='";
         case lexer::kRelation: return "a comparison is out of place; comparisons are joined as [..] AND [..]";
@@ -89,7 +89,7 @@ std::string describe(const lexer::Lexer& lexer, const lexer::BlockText& text) {
         default: break;
     }
     const Token token = lexer.last_token();
-    if (!lexer.is_ngc() && token == '=' && lexer.previous_token() == lexer::kVariable) {
+    if (lexer.rules().separate_assignments && token == '=' && lexer.previous_token() == lexer::kVariable) {
         return "an assignment stands in a block of its own";
     }
     if (token > ' ' && token < 0x7f) return fmt::format("'{}' is out of place", static_cast<char>(token));
@@ -129,12 +129,11 @@ void Parser::syntax_error() {
         // A letter after a letter has opened a word of its own.
         const std::size_t opened_words = opens_word(lexer_.last_token()) ? 1 : 0;
         const lexer::Word& word = text.words[lexer_.open_word_index() - opened_words];
-        const bool keyword = opened_words == 1 && lexer_.is_ngc() &&
-                             begins_macro_keyword(word.address, text.words.back().address);
-        lexer_.fail(
-            word.column, DiagnosticKind::word_without_value,
-            fmt::format("{} has no value{}", lexer::address_name(word.address),
-                        keyword ? "; IF, WHILE, GOTO and END are of the 9/Series, see --dialect ab9" : ""));
+        const bool keyword =
+            opened_words == 1 && begins_macro_keyword(word.address, text.words.back().address);
+        lexer_.fail(word.column, DiagnosticKind::word_without_value,
+                    fmt::format("{} has no value{}", lexer::address_name(word.address),
+                                keyword ? lexer_.rules().missing_keywords_hint : ""));
         return;
     }
     if (is_variable(lexer_.previous_token()) && may_follow_value(lexer_.last_token()) &&
@@ -291,7 +290,7 @@ std::uint32_t Parser::add_variable(Value variable) {
 }
 
 std::uint32_t Parser::add_unbracketed_index(Value number) {
-    if (!lexer_.is_ngc())
+    if (!lexer_.rules().unbracketed_variable_index)
         lexer_.fail(number.column, DiagnosticKind::syntax,
                     "the number of a variable that is worked out stands in brackets, as in #[1+#2]");
     return add_node(NodeKind::indirect, Operator::add, number);

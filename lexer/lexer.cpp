@@ -16,11 +16,12 @@ constexpr std::uint64_t kByteOrderMarkBytes = 3;
 
 }  // namespace
 
-Lexer::Lexer(Source& source, Diagnostics& diagnostics, const Aliases& aliases, Style style, bool keep_raw)
+Lexer::Lexer(Source& source, Diagnostics& diagnostics, const Aliases& aliases, const TextRules& rules,
+             bool keep_raw)
     : source_(source),
       diagnostics_(diagnostics),
       aliases_(aliases),
-      style_(style),
+      rules_(rules),
       keep_raw_(keep_raw),
       scanner_(make_scanner(this)) {
     if (source_.line_at(0, kByteOrderMarkBytes) == "\xEF\xBB\xBF") {
@@ -39,7 +40,8 @@ Token Lexer::next(Value& value) {
     value = {};
     previous_ = last_;
     previous_column_ = token_column_;
-    if (is_ngc() && tape_marks_ == 2) return last_ = kEnd;  // text after the tape's end is not read
+    if (rules_.tape_marks_end_program && tape_marks_ == 2)
+        return last_ = kEnd;  // text after the tape's end is not read
     last_ = scan_token(value, scanner_);
     if (dos_file_ended_ && last_ != kEob && last_ != kEnd)
         fail(token_column_, DiagnosticKind::syntax,

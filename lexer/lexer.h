@@ -9,7 +9,7 @@
 #include "lexer/block_text.h"
 #include "lexer/diagnostics.h"
 #include "lexer/source.h"
-#include "lexer/style.h"
+#include "lexer/text_rules.h"
 #include "lexer/token.h"
 
 namespace gsim::lexer {
@@ -24,7 +24,7 @@ inline constexpr std::size_t kMaxNumberBytes = 24;
 class Lexer {
   public:
     /// Makes a lexer; all arguments must outlive it. `keep_raw`: BlockText::raw is filled.
-    Lexer(Source& source, Diagnostics& diagnostics, const Aliases& aliases, Style style = Style::ab9,
+    Lexer(Source& source, Diagnostics& diagnostics, const Aliases& aliases, const TextRules& rules,
           bool keep_raw = false);
     ~Lexer();
     Lexer(const Lexer&) = delete;
@@ -51,7 +51,7 @@ class Lexer {
     /// Returns true before the first token of a block.
     bool at_block_start() const { return tokens_ == 0; }
     bool dropping() const { return dropping_; }
-    bool is_ngc() const { return style_ == Style::rs274ngc; }
+    const TextRules& rules() const { return rules_; }
     /// Returns the column of the last token of next().
     std::uint32_t token_column() const { return token_column_; }
     Token last_token() const { return last_; }
@@ -121,7 +121,7 @@ class Lexer {
     Source& source_;
     Diagnostics& diagnostics_;
     const Aliases& aliases_;
-    Style style_;
+    const TextRules& rules_;
     bool keep_raw_;
     void* scanner_ = nullptr;
     BlockText block_;

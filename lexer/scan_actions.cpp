@@ -95,10 +95,9 @@ std::optional<Slice> Lexer::add_number(std::string_view digits, bool negative) {
     return slice;
 }
 
-// RS274/NGC needs no alternative readings: its G4 accepts P alone, and U is an axis.
 Token Lexer::classify(const Word& word) const {
     if (is_axis_letter(word.address)) return kAxis;
-    if (is_ngc()) return word.address == 'X' || word.address == 'U' ? kAxis : kOther;
+    if (!rules_.ambiguous_words) return word.address == 'X' || word.address == 'U' ? kAxis : kOther;
     switch (word.address) {
         case 'U':
         case 'X': return kAxisOrTime;
@@ -127,7 +126,7 @@ Token Lexer::word(std::string_view text, Value& value) {
     Word word;
     word.address = static_cast<Address>(upper(text[0]));
     word.column = token_column_;
-    const bool has_gaps = is_ngc() && has_blanks(text);
+    const bool has_gaps = rules_.blanks_within_words && has_blanks(text);
     const std::string without_gaps = has_gaps ? remove_blanks(text) : std::string();
     const SignedDigits number = split_sign((has_gaps ? std::string_view(without_gaps) : text).substr(1));
     const std::optional<Slice> slice = add_number(number.digits, number.negative);

@@ -50,7 +50,7 @@ Token Lexer::flow_expression() {
 }
 
 Token Lexer::named_variable(std::string_view text, Value& value) {
-    if (!is_ngc()) return unknown("<");
+    if (!rules_.names_in_angle_brackets) return unknown("<");
     const Slice name = add_name(text.substr(1));
     if (name.size == 0) {
         fail(token_column_, DiagnosticKind::syntax, "the name of a parameter is empty");
@@ -62,7 +62,7 @@ Token Lexer::named_variable(std::string_view text, Value& value) {
 }
 
 Token Lexer::unterminated_name() {
-    if (!is_ngc()) return unknown("<");
+    if (!rules_.names_in_angle_brackets) return unknown("<");
     fail(token_column_, DiagnosticKind::syntax, "the name has no '>' behind it, or more than 100 characters");
     return kBad;
 }
@@ -82,18 +82,18 @@ std::size_t length_with_blanks(std::string_view text, std::size_t characters) {
 
 Token Lexer::expression_name(std::string_view text, std::size_t& kept, Value& value) {
     const std::string name = text::upper(remove_blanks(text));
-    const NameStyle other = is_ngc() ? NameStyle::ab9 : NameStyle::rs274ngc;
-    const bool may_be_joined = is_ngc() && brackets_ > 0;
-    const auto* found_entry =
-        std::find_if(kExpressionNames.begin(), kExpressionNames.end(), [&](const ExpressionName& t) {
-            return t.style != other && (t.name == name || (may_be_joined && name.starts_with(t.name)));
+    const bool may_be_joined = rules_.blanks_within_words && brackets_ > 0;
+    const auto found_entry = std::find_if(
+        rules_.expression_names.begin(), rules_.expression_names.end(), [&](const ExpressionName& t) {
+            return t.name == name || (may_be_joined && name.starts_with(t.name));
         });
-    if (found_entry != kExpressionNames.end()) {
+    if (found_entry != rules_.expression_names.end()) {
         kept = length_with_blanks(text, found_entry->name.size());
         value.index = static_cast<std::uint32_t>(found_entry->op);
-        return is_ngc() && found_entry->token == kRelation ? kComparison : found_entry->token;
+        return rules_.chained_comparisons && found_entry->token == kRelation ? kComparison
+                                                                             : found_entry->token;
     }
-    if (is_ngc() && brackets_ == 0) {
+    if (rules_.has_o_words && brackets_ == 0) {
         const auto* flow = std::find_if(kFlowNames.begin(), kFlowNames.end(),
                                         [&](const FlowName& f) { return f.name == name; });
         if (flow != kFlowNames.end()) {
@@ -112,21 +112,18 @@ Token Lexer::expression_name(std::string_view text, std::size_t& kept, Value& va
 /// Reports the text at the position of an expected name of an expression, or keyword after an O-word.
 Token Lexer::fail_name(std::string_view text) {
     const std::string name = text::upper(text);
-    if (!is_ngc() && brackets_ == 0 && name.size() == 1) {
+    if (rules_.separate_assignments && brackets_ == 0 && name.size() == 1) {
         fail(token_column_, DiagnosticKind::code_conflict,
              fmt::format("the word {} stands in the same block as an assignment; give it a block of its own",
                          name));
         return kBad;
     }
-    const NameStyle other = is_ngc() ? NameStyle::ab9 : NameStyle::rs274ngc;
     std::vector<std::string> names;
-    const bool flow_expected = is_ngc() && brackets_ == 0;
+    const bool flow_expected = rules_.has_o_words && brackets_ == 0;
     if (flow_expected) {
         for (const FlowName& flow : kFlowNames) names.emplace_back(flow.name);
     } else {
-        for (const ExpressionName& t : kExpressionNames) {
-            if (t.style != other) names.emplace_back(t.name);
-        }
+        for (const ExpressionName& t : rules_.expression_names) names.emplace_back(t.name);
     }
     const std::string nearest = nearest_name(name, names);
     fail(token_column_, DiagnosticKind::syntax,
@@ -137,9 +134,10 @@ Token Lexer::fail_name(std::string_view text) {
 }
 
 Token Lexer::power(Value& value) {
-    if (!is_ngc()) {
+    if (!rules_.has_power_operator) {
         fail(token_column_, DiagnosticKind::syntax,
-             "'**' is no operator of the 9/Series; a power is EXP[#2*LN[#1]], or a product");
+             fmt::format("'**' is no operator of {}; a power is EXP[#2*LN[#1]], or a product",
+                         rules_.controller));
         return kBad;
     }
     value.index = static_cast<std::uint32_t>(Operator::power);

@@ -33,7 +33,7 @@ void LuaWriter::declare_jump(std::string& line) const {
 
 /// Writes M99 P in the main program as a jump to one of its blocks. Returns false if it has no P.
 bool LuaWriter::write_return_goto(const Block& block, const Call& call) {
-    if (call.operand_count == 0 || lexer_.is_ngc()) return false;
+    if (call.operand_count == 0 || !plan_.dialect().rules().has_block_jumps) return false;
     const Word& word = block.text->words[plan_.operands(call).front()];
     if (word.expression >= 0) {
         code_ += "jump = goto_target(";

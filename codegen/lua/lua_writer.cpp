@@ -40,10 +40,13 @@ bool is_plain_flow(grammar::Flow flow) {
            flow == grammar::Flow::continue_;
 }
 
-/// Returns the name of a program in Lua's form: 12 for O0012, "PART7" for OPART7.
-std::string lua_program_name(std::string_view name, bool is_ngc) {
-    if (is_ngc ? is_oword_number(name) : all_digits(name) && normalized_number(name).size() <= 9)
-        return normalized_number(name);
+/// Returns the name of a program in Lua's form: 12 for O0012, "PART7" for OPART7. A name in < > is used as
+/// written, so o<02> is not o2.
+std::string lua_program_name(std::string_view name, const lexer::TextRules& rules) {
+    const bool is_number = rules.names_in_angle_brackets
+                               ? is_oword_number(name)
+                               : all_digits(name) && normalized_number(name).size() <= 9;
+    if (is_number) return normalized_number(name);
     return fmt::format("\"{}\"", name);
 }
 
@@ -102,10 +105,9 @@ void LuaWriter::record_bad_block(const Block& block) {
         flow_.add_sequence(*block.sequence, block.text->at(block.prefix_column));
 }
 
-/// LinuxCNC searches the file for the first one after the call.
 void LuaWriter::report_duplicate_program(const Block& block, std::string_view name) {
     const std::string what = fmt::format("the program O{} stands twice in this file", name);
-    if (!lexer_.is_ngc()) {
+    if (!plan_.dialect().rules().first_program_counts) {
         lexer_.fail(block.prefix_column, DiagnosticKind::program_twice, what);
         return;
     }
@@ -118,7 +120,7 @@ void LuaWriter::open_program(const Block& block) {
     close_program();
     main_ended_ = false;
     const std::string_view name = block.text->view(block.text->program);
-    const std::string lua_name = lua_program_name(name, lexer_.is_ngc());
+    const std::string lua_name = lua_program_name(name, plan_.dialect().text());
     if (!defined_.insert(lua_name).second) report_duplicate_program(block, name);
     flow_.begin_program(scan_.program(next_ordinal_++));
     parts_.begin_program(lua_name, code_);
@@ -129,7 +131,7 @@ void LuaWriter::open_program(const Block& block) {
 bool LuaWriter::is_empty_block(const Block& block) {
     if (!grammar::is_blank(block)) return false;
     std::string action;
-    if (lexer_.is_ngc()) write_comment_action(block, action);
+    if (plan_.dialect().rules().active_comments) write_comment_action(block, action);
     return action.empty();
 }
 
@@ -226,7 +228,7 @@ void LuaWriter::write_statements(const Block& block) {
 /// Returns the levels of Lua that are used before an expression of the block begins; simultaneous settings
 /// also use some.
 int LuaWriter::levels_around(const Block& block) const {
-    if (!lexer_.is_ngc()) return 0;
+    if (!plan_.dialect().rules().values_before_actions) return oword_flow_.levels();
     constexpr int kLevelsPerSetting = 2;
     const std::size_t settings = std::min(block.assignments.size(), Settings::kMax);
     return oword_flow_.levels() + kLevelsPerSetting * static_cast<int>(settings);
