@@ -40,7 +40,7 @@ WrittenCode write_blocks(lexer::Source& source, LuaSpool& spool, const Translate
                          lexer::Diagnostics& diagnostics) {
     const FileScan scan = scan_file(source, options.aliases, *options.dialect);
     lexer::Lexer lexer(source, diagnostics, options.aliases, options.dialect->text(), options.annotate);
-    lexer.skip_leader(scan.leader_lines);
+    lexer.extent().skip_leader(scan.leader_lines);
     if (scan.leader_lines > 0)
         diagnostics.warning({0, 1, 1}, lexer::DiagnosticKind::syntax, leader_warning(scan.leader_lines));
     LuaWriter writer(*options.dialect, scan, lexer, diagnostics, spool,
@@ -48,7 +48,7 @@ WrittenCode write_blocks(lexer::Source& source, LuaSpool& spool, const Translate
     writer.begin_file(file_name(options));
     grammar::Parser(lexer, diagnostics, writer).run();
     if (!diagnostics.full()) writer.end_file();
-    return {writer.map(), lexer.line()};
+    return {writer.map(), lexer.cursor().line()};
 }
 
 }  // namespace

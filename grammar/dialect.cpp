@@ -22,8 +22,8 @@ Dialect::Dialect(DialectRules rules) : rules_(std::move(rules)), index_(2 * kInd
     }
     for (std::size_t phase = 0; phase < kPhaseCount; ++phase)
         ranks_[phase] = static_cast<int>(kPhaseCount + phase);
-    for (std::size_t position = 0; position < rules_.order.size(); ++position)
-        ranks_[static_cast<std::size_t>(rules_.order[position])] = static_cast<int>(position);
+    for (std::size_t position = 0; position < rules_.blocks.order.size(); ++position)
+        ranks_[static_cast<std::size_t>(rules_.blocks.order[position])] = static_cast<int>(position);
 }
 
 namespace {

@@ -238,23 +238,23 @@ const Dialect& dialect_rs274ngc() {
                  .unbracketed_variable_index = true,
                  .tape_marks_end_program = true,
                  .missing_keywords_hint = "; IF, WHILE, GOTO and END are of the 9/Series, see --dialect ab9"},
-        .standalone = "FST",
-        .move_words = "IJKRPLQEHD",
-        .dwell_words = "P",
+        .blocks = {.standalone = "FST",
+                   .move_words = "IJKRPLQEHD",
+                   .dwell_words = "P",
+                   .values_before_actions = true,
+                   .computed_codes = true,
+                   .data_excludes_motion = true,
+                   .shared_words = true,
+                   .separate_calls = true,
+                   .order = kOrder},
         .initial = " G8 G17 G21 G40 G49 G54 G64 G80 G90 G91.1 G94 G97 G99 M5 M9 M48 ",
-        .values_before_actions = true,
         .active_comments = true,
         .first_program_counts = true,
         .end_code_ends_text = true,
-        .computed_codes = true,
-        .data_excludes_motion = true,
-        .shared_words = true,
-        .separate_calls = true,
         .offset_variables = true,
         .codes = {kCodes.begin(), kCodes.end()},
         .letters = {kLetters.begin(), kLetters.end()},
-        .expression_names = expression_names(),
-        .order = kOrder});
+        .expression_names = expression_names()});
     return dialect;
 }
 

@@ -37,7 +37,8 @@ std::uint64_t BlockPlan::need_bits(const Word& word) const {
 }
 
 bool BlockPlan::check_single_call(const Block& block, const Call& call) {
-    if (!dialect_.rules().separate_calls || (calls_.size() == 1 && block.assignments.empty())) return true;
+    if (!dialect_.rules().blocks.separate_calls || (calls_.size() == 1 && block.assignments.empty()))
+        return true;
     return fail(block, call.word, DiagnosticKind::code_conflict,
                 "M98 stands in a block of its own, with nothing but its P and L");
 }
@@ -53,7 +54,7 @@ bool BlockPlan::check_needs(const Block& block, const Call& call, std::uint64_t 
     const auto name = [&] { return grammar::code_name(code); };
     if (code.code_x10 == 40 && code.letter == 'G' && call.operand_count != 1) {
         return fail(block, call.word, DiagnosticKind::word_missing,
-                    dwell_message(dialect_.rules().dwell_words));
+                    dwell_message(dialect_.rules().blocks.dwell_words));
     }
     if (code.letter == 'G' && (code.code_x10 == 20 || code.code_x10 == 30) && is_missing(kArcBit) &&
         !is_missing(kAxisBit)) {

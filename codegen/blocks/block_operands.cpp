@@ -23,7 +23,7 @@ bool BlockPlan::belongs_to_call(const Block& block, std::uint32_t word, std::uin
     if (owners_[word] == static_cast<std::int32_t>(call)) return true;
     const Word& shared = block.text->words[word];
     const Code* code = calls_[call].code;
-    return dialect_.rules().shared_words && owners_[word] != kUnowned && code != nullptr &&
+    return dialect_.rules().blocks.shared_words && owners_[word] != kUnowned && code != nullptr &&
            !is_axis(shared) && accepts(*code, shared.address);
 }
 
@@ -31,7 +31,7 @@ bool BlockPlan::belongs_to_call(const Block& block, std::uint32_t word, std::uin
 /// read, belongs to it.
 bool BlockPlan::is_shared(const Block& block, std::uint32_t word, std::uint32_t call) const {
     const Word& shared = block.text->words[word];
-    return dialect_.rules().shared_words && calls_[call].kind == Call::Kind::move &&
+    return dialect_.rules().blocks.shared_words && calls_[call].kind == Call::Kind::move &&
            owners_[word] != kUnowned &&
            kModalMotionLetters.find(table_letter(shared.address)) != std::string_view::npos &&
            !belongs_to_call(block, word, call);

@@ -157,7 +157,7 @@ FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases, const g
     {
         lexer::Diagnostics diagnostics(source, kNoLimit, ignore_diagnostic);
         lexer::Lexer lexer(source, diagnostics, aliases, dialect.text());
-        lexer.skip_leader(scan.leader_lines);
+        lexer.extent().skip_leader(scan.leader_lines);
         FirstBlock first;
         grammar::Parser(lexer, diagnostics, first).run_until([&] { return first.done(); });
         scan.starts_with_part = first.begins_part();
@@ -168,7 +168,7 @@ FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases, const g
         source.rewind();
         lexer::Diagnostics diagnostics(source, kNoLimit, ignore_diagnostic);
         lexer::Lexer lexer(source, diagnostics, aliases, dialect.text());
-        lexer.skip_leader(scan.leader_lines);
+        lexer.extent().skip_leader(scan.leader_lines);
         JumpCollector collector(scan);
         grammar::Parser(lexer, diagnostics, collector).run();
         collector.share_returns();

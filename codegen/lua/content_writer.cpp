@@ -37,7 +37,7 @@ bool ends_program(const Call& call) {
 }  // namespace
 
 void LuaWriter::write_content(const Block& block) {
-    if (plan_.dialect().rules().values_before_actions) return write_values_first(block);
+    if (plan_.dialect().rules().blocks.values_before_actions) return write_values_first(block);
     write_message(block);
     if (!block.assignments.empty()) return write_assignments(block, code_);
     if (!block.text->words.empty() && plan_.plan(block)) write_calls(block, {});
@@ -46,8 +46,8 @@ void LuaWriter::write_content(const Block& block) {
 /// All values of the block come first, then its settings and its comment, then its words act.
 void LuaWriter::write_values_first(const Block& block) {
     if (block.assignments.size() > Settings::kMax) {
-        lexer_.fail(1, DiagnosticKind::too_large,
-                    fmt::format("a block sets at most {} parameters", Settings::kMax));
+        errors_.fail(1, DiagnosticKind::too_large,
+                     fmt::format("a block sets at most {} parameters", Settings::kMax));
         return;
     }
     const bool has_effect = !block.text->words.empty();
@@ -95,7 +95,7 @@ void LuaWriter::write_calls(const Block& block, const BlockValues& values) {
         if (ends_program(call) && plan_.dialect().rules().end_code_ends_text && !oword_flow_.open() &&
             block.skip_level == 0) {
             main_ended_ = true;
-            lexer_.end_main_program();
+            extent_.end_main_program();
         }
     }
 }

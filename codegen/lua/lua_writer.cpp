@@ -55,11 +55,12 @@ std::string lua_program_name(std::string_view name, const lexer::TextRules& rule
 LuaWriter::LuaWriter(const grammar::Dialect& dialect, const FileScan& scan, lexer::Lexer& lexer,
                      lexer::Diagnostics& diagnostics, LuaSpool& spool, Options options)
     : scan_(scan),
-      lexer_(lexer),
+      errors_(lexer.errors()),
+      extent_(lexer.extent()),
       diagnostics_(diagnostics),
       spool_(spool),
       options_(options),
-      plan_(dialect, lexer, diagnostics, options.warn_of_unknown ? &unknown_ : nullptr),
+      plan_(dialect, lexer.errors(), diagnostics, options.warn_of_unknown ? &unknown_ : nullptr),
       flow_(diagnostics),
       oword_flow_(diagnostics) {}
 
@@ -108,7 +109,7 @@ void LuaWriter::record_bad_block(const Block& block) {
 void LuaWriter::report_duplicate_program(const Block& block, std::string_view name) {
     const std::string what = fmt::format("the program O{} stands twice in this file", name);
     if (!plan_.dialect().rules().first_program_counts) {
-        lexer_.fail(block.prefix_column, DiagnosticKind::program_twice, what);
+        errors_.fail(block.prefix_column, DiagnosticKind::program_twice, what);
         return;
     }
     if (block.text->bad) return;
@@ -146,9 +147,9 @@ void LuaWriter::open_sub(const Block& block) {
     const std::string name = oword_name(block);
     const auto [first, is_new] = subs_.try_emplace(name, block.text->at(block.flow_column));
     if (!is_new) {
-        lexer_.fail(block.flow_column, DiagnosticKind::program_twice,
-                    fmt::format("the subroutine o{} stands twice in this file, first in line {}",
-                                block.text->view(block.text->program), first->second.line));
+        errors_.fail(block.flow_column, DiagnosticKind::program_twice,
+                     fmt::format("the subroutine o{} stands twice in this file, first in line {}",
+                                 block.text->view(block.text->program), first->second.line));
     }
     parts_.begin_sub(name, code_);
 }
@@ -160,7 +161,7 @@ void LuaWriter::write_flow(const Block& block) {
     oword_flow_.write(block, flow_.weight(), code_);
     if (inside && !oword_flow_.inside_sub()) {
         parts_.end(code_);
-        if (main_ended_) lexer_.end_main_program();
+        if (main_ended_) extent_.end_main_program();
     }
     plan_.defer_unknown(oword_flow_.inside_sub() ? &deferred_codes_ : nullptr);
 }
@@ -180,9 +181,9 @@ void LuaWriter::check_skip(const Block& block) {
                            block.kind == BlockKind::end_loop ||
                            (block.kind == BlockKind::flow && !is_plain_flow(block.flow));
     if (structure) {
-        lexer_.fail(block.prefix_column, DiagnosticKind::structure,
-                    "block delete '/' cannot stand before a program or a control structure: its other end "
-                    "would be lost");
+        errors_.fail(block.prefix_column, DiagnosticKind::structure,
+                     "block delete '/' cannot stand before a program or a control structure: its other end "
+                     "would be lost");
     }
 }
 
@@ -208,8 +209,8 @@ void LuaWriter::write_block(const Block& block) {
 
 void LuaWriter::write_statements(const Block& block) {
     if (const auto column = nested_too_deep(block, levels_around(block))) {
-        lexer_.fail(*column, DiagnosticKind::nesting,
-                    "the expression is nested too deep for Lua; put a part of it into a variable first");
+        errors_.fail(*column, DiagnosticKind::nesting,
+                     "the expression is nested too deep for Lua; put a part of it into a variable first");
     }
     const std::size_t before = code_.size();
     if (block.skip_level > 0) text::append_format(code_, "if not skipped({}) then ", block.skip_level);
@@ -228,7 +229,7 @@ void LuaWriter::write_statements(const Block& block) {
 /// Returns the levels of Lua that are used before an expression of the block begins; simultaneous settings
 /// also use some.
 int LuaWriter::levels_around(const Block& block) const {
-    if (!plan_.dialect().rules().values_before_actions) return oword_flow_.levels();
+    if (!plan_.dialect().rules().blocks.values_before_actions) return oword_flow_.levels();
     constexpr int kLevelsPerSetting = 2;
     const std::size_t settings = std::min(block.assignments.size(), Settings::kMax);
     return oword_flow_.levels() + kLevelsPerSetting * static_cast<int>(settings);
@@ -241,7 +242,7 @@ void LuaWriter::write_comment_action(const Block& block, std::string& out) {
     const std::size_t count = comments.size() - (block.text->remark ? 1 : 0);
     if (count == 0 || block.has_program) return;
     if (const auto error = write_active_comment(block.text->view(comments[count - 1]), out))
-        lexer_.fail(1, DiagnosticKind::syntax, *error);
+        errors_.fail(1, DiagnosticKind::syntax, *error);
 }
 
 void LuaWriter::write_body(const Block& block) {
@@ -278,7 +279,7 @@ void LuaWriter::write_body(const Block& block) {
             code_ += "end ";
             return;
         case BlockKind::print:
-            if (const auto error = write_print(block, code_)) lexer_.fail(1, DiagnosticKind::syntax, *error);
+            if (const auto error = write_print(block, code_)) errors_.fail(1, DiagnosticKind::syntax, *error);
             return;
         case BlockKind::flow: write_flow(block); return;
         case BlockKind::tape: return;

@@ -77,7 +77,8 @@ class LuaWriter : public grammar::BlockSink {
     void check_skip(const grammar::Block& block);
 
     const FileScan& scan_;
-    lexer::Lexer& lexer_;
+    lexer::BlockErrors& errors_;
+    lexer::ProgramExtent& extent_;
     lexer::Diagnostics& diagnostics_;
     LuaSpool& spool_;
     Options options_;

@@ -47,7 +47,7 @@ inline Scan scan(std::string_view text, const Aliases& aliases = {},
         if (token != kEob && token != kTape) continue;
         for (const Word& word : block.words) {
             const bool ends = word.address == 'M' && (word.code_x10 == 20 || word.code_x10 == 300);
-            if (ends && dialect.rules().end_code_ends_text) lexer.end_main_program();
+            if (ends && dialect.rules().end_code_ends_text) lexer.extent().end_main_program();
             result.words.push_back(fmt::format("{}={}", address_name(word.address), block.view(word.number)));
         }
         for (const Slice comment : block.comments) result.comments.emplace_back(block.view(comment));
