@@ -132,22 +132,21 @@ void add_letters(Page& page, const Dialect& dialect) {
     page.line("");
 }
 
-void add_expressions(Page& page, lexer::NameStyle other) {
+void add_expressions(Page& page, const Dialect& dialect) {
     page.line("### Functions and operators\n");
     page.line("| name | meaning |");
     page.line("| --- | --- |");
-    for (const lexer::ExpressionName& name : lexer::kExpressionNames) {
-        if (name.style != other) page.line("| {} | {} |", name.name, name.meaning);
-    }
+    for (const lexer::ExpressionName& name : dialect.rules().expression_names)
+        page.line("| {} | {} |", name.name, name.meaning);
     page.line("");
 }
 
-void add_dialect(Page& page, const Dialect& dialect, lexer::NameStyle other) {
+void add_dialect(Page& page, const Dialect& dialect) {
     page.line("## {} (`--dialect {}`)\n", dialect.title(), dialect.name());
     add_letters(page, dialect);
     add_codes(page, dialect);
     add_order(page, dialect);
-    add_expressions(page, other);
+    add_expressions(page, dialect);
 }
 
 constexpr std::string_view kPageHeader =
@@ -158,7 +157,7 @@ stands in `lua_lib/`, what differs between the dialects in [dialects.md](dialect
 that a dialect does not have; without it they are errors. `refused`: the language has the code, gsim does not.
 )";
 
-constexpr std::string_view kAb9Statements = R"(### Statements
+constexpr std::string_view kMacroStatements = R"(### Statements
 
 | G-code | Lua |
 | --- | --- |
@@ -187,12 +186,12 @@ constexpr std::string_view kControllers = R"(
 to the dialect, a warning says so.
 )";
 
-constexpr std::string_view kNgcFlow = R"(### O-words
+constexpr std::string_view kFlowHeader = R"(### O-words
 
 | O-word | meaning |
 | --- | --- |)";
 
-constexpr std::string_view kNgcStatements = R"(
+constexpr std::string_view kFlowStatements = R"(
 ### Statements
 
 | G-code | Lua |
@@ -214,7 +213,7 @@ constexpr std::string_view kNgcStatements = R"(
 
 Binding: brackets and functions; `**`; `*` `/` `MOD`; `+` `-`; comparisons; `AND` `OR` `XOR`; each from left to right.)";
 
-constexpr std::string_view kKlipperLines = R"(
+constexpr std::string_view kCommandLines = R"(
 ### Lines
 
 One command a line, the first; all that stands behind it are its parameters. `;` begins a remark. What Klipper does not know, or does not read, has no effect; a warning tells of it, once,
@@ -227,8 +226,15 @@ with the count.
 | `M6`, `X40` | nothing, and a warning |
 | `SET_VELOCITY_LIMIT ACCEL=500` | `SET_VELOCITY_LIMIT{accel=500}` |)";
 
-void add_klipper(Page& page) {
-    const Dialect& dialect = grammar::dialect_klipper();
+void add_statements(Page& page, const Dialect& dialect) {
+    if (!dialect.text().has_o_words) return page.line("{}", kMacroStatements);
+    page.line("{}", kFlowHeader);
+    for (const lexer::FlowName& flow : lexer::kFlowNames)
+        page.line("| {} | {} |", text::lower(flow.name), flow.meaning);
+    page.line("{}", kFlowStatements);
+}
+
+void add_command_dialect(Page& page, const Dialect& dialect) {
     page.line("\n## {} (`--dialect {}`)\n", dialect.title(), dialect.name());
     add_letters(page, dialect);
     add_codes(page, dialect);
@@ -240,7 +246,7 @@ void add_klipper(Page& page) {
         page.line("| {} | {}{}{} | {} |", command.name, command.texts, between, command.parameters,
                   command.meaning);
     }
-    page.line("{}", kKlipperLines);
+    page.line("{}", kCommandLines);
 }
 
 }  // namespace
@@ -250,14 +256,14 @@ std::string language_page() {
     page.line("{}", kPageHeader);
     page.line("{}", kControllers);
     page.line("{}", grammar::controller_table());
-    add_dialect(page, grammar::dialect_ab9(), lexer::NameStyle::rs274ngc);
-    page.line("{}", kAb9Statements);
-    add_dialect(page, grammar::dialect_rs274ngc(), lexer::NameStyle::ab9);
-    page.line("{}", kNgcFlow);
-    for (const lexer::FlowName& flow : lexer::kFlowNames)
-        page.line("| {} | {} |", text::lower(flow.name), flow.meaning);
-    page.line("{}", kNgcStatements);
-    add_klipper(page);
+    for (const Dialect* dialect : grammar::dialects()) {
+        if (dialect->text().form == lexer::TextForm::command_lines) {
+            add_command_dialect(page, *dialect);
+        } else {
+            add_dialect(page, *dialect);
+            add_statements(page, *dialect);
+        }
+    }
     return page.release();
 }
 

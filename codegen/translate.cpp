@@ -38,10 +38,9 @@ WrittenCode write_commands(lexer::Source& source, LuaSpool& spool, const Transla
 
 WrittenCode write_blocks(lexer::Source& source, LuaSpool& spool, const TranslateOptions& options,
                          lexer::Diagnostics& diagnostics) {
-    const lexer::Style style = options.dialect->rules().style;
-    const FileScan scan = scan_file(source, options.aliases, style);
-    lexer::Lexer lexer(source, diagnostics, options.aliases, style, options.annotate);
-    lexer.skip_leader(scan.leader_lines);
+    const FileScan scan = scan_file(source, options.aliases, *options.dialect);
+    lexer::Lexer lexer(source, diagnostics, options.aliases, options.dialect->text(), options.annotate);
+    lexer.extent().skip_leader(scan.leader_lines);
     if (scan.leader_lines > 0)
         diagnostics.warning({0, 1, 1}, lexer::DiagnosticKind::syntax, leader_warning(scan.leader_lines));
     LuaWriter writer(*options.dialect, scan, lexer, diagnostics, spool,
@@ -49,7 +48,7 @@ WrittenCode write_blocks(lexer::Source& source, LuaSpool& spool, const Translate
     writer.begin_file(file_name(options));
     grammar::Parser(lexer, diagnostics, writer).run();
     if (!diagnostics.full()) writer.end_file();
-    return {writer.map(), lexer.line()};
+    return {writer.map(), lexer.cursor().line()};
 }
 
 }  // namespace
@@ -63,7 +62,7 @@ Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOpt
         if (!source.ended_early() && source.error() == 0) on_diagnostic(diagnostic);
     };
     lexer::Diagnostics diagnostics(source, options.max_errors, report_diagnostic);
-    const bool commands = options.dialect->rules().style == lexer::Style::command_lines;
+    const bool commands = options.dialect->text().form == lexer::TextForm::command_lines;
     WrittenCode written = commands ? write_commands(source, spool, options, diagnostics)
                                    : write_blocks(source, spool, options, diagnostics);
     Translation result;

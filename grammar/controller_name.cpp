@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -20,7 +21,6 @@ struct ControllerEntry {
 
 constexpr std::string_view kAb9 = "ab9";
 constexpr std::string_view kNgc = "rs274ngc";
-constexpr std::string_view kKlipper = "klipper";
 
 constexpr std::string_view kFanuc =
     "a relative of the 9/Series with the same macros and subprograms; codes and parameters of its own "
@@ -37,10 +37,8 @@ constexpr std::string_view kPathPilot = "built on LinuxCNC; G47 and the M codes 
 constexpr std::string_view kEding = "a relative of LinuxCNC with IF and SUB of its own in place of O-words";
 constexpr std::string_view kTinyG = "it knows a part of that language; its JSON commands are not read";
 
+// The names of the dialects come before these; a row with such a name is ignored.
 constexpr std::array kControllers{
-    ControllerEntry{"ab9", kAb9, ""},
-    ControllerEntry{"rs274ngc", kNgc, ""},
-    ControllerEntry{"klipper", kKlipper, ""},
     ControllerEntry{"9/series", kAb9, ""},
     ControllerEntry{"allen-bradley", kAb9, ""},
     ControllerEntry{"linuxcnc", kNgc, ""},
@@ -72,6 +70,15 @@ constexpr std::array kControllers{
     ControllerEntry{"okuma", "", "the language of OSP controls (VC1=, CALL O1, NLAP) is not read"},
 };
 
+/// Returns the dialects by their names, and then the controllers.
+std::vector<ControllerEntry> controllers() {
+    std::vector<ControllerEntry> entries;
+    for (const std::string_view name : dialect_names()) entries.push_back({name, name, ""});
+    std::copy_if(kControllers.begin(), kControllers.end(), std::back_inserter(entries),
+                 [](const ControllerEntry& controller) { return find_dialect(controller.name) == nullptr; });
+    return entries;
+}
+
 // Returns letters and digits alone, in lower case.
 std::string normalized_name(std::string_view name) {
     std::string out;
@@ -84,24 +91,23 @@ std::string normalized_name(std::string_view name) {
 
 std::string unknown(std::string_view name) {
     std::vector<std::string_view> known;
-    known.reserve(kControllers.size());
-    for (const ControllerEntry& controller : kControllers) known.push_back(controller.name);
+    for (const ControllerEntry& controller : controllers()) known.push_back(controller.name);
     const auto nearest = text::nearest_name(name, known);
     return fmt::format("there is no dialect or control '{}'; {}", name,
-                       nearest
-                           ? fmt::format("did you mean '{}'?", *nearest)
-                           : std::string("the dialects are ab9, rs274ngc and klipper, and docs/language.md "
-                                         "lists the controls"));
+                       nearest ? fmt::format("did you mean '{}'?", *nearest)
+                               : fmt::format("the dialects are {}, and docs/language.md lists the controls",
+                                             text::enumerated(dialect_names(), "and")));
 }
 
 }  // namespace
 
 tl::expected<ControllerName, std::string> find_controller(std::string_view name) {
     const std::string requested = normalized_name(name);
-    const auto* controller =
-        std::find_if(kControllers.begin(), kControllers.end(),
-                     [&](const ControllerEntry& one) { return normalized_name(one.name) == requested; });
-    if (controller == kControllers.end()) return tl::unexpected(unknown(name));
+    const std::vector<ControllerEntry> entries = controllers();
+    const auto controller = std::find_if(entries.begin(), entries.end(), [&](const ControllerEntry& one) {
+        return normalized_name(one.name) == requested;
+    });
+    if (controller == entries.end()) return tl::unexpected(unknown(name));
     if (controller->dialect.empty()) return tl::unexpected(std::string(controller->caution));
     ControllerName found{.dialect = find_dialect(controller->dialect)};
     if (!controller->caution.empty()) {
@@ -113,7 +119,7 @@ tl::expected<ControllerName, std::string> find_controller(std::string_view name)
 
 std::vector<std::string> controller_names() {
     std::vector<std::string> names;
-    for (const ControllerEntry& controller : kControllers) {
+    for (const ControllerEntry& controller : controllers()) {
         if (!controller.dialect.empty()) names.emplace_back(controller.name);
     }
     return names;
@@ -121,7 +127,7 @@ std::vector<std::string> controller_names() {
 
 std::string controller_table() {
     std::string table = "| control | dialect | to mind |\n| --- | --- | --- |\n";
-    for (const ControllerEntry& controller : kControllers) {
+    for (const ControllerEntry& controller : controllers()) {
         text::append_format(
             table, "| `{}` | {} | {} |\n", controller.name,
             controller.dialect.empty() ? std::string("none") : fmt::format("`{}`", controller.dialect),

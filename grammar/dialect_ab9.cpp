@@ -10,6 +10,8 @@ namespace ab9_table {
 
 using enum Group;
 using enum Support;
+using lexer::ExpressionName;
+using lexer::Operator;
 using P = Phase;
 using A = AxisUse;
 using C = Compensation;
@@ -188,21 +190,61 @@ constexpr std::array kLetters = {
     Letter{"N O /", "block number, program, block delete /1 to /9"},
 };
 
+constexpr std::array kExpressionNames = {
+    ExpressionName{"EQ", lexer::kRelation, Operator::equal, "equal"},
+    ExpressionName{"NE", lexer::kRelation, Operator::not_equal, "not equal"},
+    ExpressionName{"GT", lexer::kRelation, Operator::greater, "greater"},
+    ExpressionName{"GE", lexer::kRelation, Operator::greater_equal, "greater or equal"},
+    ExpressionName{"LT", lexer::kRelation, Operator::less, "less"},
+    ExpressionName{"LE", lexer::kRelation, Operator::less_equal, "less or equal"},
+    ExpressionName{"AND", lexer::kProductWord, Operator::bit_and,
+                   "bitwise and of whole numbers; of conditions, both as truth values"},
+    ExpressionName{"OR", lexer::kSumWord, Operator::bit_or,
+                   "bitwise or of whole numbers; of conditions, both as truth values"},
+    ExpressionName{"XOR", lexer::kSumWord, Operator::bit_xor,
+                   "bitwise exclusive or of whole numbers; of conditions, both as truth values"},
+    ExpressionName{"MOD", lexer::kProductWord, Operator::modulo,
+                   "remainder (9/Series: with the sign of the divisor; RS274/NGC: not below 0)"},
+    ExpressionName{"SIN", lexer::kFunction, Operator::sin, "sine of degrees"},
+    ExpressionName{"COS", lexer::kFunction, Operator::cos, "cosine of degrees"},
+    ExpressionName{"TAN", lexer::kFunction, Operator::tan, "tangent of degrees"},
+    ExpressionName{"ASIN", lexer::kFunction, Operator::asin, "arc sine in degrees"},
+    ExpressionName{"ACOS", lexer::kFunction, Operator::acos, "arc cosine in degrees"},
+    ExpressionName{"ATAN", lexer::kAtan, Operator::atan, "angle in degrees; ATAN[a]/[b] of the point (b, a)"},
+    ExpressionName{"SQRT", lexer::kFunction, Operator::sqrt, "square root"},
+    ExpressionName{"SQR", lexer::kFunction, Operator::sqrt, "square root"},
+    ExpressionName{"ABS", lexer::kFunction, Operator::abs, "absolute value"},
+    ExpressionName{"ROUND", lexer::kFunction, Operator::round, "nearest whole number"},
+    ExpressionName{"RND", lexer::kFunction, Operator::round, "nearest whole number"},
+    ExpressionName{"FIX", lexer::kFunction, Operator::fix, "whole number towards 0 (RS274/NGC: below)"},
+    ExpressionName{"FUP", lexer::kFunction, Operator::fup, "whole number away from 0 (RS274/NGC: above)"},
+    ExpressionName{"LN", lexer::kFunction, Operator::ln, "natural logarithm"},
+    ExpressionName{"EXP", lexer::kFunction, Operator::exp, "power of e"},
+    ExpressionName{"BIN", lexer::kFunction, Operator::bin, "value of a binary-coded decimal"},
+    ExpressionName{"BCD", lexer::kFunction, Operator::bcd, "binary-coded decimal of a value"},
+};
+
 }  // namespace ab9_table
 
 }  // namespace
 
 const Dialect& dialect_ab9() {
-    static const Dialect dialect({.name = "ab9",
-                                  .title = "Allen-Bradley 9/Series",
-                                  .style = lexer::Style::ab9,
-                                  .lua_module = "gsim",
-                                  .standalone = "FSTDH",
-                                  .move_words = "IJKR=1PLQ,",
-                                  .initial = " G0 G17 G21 G40 G49 G54 G67 G69 G80 G90 G94 G97 G98 ",
-                                  .letters = ab9_table::kLetters,
-                                  .order = {}},
-                                 ab9_table::kCodes);
+    using namespace ab9_table;
+    static const Dialect dialect(
+        DialectRules{.name = "ab9",
+                     .title = "Allen-Bradley 9/Series",
+                     .lua_module = "gsim",
+                     .text = {.controller = "the 9/Series",
+                              .separate_assignments = true,
+                              .ambiguous_words = true,
+                              .brackets_in_comments = true,
+                              .tape_leader = true},
+                     .blocks = {.standalone = "FSTDH", .move_words = "IJKR=1PLQ,", .dwell_words = "PXU"},
+                     .initial = " G0 G17 G21 G40 G49 G54 G67 G69 G80 G90 G94 G97 G98 ",
+                     .has_block_jumps = true,
+                     .codes = {kCodes.begin(), kCodes.end()},
+                     .letters = {kLetters.begin(), kLetters.end()},
+                     .expression_names = {kExpressionNames.begin(), kExpressionNames.end()}});
     return dialect;
 }
 

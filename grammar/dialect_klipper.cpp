@@ -72,14 +72,16 @@ constexpr std::array kLetters = {
 }  // namespace
 
 const Dialect& dialect_klipper() {
-    static const Dialect dialect({.name = "klipper",
-                                  .title = "Klipper",
-                                  .style = lexer::Style::command_lines,
-                                  .lua_module = "gsim.klipper",
-                                  .initial = " G17 G21 G90 M82 ",
-                                  .letters = klipper_table::kLetters,
-                                  .extended = klipper_table::kExtended},
-                                 klipper_table::kCodes);
+    using namespace klipper_table;
+    static const Dialect dialect(DialectRules{.name = "klipper",
+                                              .title = "Klipper",
+                                              .lua_module = "gsim.klipper",
+                                              .text = {.form = lexer::TextForm::command_lines},
+                                              .initial = " G17 G21 G90 M82 ",
+                                              .always_mm = true,
+                                              .codes = {kCodes.begin(), kCodes.end()},
+                                              .letters = {kLetters.begin(), kLetters.end()},
+                                              .extended = {kExtended.begin(), kExtended.end()}});
     return dialect;
 }
 

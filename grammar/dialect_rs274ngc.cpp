@@ -1,6 +1,7 @@
 #include <array>
 
 #include "grammar/dialect.h"
+#include "grammar/rows.h"
 
 namespace gsim::grammar {
 
@@ -10,6 +11,8 @@ namespace rs274ngc_table {
 
 using enum Group;
 using enum Support;
+using lexer::ExpressionName;
+using lexer::Operator;
 using P = Phase;
 using A = AxisUse;
 using C = Compensation;
@@ -198,22 +201,60 @@ constexpr std::array kOrder = {
     P::data,         P::one_shot,    P::motion,        P::flow,
 };
 
+// Functions and operators that differ from those of the 9/Series.
+constexpr std::array kExpressionNames = {
+    ExpressionName{"EQ", lexer::kRelation, Operator::near_equal, "equal within 0.0001"},
+    ExpressionName{"NE", lexer::kRelation, Operator::not_near_equal, "not equal within 0.0001"},
+    ExpressionName{"AND", lexer::kLogicWord, Operator::bit_and, "logical and: 1 or 0"},
+    ExpressionName{"OR", lexer::kLogicWord, Operator::bit_or, "logical or: 1 or 0"},
+    ExpressionName{"XOR", lexer::kLogicWord, Operator::bit_xor, "logical exclusive or: 1 or 0"},
+    ExpressionName{"EXISTS", lexer::kExists, Operator::exists,
+                   "1 where there is such a parameter, a named one with a value, else 0"},
+};
+
+std::vector<ExpressionName> expression_names() {
+    std::vector<ExpressionName> names = dialect_ab9().rules().expression_names;
+    set_rows(names, kExpressionNames);
+    remove_rows(names, {"SQR", "RND", "BIN", "BCD"});
+    return names;
+}
+
 }  // namespace rs274ngc_table
 
 }  // namespace
 
 const Dialect& dialect_rs274ngc() {
-    static const Dialect dialect(
-        {.name = "rs274ngc",
-         .title = "RS274/NGC",
-         .style = lexer::Style::rs274ngc,
-         .lua_module = "gsim.rs274ngc",
-         .standalone = "FST",
-         .move_words = "IJKRPLQEHD",
-         .initial = " G8 G17 G21 G40 G49 G54 G64 G80 G90 G91.1 G94 G97 G99 M5 M9 M48 ",
-         .letters = rs274ngc_table::kLetters,
-         .order = rs274ngc_table::kOrder},
-        rs274ngc_table::kCodes);
+    using namespace rs274ngc_table;
+    static const Dialect dialect(DialectRules{
+        .name = "rs274ngc",
+        .title = "RS274/NGC",
+        .lua_module = "gsim.rs274ngc",
+        .text = {.controller = "RS274/NGC",
+                 .blanks_within_words = true,
+                 .has_o_words = true,
+                 .names_in_angle_brackets = true,
+                 .has_power_operator = true,
+                 .chained_comparisons = true,
+                 .unbracketed_variable_index = true,
+                 .tape_marks_end_program = true,
+                 .missing_keywords_hint = "; IF, WHILE, GOTO and END are of the 9/Series, see --dialect ab9"},
+        .blocks = {.standalone = "FST",
+                   .move_words = "IJKRPLQEHD",
+                   .dwell_words = "P",
+                   .values_before_actions = true,
+                   .computed_codes = true,
+                   .data_excludes_motion = true,
+                   .shared_words = true,
+                   .separate_calls = true,
+                   .order = kOrder},
+        .initial = " G8 G17 G21 G40 G49 G54 G64 G80 G90 G91.1 G94 G97 G99 M5 M9 M48 ",
+        .active_comments = true,
+        .first_program_counts = true,
+        .end_code_ends_text = true,
+        .offset_variables = true,
+        .codes = {kCodes.begin(), kCodes.end()},
+        .letters = {kLetters.begin(), kLetters.end()},
+        .expression_names = expression_names()});
     return dialect;
 }
 

@@ -57,8 +57,8 @@ std::string describe(const lexer::Lexer& lexer, const lexer::BlockText& text) {
         case lexer::kLogicWord:
         case lexer::kComparison: return "the operator has no value before it";
         case lexer::kNumber:
-            return lexer.is_ngc() && text.structural ? "values behind an O-word stand in brackets"
-                                                     : "a number without its letter";
+            return lexer.rules().has_o_words && text.structural ? "values behind an O-word stand in brackets"
+                                                                : "a number without its letter";
         case lexer::kHash:
         case lexer::kVariable: return "a variable stands here neither as the value of a word nor before '='";
         case lexer::kRelation: return "a comparison is out of place; comparisons are joined as [..] AND [..]";
@@ -70,7 +70,7 @@ std::string describe(const lexer::Lexer& lexer, const lexer::BlockText& text) {
         case lexer::kAxisLetter:
         case lexer::kP:
         case lexer::kAxisOrTime:
-            if (lexer.saw_dwell() && !text.words.empty()) {
+            if (lexer.words().saw_dwell() && !text.words.empty()) {
                 return fmt::format("{} has no meaning in a block with G04, which takes one of P, X and U",
                                    lexer::address_name(text.words.back().address));
             }
@@ -89,7 +89,7 @@ std::string describe(const lexer::Lexer& lexer, const lexer::BlockText& text) {
         default: break;
     }
     const Token token = lexer.last_token();
-    if (!lexer.is_ngc() && token == '=' && lexer.previous_token() == lexer::kVariable) {
+    if (lexer.rules().separate_assignments && token == '=' && lexer.previous_token() == lexer::kVariable) {
         return "an assignment stands in a block of its own";
     }
     if (token > ' ' && token < 0x7f) return fmt::format("'{}' is out of place", static_cast<char>(token));
@@ -128,22 +128,21 @@ void Parser::syntax_error() {
     if (opens_word(lexer_.previous_token())) {
         // A letter after a letter has opened a word of its own.
         const std::size_t opened_words = opens_word(lexer_.last_token()) ? 1 : 0;
-        const lexer::Word& word = text.words[lexer_.open_word_index() - opened_words];
-        const bool keyword = opened_words == 1 && lexer_.is_ngc() &&
-                             begins_macro_keyword(word.address, text.words.back().address);
-        lexer_.fail(
-            word.column, DiagnosticKind::word_without_value,
-            fmt::format("{} has no value{}", lexer::address_name(word.address),
-                        keyword ? "; IF, WHILE, GOTO and END are of the 9/Series, see --dialect ab9" : ""));
+        const lexer::Word& word = text.words[lexer_.words().open_word_index() - opened_words];
+        const bool keyword =
+            opened_words == 1 && begins_macro_keyword(word.address, text.words.back().address);
+        lexer_.errors().fail(word.column, DiagnosticKind::word_without_value,
+                             fmt::format("{} has no value{}", lexer::address_name(word.address),
+                                         keyword ? lexer_.rules().missing_keywords_hint : ""));
         return;
     }
     if (is_variable(lexer_.previous_token()) && may_follow_value(lexer_.last_token()) &&
-        !lexer_.saw_dwell()) {
-        lexer_.fail(lexer_.previous_column(), DiagnosticKind::syntax,
-                    "a variable stands here neither as the value of a word nor before '='");
+        !lexer_.words().saw_dwell()) {
+        lexer_.errors().fail(lexer_.previous_column(), DiagnosticKind::syntax,
+                             "a variable stands here neither as the value of a word nor before '='");
         return;
     }
-    lexer_.fail(lexer_.token_column(), DiagnosticKind::syntax, describe(lexer_, text));
+    lexer_.errors().fail(lexer_.cursor().column(), DiagnosticKind::syntax, describe(lexer_, text));
 }
 
 void Parser::finish_block() {
@@ -154,8 +153,8 @@ void Parser::finish_block() {
 }
 
 void Parser::finish_bad_block() {
-    lexer_.fail(1, DiagnosticKind::syntax,
-                "the block cannot be understood");  // unless a closer message has been given
+    lexer_.errors().fail(1, DiagnosticKind::syntax,
+                         "the block cannot be understood");  // unless a closer message has been given
     finish_block();
 }
 
@@ -173,14 +172,14 @@ void Parser::set_expression(std::uint32_t word, std::uint32_t node) {
 }
 
 void Parser::set_sequence(Value value) {
-    if (block_.sequence) lexer_.fail(value.column, DiagnosticKind::word_twice, "a block has one N");
+    if (block_.sequence) lexer_.errors().fail(value.column, DiagnosticKind::word_twice, "a block has one N");
     block_.sequence = value.index;
     block_.prefix_column = value.column;
 }
 
 void Parser::set_skip(Value value) {
     if (block_.skip_level != 0)
-        lexer_.fail(value.column, DiagnosticKind::word_twice, "a block has one block delete '/'");
+        lexer_.errors().fail(value.column, DiagnosticKind::word_twice, "a block has one block delete '/'");
     block_.skip_level = static_cast<std::uint8_t>(value.index);
     block_.prefix_column = value.column;
 }
@@ -200,7 +199,7 @@ void Parser::set_loop(Value number) {
     const std::string_view digits = block_.text->view(block_.text->numbers[number.index]);
     block_.loop = digits.size() == 1 ? static_cast<std::uint32_t>(digits[0] - '0') : 0;
     if (block_.loop < 1 || block_.loop > 3)
-        lexer_.fail(number.column, DiagnosticKind::number, "DO and END take 1, 2 or 3");
+        lexer_.errors().fail(number.column, DiagnosticKind::number, "DO and END take 1, 2 or 3");
 }
 
 void Parser::add_assignment(std::uint32_t target, std::uint32_t value) {
@@ -215,8 +214,8 @@ void Parser::set_flow_name(std::uint32_t column, std::optional<std::uint32_t> no
 
 void Parser::set_flow_program() {
     if (block_.flow_node >= 0) {
-        lexer_.fail(block_.flow_column, DiagnosticKind::structure,
-                    "a program begins with a number or a name, not with an expression");
+        lexer_.errors().fail(block_.flow_column, DiagnosticKind::structure,
+                             "a program begins with a number or a name, not with an expression");
     }
     block_.has_program = true;
 }
@@ -251,11 +250,11 @@ void Parser::set_flow(Value keyword) {
     block_.flow = static_cast<Flow>(keyword.index);
     const FlowSyntax shape = flow_syntax(block_.flow);
     if (block_.arguments.size() < shape.min || block_.arguments.size() > shape.max)
-        lexer_.fail(keyword.column, DiagnosticKind::word_value,
-                    fmt::format("behind this keyword stands {}", shape.text));
+        lexer_.errors().fail(keyword.column, DiagnosticKind::word_value,
+                             fmt::format("behind this keyword stands {}", shape.text));
     const bool expression = block_.flow_node >= 0;
     if (expression && block_.flow != Flow::call) {
-        lexer_.fail(
+        lexer_.errors().fail(
             block_.flow_column, DiagnosticKind::structure,
             "an O-word whose number is an expression can only be called; others are numbers or <names>");
     }
@@ -291,9 +290,9 @@ std::uint32_t Parser::add_variable(Value variable) {
 }
 
 std::uint32_t Parser::add_unbracketed_index(Value number) {
-    if (!lexer_.is_ngc())
-        lexer_.fail(number.column, DiagnosticKind::syntax,
-                    "the number of a variable that is worked out stands in brackets, as in #[1+#2]");
+    if (!lexer_.rules().unbracketed_variable_index)
+        lexer_.errors().fail(number.column, DiagnosticKind::syntax,
+                             "the number of a variable that is worked out stands in brackets, as in #[1+#2]");
     return add_node(NodeKind::indirect, Operator::add, number);
 }
 

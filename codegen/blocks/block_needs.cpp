@@ -1,9 +1,11 @@
 // Mandatory words of the codes of a block.
 
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
+#include "base/text/format.h"
 #include "codegen/blocks/block_plan.h"
 #include "codegen/blocks/call_codes.h"
 
@@ -20,6 +22,12 @@ constexpr std::uint64_t kAxisBit = 1;
 constexpr std::uint64_t kArcBit = 2;
 constexpr std::uint64_t kProgramBit = 8;
 
+/// Returns the error of a G4 without its time, for one or more letters that give it.
+std::string dwell_message(std::string_view letters) {
+    if (letters.size() == 1) return fmt::format("G4 needs {}, its seconds", letters);
+    return fmt::format("G4 takes one of {}, its seconds", text::enumerated(letters, "and"));
+}
+
 }  // namespace
 
 std::uint64_t BlockPlan::need_bits(const Word& word) const {
@@ -28,9 +36,9 @@ std::uint64_t BlockPlan::need_bits(const Word& word) const {
     return is_arc_word(word.address) ? kArcBit : 0;
 }
 
-/// In RS274/NGC a block that calls a program has no other action.
 bool BlockPlan::check_single_call(const Block& block, const Call& call) {
-    if (!lexer_.is_ngc() || (calls_.size() == 1 && block.assignments.empty())) return true;
+    if (!dialect_.rules().blocks.separate_calls || (calls_.size() == 1 && block.assignments.empty()))
+        return true;
     return fail(block, call.word, DiagnosticKind::code_conflict,
                 "M98 stands in a block of its own, with nothing but its P and L");
 }
@@ -46,14 +54,15 @@ bool BlockPlan::check_needs(const Block& block, const Call& call, std::uint64_t 
     const auto name = [&] { return grammar::code_name(code); };
     if (code.code_x10 == 40 && code.letter == 'G' && call.operand_count != 1) {
         return fail(block, call.word, DiagnosticKind::word_missing,
-                    lexer_.is_ngc() ? "G4 needs P, its seconds" : "G4 takes one of P, X and U, its seconds");
+                    dwell_message(dialect_.rules().blocks.dwell_words));
     }
     if (code.letter == 'G' && (code.code_x10 == 20 || code.code_x10 == 30) && is_missing(kArcBit) &&
         !is_missing(kAxisBit)) {
-        return fail(block, call.word, DiagnosticKind::word_missing,
-                    fmt::format("{} needs the centre (I, J, K){}", name(),
-                                lexer_.is_ngc() ? " or the radius (R) of the arc"
-                                                : ", the radius (R) or the angle (AR=) of the arc"));
+        return fail(
+            block, call.word, DiagnosticKind::word_missing,
+            fmt::format("{} needs the centre (I, J, K){}", name(),
+                        accepts(code, lexer::kArcAngle) ? ", the radius (R) or the angle (AR=) of the arc"
+                                                        : " or the radius (R) of the arc"));
     }
     if (code.letter == 'G' && (code.code_x10 == 920 || code.code_x10 == 520) && is_missing(kAxisBit)) {
         return fail(block, call.word, DiagnosticKind::word_missing,

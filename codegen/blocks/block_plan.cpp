@@ -80,18 +80,18 @@ std::string_view lua_key(Address address) {
 
 bool BlockPlan::fail(const Block& block, std::uint32_t word, DiagnosticKind kind, const std::string& message,
                      const std::string& hint) {
-    lexer_.fail(block.text->words[word].column, kind, message, hint);
+    errors_.fail(block.text->words[word].column, kind, message, hint);
     return false;
 }
 
 bool BlockPlan::is_axis(const Word& word) const {
     if (lexer::is_axis_letter(word.address)) return true;
     const bool either = word.address == 'X' || word.address == 'U';
-    return either && (lexer_.is_ngc() || word.role == Role::axis);
+    return either && (!dialect_.text().ambiguous_words || word.role == Role::axis);
 }
 
 bool BlockPlan::is_allowed_with_move(Address address) const {
-    return dialect_.rules().move_words.find(table_letter(address)) != std::string_view::npos;
+    return dialect_.rules().blocks.move_words.find(table_letter(address)) != std::string_view::npos;
 }
 
 bool BlockPlan::plan(const Block& block) {
@@ -148,7 +148,8 @@ bool BlockPlan::check_group(const Block& block, const Code& code, std::uint32_t 
 
 /// Suggests a fix for a missing code.
 std::string BlockPlan::hint(const Word& word) const {
-    for (const grammar::Dialect* other : {&grammar::dialect_ab9(), &grammar::dialect_rs274ngc()}) {
+    for (const grammar::Dialect* other : grammar::dialects()) {
+        if (other->text().form != lexer::TextForm::blocks) continue;
         const Code* code = other->find(static_cast<char>(word.address), word.code_x10);
         if (other != &dialect_ && code != nullptr && code->group != Group::user)
             return fmt::format("{} has it ({}), see --dialect {}", other->title(), code->meaning,
@@ -163,7 +164,7 @@ std::string BlockPlan::hint(const Word& word) const {
 /// It acts in the phase of most codes without words: with the modal settings, or with the switches.
 bool BlockPlan::add_computed_code(const Block& block, std::uint32_t index) {
     const Word& word = block.text->words[index];
-    if (!lexer_.is_ngc()) {
+    if (!dialect_.rules().blocks.computed_codes) {
         return fail(
             block, index, DiagnosticKind::code_unsupported,
             fmt::format("the number of a {} code must be written out; a computed one is not supported",
@@ -232,13 +233,13 @@ bool BlockPlan::collect_codes(const Block& block) {
     return true;
 }
 
-/// Returns true if two calls that use axis words cannot share a block. The 9/Series assigns the words to the
-/// code that has them as its data, and makes the motion modal. In RS274/NGC such a code must be without a
-/// motion, except for the tool offset of a block without axis words.
+/// Returns true if two calls that use axis words cannot share a block: two codes that have them as their
+/// data, and with BlockRules::data_excludes_motion such a code and a motion, except for the tool offset of
+/// a block without axis words.
 bool BlockPlan::report_conflict(const Block& block, const Call& a, const Call& b) const {
     const bool a_is_data = axis_use(a) == AxisUse::data, b_is_data = axis_use(b) == AxisUse::data;
     if (a_is_data && b_is_data) return true;
-    if (!lexer_.is_ngc()) return false;
+    if (!dialect_.rules().blocks.data_excludes_motion) return false;
     const std::vector<Word>& words = block.text->words;
     return (a_is_data ? a : b).code->group != Group::tool_length ||
            std::any_of(words.begin(), words.end(), [&](const Word& word) { return is_axis(word); });
@@ -314,7 +315,7 @@ bool BlockPlan::assign(const Block& block, std::uint32_t index) {
     if (owners_[index] != kUnowned) return true;
     if (is_corner_word(word.address) && !may_have_corner()) return fail_with_motion(block, index);
     const bool standalone =
-        dialect_.rules().standalone.find(table_letter(word.address)) != std::string_view::npos;
+        dialect_.rules().blocks.standalone.find(table_letter(word.address)) != std::string_view::npos;
     if (standalone || is_corner_word(word.address)) {
         Call call;
         call.kind = Call::Kind::letter;

@@ -9,7 +9,7 @@
 #include "codegen/blocks/unknown_codes.h"
 #include "grammar/dialect.h"
 #include "grammar/syntax.h"
-#include "lexer/lexer.h"
+#include "lexer/block_errors.h"
 
 namespace gsim::codegen {
 
@@ -39,9 +39,9 @@ class BlockPlan {
   public:
     /// Makes a plan; all arguments must outlive it. Codes that the dialect does not have are passed to
     /// `unknown`, if given, and are left out; else they are errors.
-    BlockPlan(const grammar::Dialect& dialect, lexer::Lexer& lexer, lexer::Diagnostics& diagnostics,
+    BlockPlan(const grammar::Dialect& dialect, lexer::BlockErrors& errors, lexer::Diagnostics& diagnostics,
               UnknownCodes* unknown)
-        : dialect_(dialect), lexer_(lexer), diagnostics_(diagnostics), unknown_(unknown) {}
+        : dialect_(dialect), errors_(errors), diagnostics_(diagnostics), unknown_(unknown) {}
 
     const grammar::Dialect& dialect() const { return dialect_; }
     /// Defers codes that the dialect does not have: from here on such a code becomes an alarm of the run
@@ -95,7 +95,7 @@ class BlockPlan {
               const std::string& message, const std::string& hint = {});
 
     const grammar::Dialect& dialect_;
-    lexer::Lexer& lexer_;
+    lexer::BlockErrors& errors_;
     lexer::Diagnostics& diagnostics_;
     UnknownCodes* unknown_;
     UnknownCodes* deferred_codes_ = nullptr;

@@ -166,8 +166,8 @@ bool NumberStatistics::look_like_inches() const {
 
 std::optional<text::Diagnostic> find_dialect_hint(lexer::Source& source,
                                                   const grammar::Dialect& current_dialect) {
-    if (current_dialect.rules().style == lexer::Style::command_lines) return std::nullopt;
-    const bool as_ngc = current_dialect.name() == kNgcName;
+    if (current_dialect.text().form == lexer::TextForm::command_lines) return std::nullopt;
+    const bool has_o_words = current_dialect.text().has_o_words;
     std::optional<text::Diagnostic> uncertain_note;
     bool has_native_feature = false;
     PlainLines lines(source);
@@ -175,10 +175,10 @@ std::optional<text::Diagnostic> find_dialect_hint(lexer::Source& source,
         const std::string_view line = trimmed(lines.text());
         const std::string compacted = blanks_removed(line);
         std::optional<DialectFeature> feature = foreign_feature(line);
-        if (!feature) feature = as_ngc ? ab9_feature(compacted) : ngc_feature(compacted);
+        if (!feature) feature = has_o_words ? ab9_feature(compacted) : ngc_feature(compacted);
         if (feature && feature->is_exclusive) return make_note(source, lines.number(), *feature);
         const std::optional<DialectFeature> detected =
-            as_ngc ? ngc_feature(compacted) : ab9_feature(compacted);
+            has_o_words ? ngc_feature(compacted) : ab9_feature(compacted);
         has_native_feature = has_native_feature || (detected && detected->is_exclusive);
         if (feature && !uncertain_note) uncertain_note = make_note(source, lines.number(), *feature);
     }

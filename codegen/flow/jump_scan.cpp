@@ -149,26 +149,26 @@ const ProgramJumps& FileScan::program(std::size_t ordinal) const {
     return ordinal < jumps.size() ? jumps[ordinal] : kNoJumps;
 }
 
-FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases, lexer::Style style) {
+FileScan scan_file(lexer::Source& source, const lexer::Aliases& aliases, const grammar::Dialect& dialect) {
     FileScan scan;
-    scan.leader_lines = leader_lines(source, aliases, style);
+    scan.leader_lines = leader_lines(source, aliases, dialect.text());
     const auto ignore_diagnostic = [](const text::Diagnostic&) {};
     constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
     {
         lexer::Diagnostics diagnostics(source, kNoLimit, ignore_diagnostic);
-        lexer::Lexer lexer(source, diagnostics, aliases, style);
-        lexer.skip_leader(scan.leader_lines);
+        lexer::Lexer lexer(source, diagnostics, aliases, dialect.text());
+        lexer.extent().skip_leader(scan.leader_lines);
         FirstBlock first;
         grammar::Parser(lexer, diagnostics, first).run_until([&] { return first.done(); });
         scan.starts_with_part = first.begins_part();
         source.rewind();
     }
     const bool return_alias = aliases.has_alias_of('M', kReturnCode / 10);
-    if (style == lexer::Style::ab9 && (return_alias || mentions_jump(source))) {
+    if (dialect.rules().has_block_jumps && (return_alias || mentions_jump(source))) {
         source.rewind();
         lexer::Diagnostics diagnostics(source, kNoLimit, ignore_diagnostic);
-        lexer::Lexer lexer(source, diagnostics, aliases, style);
-        lexer.skip_leader(scan.leader_lines);
+        lexer::Lexer lexer(source, diagnostics, aliases, dialect.text());
+        lexer.extent().skip_leader(scan.leader_lines);
         JumpCollector collector(scan);
         grammar::Parser(lexer, diagnostics, collector).run();
         collector.share_returns();

@@ -40,10 +40,13 @@ bool is_plain_flow(grammar::Flow flow) {
            flow == grammar::Flow::continue_;
 }
 
-/// Returns the name of a program in Lua's form: 12 for O0012, "PART7" for OPART7.
-std::string lua_program_name(std::string_view name, bool is_ngc) {
-    if (is_ngc ? is_oword_number(name) : all_digits(name) && normalized_number(name).size() <= 9)
-        return normalized_number(name);
+/// Returns the name of a program in Lua's form: 12 for O0012, "PART7" for OPART7. A name in < > is used as
+/// written, so o<02> is not o2.
+std::string lua_program_name(std::string_view name, const lexer::TextRules& rules) {
+    const bool is_number = rules.names_in_angle_brackets
+                               ? is_oword_number(name)
+                               : all_digits(name) && normalized_number(name).size() <= 9;
+    if (is_number) return normalized_number(name);
     return fmt::format("\"{}\"", name);
 }
 
@@ -52,11 +55,12 @@ std::string lua_program_name(std::string_view name, bool is_ngc) {
 LuaWriter::LuaWriter(const grammar::Dialect& dialect, const FileScan& scan, lexer::Lexer& lexer,
                      lexer::Diagnostics& diagnostics, LuaSpool& spool, Options options)
     : scan_(scan),
-      lexer_(lexer),
+      errors_(lexer.errors()),
+      extent_(lexer.extent()),
       diagnostics_(diagnostics),
       spool_(spool),
       options_(options),
-      plan_(dialect, lexer, diagnostics, options.warn_of_unknown ? &unknown_ : nullptr),
+      plan_(dialect, lexer.errors(), diagnostics, options.warn_of_unknown ? &unknown_ : nullptr),
       flow_(diagnostics),
       oword_flow_(diagnostics) {}
 
@@ -102,11 +106,10 @@ void LuaWriter::record_bad_block(const Block& block) {
         flow_.add_sequence(*block.sequence, block.text->at(block.prefix_column));
 }
 
-/// LinuxCNC searches the file for the first one after the call.
 void LuaWriter::report_duplicate_program(const Block& block, std::string_view name) {
     const std::string what = fmt::format("the program O{} stands twice in this file", name);
-    if (!lexer_.is_ngc()) {
-        lexer_.fail(block.prefix_column, DiagnosticKind::program_twice, what);
+    if (!plan_.dialect().rules().first_program_counts) {
+        errors_.fail(block.prefix_column, DiagnosticKind::program_twice, what);
         return;
     }
     if (block.text->bad) return;
@@ -118,7 +121,7 @@ void LuaWriter::open_program(const Block& block) {
     close_program();
     main_ended_ = false;
     const std::string_view name = block.text->view(block.text->program);
-    const std::string lua_name = lua_program_name(name, lexer_.is_ngc());
+    const std::string lua_name = lua_program_name(name, plan_.dialect().text());
     if (!defined_.insert(lua_name).second) report_duplicate_program(block, name);
     flow_.begin_program(scan_.program(next_ordinal_++));
     parts_.begin_program(lua_name, code_);
@@ -129,7 +132,7 @@ void LuaWriter::open_program(const Block& block) {
 bool LuaWriter::is_empty_block(const Block& block) {
     if (!grammar::is_blank(block)) return false;
     std::string action;
-    if (lexer_.is_ngc()) write_comment_action(block, action);
+    if (plan_.dialect().rules().active_comments) write_comment_action(block, action);
     return action.empty();
 }
 
@@ -144,9 +147,9 @@ void LuaWriter::open_sub(const Block& block) {
     const std::string name = oword_name(block);
     const auto [first, is_new] = subs_.try_emplace(name, block.text->at(block.flow_column));
     if (!is_new) {
-        lexer_.fail(block.flow_column, DiagnosticKind::program_twice,
-                    fmt::format("the subroutine o{} stands twice in this file, first in line {}",
-                                block.text->view(block.text->program), first->second.line));
+        errors_.fail(block.flow_column, DiagnosticKind::program_twice,
+                     fmt::format("the subroutine o{} stands twice in this file, first in line {}",
+                                 block.text->view(block.text->program), first->second.line));
     }
     parts_.begin_sub(name, code_);
 }
@@ -158,7 +161,7 @@ void LuaWriter::write_flow(const Block& block) {
     oword_flow_.write(block, flow_.weight(), code_);
     if (inside && !oword_flow_.inside_sub()) {
         parts_.end(code_);
-        if (main_ended_) lexer_.end_main_program();
+        if (main_ended_) extent_.end_main_program();
     }
     plan_.defer_unknown(oword_flow_.inside_sub() ? &deferred_codes_ : nullptr);
 }
@@ -178,9 +181,9 @@ void LuaWriter::check_skip(const Block& block) {
                            block.kind == BlockKind::end_loop ||
                            (block.kind == BlockKind::flow && !is_plain_flow(block.flow));
     if (structure) {
-        lexer_.fail(block.prefix_column, DiagnosticKind::structure,
-                    "block delete '/' cannot stand before a program or a control structure: its other end "
-                    "would be lost");
+        errors_.fail(block.prefix_column, DiagnosticKind::structure,
+                     "block delete '/' cannot stand before a program or a control structure: its other end "
+                     "would be lost");
     }
 }
 
@@ -206,8 +209,8 @@ void LuaWriter::write_block(const Block& block) {
 
 void LuaWriter::write_statements(const Block& block) {
     if (const auto column = nested_too_deep(block, levels_around(block))) {
-        lexer_.fail(*column, DiagnosticKind::nesting,
-                    "the expression is nested too deep for Lua; put a part of it into a variable first");
+        errors_.fail(*column, DiagnosticKind::nesting,
+                     "the expression is nested too deep for Lua; put a part of it into a variable first");
     }
     const std::size_t before = code_.size();
     if (block.skip_level > 0) text::append_format(code_, "if not skipped({}) then ", block.skip_level);
@@ -226,7 +229,7 @@ void LuaWriter::write_statements(const Block& block) {
 /// Returns the levels of Lua that are used before an expression of the block begins; simultaneous settings
 /// also use some.
 int LuaWriter::levels_around(const Block& block) const {
-    if (!lexer_.is_ngc()) return 0;
+    if (!plan_.dialect().rules().blocks.values_before_actions) return oword_flow_.levels();
     constexpr int kLevelsPerSetting = 2;
     const std::size_t settings = std::min(block.assignments.size(), Settings::kMax);
     return oword_flow_.levels() + kLevelsPerSetting * static_cast<int>(settings);
@@ -239,7 +242,7 @@ void LuaWriter::write_comment_action(const Block& block, std::string& out) {
     const std::size_t count = comments.size() - (block.text->remark ? 1 : 0);
     if (count == 0 || block.has_program) return;
     if (const auto error = write_active_comment(block.text->view(comments[count - 1]), out))
-        lexer_.fail(1, DiagnosticKind::syntax, *error);
+        errors_.fail(1, DiagnosticKind::syntax, *error);
 }
 
 void LuaWriter::write_body(const Block& block) {
@@ -276,7 +279,7 @@ void LuaWriter::write_body(const Block& block) {
             code_ += "end ";
             return;
         case BlockKind::print:
-            if (const auto error = write_print(block, code_)) lexer_.fail(1, DiagnosticKind::syntax, *error);
+            if (const auto error = write_print(block, code_)) errors_.fail(1, DiagnosticKind::syntax, *error);
             return;
         case BlockKind::flow: write_flow(block); return;
         case BlockKind::tape: return;

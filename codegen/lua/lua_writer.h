@@ -50,7 +50,7 @@ class LuaWriter : public grammar::BlockSink {
     void write_comment_action(const grammar::Block& block, std::string& out);
     void write_body(const grammar::Block& block);
     void write_content(const grammar::Block& block);
-    void write_content_ngc(const grammar::Block& block);
+    void write_values_first(const grammar::Block& block);
     void write_calls(const grammar::Block& block, const BlockValues& values);
     void write_message(const grammar::Block& block);
     bool write_return_goto(const grammar::Block& block, const Call& call);
@@ -77,7 +77,8 @@ class LuaWriter : public grammar::BlockSink {
     void check_skip(const grammar::Block& block);
 
     const FileScan& scan_;
-    lexer::Lexer& lexer_;
+    lexer::BlockErrors& errors_;
+    lexer::ProgramExtent& extent_;
     lexer::Diagnostics& diagnostics_;
     LuaSpool& spool_;
     Options options_;

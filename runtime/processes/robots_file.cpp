@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "base/os/input_file.h"
 #include "base/toml/toml_section.h"
 #include "machine/file/frame_section.h"
 #include "machine/file/shape_section.h"
@@ -24,7 +23,6 @@ constexpr std::array kRobotKeys{"name"sv, "machine"sv, "machine_data"sv, "cell"s
 constexpr std::array kConveyorKeys{"name"sv, "direction"sv, "speed_mm_s"sv};
 constexpr std::array kZoneKeys{"name"sv, "shape"sv, "frame"sv};
 constexpr std::array kDirectionKeys{"x"sv, "y"sv, "z"sv};
-constexpr std::array kDialects{"ab9"sv, "rs274ngc"sv, "klipper"sv};
 
 /// Restricts names, because they are parts of names of signals and of files.
 bool is_plain(std::string_view name) {
@@ -36,8 +34,8 @@ bool is_plain(std::string_view name) {
 
 class RobotsReader {
   public:
-    RobotsReader(FirstError& error, std::filesystem::path folder)
-        : error_(error), folder_(std::move(folder)) {}
+    RobotsReader(FirstError& error, std::filesystem::path folder, std::span<const std::string_view> dialects)
+        : error_(error), folder_(std::move(folder)), dialects_(dialects) {}
 
     RobotsFile read(const toml::table& root) {
         TomlSection file(error_, root, "a file of robots", kFileKeys);
@@ -75,7 +73,7 @@ class RobotsReader {
         robot.machine = read_path(section, "machine");
         robot.machine_data = read_path(section, "machine_data");
         robot.cell = read_path(section, "cell");
-        if (section.has("dialect")) robot.dialect = kDialects[section.choice("dialect", 0, kDialects)];
+        if (section.has("dialect")) robot.dialect = dialects_[section.choice("dialect", 0, dialects_)];
         robot.base = machine::frame_pose(machine::read_frame(error_, section.table("base"), "'base'"));
         file_.robots.push_back(std::move(robot));
     }
@@ -112,26 +110,22 @@ class RobotsReader {
 
     FirstError& error_;
     std::filesystem::path folder_;
+    std::span<const std::string_view> dialects_;
     RobotsFile file_;
     std::vector<std::string> names_;
 };
 
 }  // namespace
 
-tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, std::string_view file_name) {
+tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, std::string_view file_name,
+                                                  std::span<const std::string_view> dialects) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     if (error.text()) return tl::unexpected(*error.text());
-    RobotsFile file = RobotsReader(error, std::filesystem::path(file_name).parent_path()).read(root);
+    RobotsFile file =
+        RobotsReader(error, std::filesystem::path(file_name).parent_path(), dialects).read(root);
     if (error.text()) return tl::unexpected(*error.text());
     return file;
-}
-
-tl::expected<RobotsFile, std::string> load_robots(const std::filesystem::path& path,
-                                                  os::NameSource name_source) {
-    return os::read_text_file(path, name_source).and_then([&](const std::string& text) {
-        return read_robots(text, path.string());
-    });
 }
 
 }  // namespace gsim::process

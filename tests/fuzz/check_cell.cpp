@@ -4,6 +4,7 @@
 
 #include "collision/cell/cell_file.h"
 #include "engine/src/run/override_changes.h"
+#include "grammar/dialect.h"
 #include "machine/file/machine_file.h"
 #include "runtime/processes/robots_file.h"
 #include "tests/fuzz/checks.h"
@@ -45,7 +46,7 @@ Outcome check_cell(std::string_view toml) {
 
 Outcome check_robots(std::string_view toml) {
     const std::string file = name_beside(".toml");
-    const auto robots = process::read_robots(toml, file);
+    const auto robots = process::read_robots(toml, file, grammar::dialect_names());
     if (!robots) return refused_with(robots.error(), file);
     if (robots->robots.empty()) return broken("a file without robots is read");
     for (const process::RobotEntry& robot : robots->robots) {

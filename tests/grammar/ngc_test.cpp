@@ -156,8 +156,8 @@ TEST(Settings, StandAmongWords) {
     EXPECT_EQ(messages("X[EXISTS[#1+1]]"), "1:12: error: '+' is out of place\n");
 }
 
-std::string tree(const std::string& expression, lexer::Style style) {
-    const Parsed parsed = parse("F[" + expression + "]\n", style);
+std::string tree(const std::string& expression, const Dialect& dialect) {
+    const Parsed parsed = parse("F[" + expression + "]\n", dialect);
     EXPECT_EQ(parsed.messages, "") << expression;
     const std::string start = "words F=";
     return parsed.blocks.size() == 1 && parsed.blocks[0].starts_with(start)
@@ -166,7 +166,7 @@ std::string tree(const std::string& expression, lexer::Style style) {
 }
 
 std::string ngc(const std::string& expression) {
-    return tree(expression, lexer::Style::rs274ngc);
+    return tree(expression, dialect_rs274ngc());
 }
 
 TEST(NgcExpressions, PowersBindStrongestFromLeftToRight) {
@@ -196,7 +196,7 @@ TEST(NgcExpressions, LogicBindsWeakest) {
 
 /// In the 9/Series AND binds as *, OR and XOR as +, and comparisons weakest.
 TEST(NgcExpressions, DifferFromThoseOfThe9Series) {
-    const auto ab9 = [](const std::string& expression) { return tree(expression, lexer::Style::ab9); };
+    const auto ab9 = [](const std::string& expression) { return tree(expression, dialect_ab9()); };
     EXPECT_EQ(ab9("1 OR 2 AND 3"), "(OR 1 (AND 2 3))");
     EXPECT_EQ(ab9("1+2 AND 3*4"), "(+ 1 (* (AND 2 3) 4))");
     EXPECT_EQ(ab9("1 XOR 2+3"), "(+ (XOR 1 2) 3)");

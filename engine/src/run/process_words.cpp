@@ -1,7 +1,6 @@
 #include "engine/src/run/process_words.h"
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include <fmt/format.h>
@@ -25,8 +24,17 @@ bool is_word_in_dialect(const SwitchWord& word, const grammar::Dialect& dialect)
            });
 }
 
+/// Returns the dialects with words for processes: those that are read in blocks.
+std::vector<const grammar::Dialect*> block_dialects() {
+    std::vector<const grammar::Dialect*> dialects;
+    for (const grammar::Dialect* dialect : grammar::dialects()) {
+        if (dialect->text().form == lexer::TextForm::blocks) dialects.push_back(dialect);
+    }
+    return dialects;
+}
+
 std::optional<std::string> check_word(const SwitchWord& word) {
-    const std::array dialects{&grammar::dialect_ab9(), &grammar::dialect_rs274ngc()};
+    const std::vector<const grammar::Dialect*> dialects = block_dialects();
     const auto has_word = [&](const grammar::Dialect* dialect) { return is_word_in_dialect(word, *dialect); };
     if (std::any_of(dialects.begin(), dialects.end(), has_word)) return std::nullopt;
     const auto has_code = [&](const grammar::Dialect* dialect) {
@@ -34,9 +42,11 @@ std::optional<std::string> check_word(const SwitchWord& word) {
     };
     if (std::any_of(dialects.begin(), dialects.end(), has_code))
         return fmt::format("[process]: M{} takes no such words as in {}", word.code, word.text());
-    return fmt::format(
-        "[process]: M{} is no code of ab9 or rs274ngc; user codes are M100 to M199, of ab9 to M999",
-        word.code);
+    std::vector<std::string> names;
+    names.reserve(dialects.size());
+    for (const grammar::Dialect* dialect : dialects) names.push_back(dialect->name());
+    return fmt::format("[process]: M{} is no code of {}; user codes are M100 to M199, of ab9 to M999",
+                       word.code, text::enumerated(names, "or"));
 }
 
 bool has_word_in_dialect(const std::vector<SwitchWord>& words, const grammar::Dialect& dialect) {

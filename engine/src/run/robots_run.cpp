@@ -11,6 +11,7 @@
 #include "engine/src/run/process_words.h"
 #include "engine/src/run/run_cell.h"
 #include "engine/src/run/word_table.h"
+#include "grammar/dialect.h"
 #include "runtime/simulator/machine_dynamics.h"
 
 namespace gsim::engine {
@@ -86,7 +87,9 @@ tl::expected<RobotsRun, InputError> RobotsRun::open(const ResolvedRequest& found
     const std::string& name = found.request.robots;
     auto file = found.request.host.files.impl()
                     .read_text(name, os::NameSource::command_line)
-                    .and_then([&](const std::string& text) { return process::read_robots(text, name); });
+                    .and_then([&](const std::string& text) {
+                        return process::read_robots(text, name, grammar::dialect_names());
+                    });
     if (!file) return unexpected_error(file.error());
     std::vector<std::string> conveyors;
     conveyors.reserve(file->conveyors.size());

@@ -69,10 +69,6 @@ tl::expected<Script, std::string> read_lua_script(lexer::Source& source, std::ui
     const auto requires_name = [head = text.substr(0, kInspectedBytes)](std::string_view name) {
         return head.find(fmt::format("\"{}\"", name)) != std::string::npos;
     };
-    const bool ngc_inch = requires_name("gsim.rs274ngc.inch");
-    const bool rs274ngc = ngc_inch || requires_name("gsim.rs274ngc");
-    const bool klipper = requires_name("gsim.klipper");
-    const bool inch = ngc_inch || requires_name("gsim.inch");
     // The first line names the source, but anybody may have written it, so the name of an opened file is
     // added.
     const bool is_file = source.name() != lexer::Source::kStandardInput;
@@ -80,9 +76,12 @@ tl::expected<Script, std::string> read_lua_script(lexer::Source& source, std::ui
         is_file ? fmt::format("{}: {}", source.name(), origin.source_name) : origin.source_name;
     Script script = origin.unedited ? Script::from_text(std::move(text), from, -1)
                                     : Script::from_text(std::move(text), source.name(), 0);
-    if (rs274ngc) script.dialect = "rs274ngc";
-    if (klipper) script.dialect = "klipper";
-    script.inch = inch;
+    for (const grammar::Dialect* dialect : grammar::dialects()) {
+        const std::string_view module = dialect->rules().lua_module;
+        const bool inch = !dialect->rules().always_mm && requires_name(fmt::format("{}.inch", module));
+        if (inch || requires_name(module)) script.dialect = dialect->name();
+        script.inch |= inch;
+    }
     return script;
 }
 

@@ -64,8 +64,8 @@ void SuggestedFixSearch::search(simulation::Report& report) const {
 
 bool SuggestedFixSearch::is_fixed_by(const std::vector<OffsetShift>& shifts) const {
     machine::MachineData data = data_;
-    const bool has_variables = language_.dialect->name() == grammar::dialect_rs274ngc().name();
-    for (const OffsetShift& shift : shifts) shift_offset(data, shift, has_variables);
+    for (const OffsetShift& shift : shifts)
+        shift_offset(data, shift, language_.dialect->rules().offset_variables);
     const auto cell = make_cell_monitor(make_cell_source(found_), machine_);
     if (!cell) return false;
     simulation::RunLimits limits = run_limits(found_.request, cpu_);

@@ -1,9 +1,14 @@
 #include "runtime/processes/robots_file.h"
 
+#include <array>
+#include <string_view>
+
 #include <gtest/gtest.h>
 
 namespace gsim::process::robots_file_test {
 namespace {
+
+constexpr std::array<std::string_view, 2> kDialects{"ab9", "rs274ngc"};
 
 constexpr const char* kGood = R"([[robot]]
 name = "left"
@@ -24,7 +29,7 @@ frame = { x_mm = 350.0 }
 )";
 
 TEST(RobotsFile, IsReadInItsOrder) {
-    const auto file = read_robots(kGood, "cells/r.toml");
+    const auto file = read_robots(kGood, "cells/r.toml", kDialects);
     ASSERT_TRUE(file) << file.error();
     ASSERT_EQ(file->robots.size(), 2U);
     EXPECT_EQ(file->robots[0].name, "left");
@@ -43,7 +48,7 @@ TEST(RobotsFile, IsReadInItsOrder) {
 }
 
 void expect_error(const std::string& text, const std::string& part) {
-    const auto file = read_robots(text, "r.toml");
+    const auto file = read_robots(text, "r.toml", kDialects);
     ASSERT_FALSE(file) << text;
     EXPECT_NE(file.error().find(part), std::string::npos) << file.error();
     EXPECT_EQ(file.error().rfind("r.toml:", 0), 0U) << file.error();
