@@ -24,7 +24,9 @@ ModuleMotion::ModuleMotion(rrs::RcsModule module, const motion::PlannerSetup& se
                            motion::SegmentSink& sink)
     : RcsShell(std::move(module), setup.joint_count()),
       setup_(setup),
-      step_s_(setup.controller.servo_period_s > 0 ? setup.controller.servo_period_s : kDefaultStep_s),
+      step_s_(setup.controller.position_loop.servo_period_s > 0
+                  ? setup.controller.position_loop.servo_period_s
+                  : kDefaultStep_s),
       max_time_s_(max_time_s),
       sink_(sink),
       reached_(rrs::JointPos::Zero(setup.joint_count())),
