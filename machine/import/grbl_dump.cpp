@@ -178,8 +178,10 @@ class GrblDump {
     void import_planner() {
         rrs::ControllerRules& rules = result_.machine.controller;
         rules = machine::built_in_controller(kGrblModel).value();
-        rules.junction_deviation_mm = value(kJunctionDeviation).value_or(rules.junction_deviation_mm);
-        rules.arc_chord_tolerance_mm = value(kArcTolerance).value_or(rules.arc_chord_tolerance_mm);
+        rules.corners.junction_deviation_mm =
+            value(kJunctionDeviation).value_or(rules.corners.junction_deviation_mm);
+        rules.curves.arc_chord_tolerance_mm =
+            value(kArcTolerance).value_or(rules.curves.arc_chord_tolerance_mm);
     }
 
     // Reads "[G54:4.000,0.000,0.000]".

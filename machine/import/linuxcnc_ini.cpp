@@ -153,9 +153,9 @@ class Importer {
         if (!*planner) return {};
         const auto clearance = ini_.number("RS274NGC", "G83_PECK_CLEARANCE");
         if (!clearance) return tl::unexpected(clearance.error());
-        if (*clearance && **clearance >= 0) rules.peck_clearance_mm = **clearance * units_.linear_mm;
+        if (*clearance && **clearance >= 0) rules.drilling.peck_clearance_mm = **clearance * units_.linear_mm;
         if (**planner != 1) return {};
-        rules.limit_jerk = true;
+        rules.ramps.limit_jerk = true;
         return import_jerk();
     }
 
@@ -182,13 +182,13 @@ class Importer {
         if (VoidResult done = import_release(rules); !done) return done;
         const auto period_ns = ini_.number("EMCMOT", "SERVO_PERIOD");
         if (!period_ns) return tl::unexpected(period_ns.error());
-        if (*period_ns) rules.servo_period_s = **period_ns * kNanosecond_s;
+        if (*period_ns) rules.position_loop.servo_period_s = **period_ns * kNanosecond_s;
         const auto depth = ini_.number("TRAJ", "ARC_BLEND_OPTIMIZATION_DEPTH");
         if (!depth) return tl::unexpected(depth.error());
         constexpr double kMaxBlocks =
             1e6;  // above the max of a machine file, and within the range of an integer
         if (*depth && **depth >= 1)
-            rules.look_ahead_blocks = static_cast<std::size_t>(std::min(**depth, kMaxBlocks));
+            rules.blocks.look_ahead = static_cast<std::size_t>(std::min(**depth, kMaxBlocks));
         if (auto is_used = read_overrides(rules.overrides); !is_used) return is_used;
         for (const FixedValue& fixed : kFixedValues) {
             const auto value = ini_.number(fixed.section, fixed.key);

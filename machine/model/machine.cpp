@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/units.h"
 #include "machine/model/frame_pose.h"
 #include "motion/kinematics/chain_kinematics.h"
@@ -139,30 +141,31 @@ std::optional<std::string> find_kinematic_error(const Machine& machine) {
 }
 
 std::optional<std::string> find_controller_error(const Machine& machine) {
-    const bool is_rest_to_rest = machine.controller.planner == rrs::PlannerKind::rest_to_rest;
-    if (machine.controller.independent_ramps && !is_rest_to_rest)
+    const rrs::PlannerCapabilities& planner = machine.controller.capabilities();
+    if (machine.controller.coordination.independent_ramps && !planner.plans_uncoordinated_joints)
         return "'own_ramps' is of the planner \"rest-to-rest\" alone: in the others all axes go in "
                "proportion";
-    if (!machine.controller.interpolated_rapids && !is_rest_to_rest)
+    if (!machine.controller.coordination.interpolated_rapids && !planner.plans_uncoordinated_joints)
         return "'interpolated_rapids = false' is of the planner \"rest-to-rest\" alone: in the others all "
                "axes go in proportion";
-    if (!machine.controller.interpolated_rapids && std::isfinite(machine.path.max_rapid_mm_s))
+    if (!machine.controller.coordination.interpolated_rapids && std::isfinite(machine.path.max_rapid_mm_s))
         return "'interpolated_rapids = false' does not go with 'max_rapid_mm_s': each axis has its own "
                "speed, "
                "and nothing keeps that of the tool";
-    const bool is_chords = machine.controller.planner == rrs::PlannerKind::look_ahead &&
-                           machine.controller.arc_chord_tolerance_mm > 0;
-    if (machine.controller.path_measure == rrs::PathMeasure::all_axes && !is_chords)
+    const bool is_chords = planner.arc_chords == rrs::ArcChords::by_tolerance &&
+                           machine.controller.curves.arc_chord_tolerance_mm > 0;
+    if (machine.controller.blocks.path_measure == rrs::PathMeasure::all_axes && !is_chords)
         return "'path_measure = \"all-axes\"' is of the planner \"look-ahead\" with arcs as chords alone "
                "(arc_chord_tolerance_mm): it plans lines";
-    if (machine.controller.limit_jerk && machine.controller.ramp_step_s > 0 && !is_chords)
+    if (machine.controller.ramps.limit_jerk && machine.controller.ramps.step_s > 0 && !is_chords)
         return "'ramp_step_s' is of the planner \"look-ahead\" with arcs as chords alone "
                "(arc_chord_tolerance_mm): it drives lines";
-    if (machine.controller.orientation == rrs::OrientationRule::joints) return std::nullopt;
+    if (machine.controller.coordination.orientation == rrs::OrientationRule::joints) return std::nullopt;
     if (!machine.controller.has_great_circles()) {
-        return "'orientation = \"great-circle\"' is not for the planners \"linuxcnc\" and \"klipper\" nor "
-               "for arcs "
-               "as chords: all of these plan lines of axis values";
+        return fmt::format(
+            "'orientation = \"great-circle\"' is not for the planners {} nor for arcs as chords: all of "
+            "these plan lines of axis values",
+            rrs::planners_without(&rrs::PlannerCapabilities::plans_great_circles));
     }
     if (make_kinematics(machine)->tilting_head()) return std::nullopt;
     return "'orientation = \"great-circle\"' needs 'inverse = \"gantry\"' and two rotary axes through the "

@@ -75,10 +75,9 @@ void check_range(TomlSection& section, std::string_view key, double min, double 
 
 }  // namespace
 
-void read_overrides(TomlSection& controller, rrs::ControllerRules& rules) {
+void read_overrides(TomlSection& controller, OverrideRules& overrides) {
     auto section = controller.section(kOverridesKey, "[controller.overrides]", kOverrideKeys);
     if (!section) return;
-    OverrideRules& overrides = rules.overrides;
     for (const auto& [key, value, rule] : kOverrideNumbers)
         overrides.*value = section->number(key, overrides.*value, rule);
     overrides.rapid_percents = read_rapid_percents(*section, overrides.rapid_percents);
@@ -88,19 +87,18 @@ void read_overrides(TomlSection& controller, rrs::ControllerRules& rules) {
                 overrides.spindle_max_percent);
 }
 
-void print_overrides(TomlWriter& out, const rrs::ControllerRules& rules, const rrs::ControllerRules& base) {
-    const OverrideRules& now = rules.overrides;
+void print_overrides(TomlWriter& out, const OverrideRules& now, const OverrideRules& base) {
     std::vector<std::string> entries;
     for (const auto& [key, value, rule] : kOverrideNumbers) {
-        if (now.*value != base.overrides.*value)
+        if (now.*value != base.*value)
             entries.push_back(fmt::format("{} = {}", key, base::toml_number(now.*value)));
     }
-    if (now.rapid_percents != base.overrides.rapid_percents) {
+    if (now.rapid_percents != base.rapid_percents) {
         std::vector<std::string> percents;
         for (const double percent : now.rapid_percents) percents.push_back(base::toml_number(percent));
         entries.push_back(fmt::format("{} = [{}]", kRapidPercentsKey, text::joined(percents, ", ")));
     }
-    if (now.override_probe_feed != base.overrides.override_probe_feed)
+    if (now.override_probe_feed != base.override_probe_feed)
         entries.push_back(fmt::format("{} = {}", kProbeFeedKey, now.override_probe_feed));
     if (!entries.empty()) out.line(kOverridesKey, fmt::format("{{ {} }}", text::joined(entries, ", ")));
 }

@@ -31,21 +31,22 @@ std::optional<std::string> find_rule_error(const rrs::ControllerRules& rules) {
     const auto unsupported = [](std::string_view rule, std::string_view reason) {
         return fmt::format("{} does not go with {} of [controller]: {}", kKey, rule, reason);
     };
-    if (rules.planner == rrs::PlannerKind::linuxcnc || rules.planner == rrs::PlannerKind::klipper)
-        return unsupported("the planners \"linuxcnc\" and \"klipper\"",
-                           "these controls know constant accelerations alone");
-    if (rules.arc_chord_tolerance_mm > 0)
+    if (!rules.capabilities().supports_torque_limits)
+        return unsupported(
+            "the planners " + rrs::planners_without(&rrs::PlannerCapabilities::supports_torque_limits),
+            "these controls know constant accelerations alone");
+    if (rules.curves.arc_chord_tolerance_mm > 0)
         return unsupported("'arc_chord_tolerance_mm'",
                            "controls that make chords of arcs (grbl, grblHAL) know "
                            "constant accelerations alone");
-    if (rules.independent_ramps)
+    if (rules.coordination.independent_ramps)
         return unsupported("'own_ramps'", "where an axis is while another one speeds up would not be known");
-    if (!rules.interpolated_rapids)
+    if (!rules.coordination.interpolated_rapids)
         return unsupported("'interpolated_rapids = false'",
                            "where an axis is while another one speeds up would not be known");
-    if (rules.orientation == rrs::OrientationRule::great_circle)
+    if (rules.coordination.orientation == rrs::OrientationRule::great_circle)
         return unsupported("'orientation = \"great-circle\"'", "rotary axes do not go in proportion there");
-    if (rules.centripetal_share >= 1 && rules.planner == rrs::PlannerKind::look_ahead)
+    if (rules.ramps.centripetal_share >= 1 && rules.capabilities().shares_acceleration_on_curves)
         return unsupported("a 'centripetal_share' of 1 or more", "curves must leave something to the ramps");
     return std::nullopt;
 }

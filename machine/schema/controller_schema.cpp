@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "controller/services/planner_capabilities.h"
 #include "machine/file/controller_file.h"
 #include "machine/model/stop_keys.h"
 #include "machine/schema/key_schema.h"
@@ -23,10 +24,11 @@ KeySchema model_key() {
 }
 
 std::vector<KeySchema> look_ahead_schema() {
+    constexpr auto planners = rrs::planner_names();
     return {
         model_key(),
         text_key("name", "", "what the rules are called; else as the model"),
-        choice_key("planner", "\"rest-to-rest\"", {"rest-to-rest", "look-ahead", "linuxcnc", "klipper"},
+        choice_key("planner", "\"rest-to-rest\"", {planners.begin(), planners.end()},
                    "each move begins and ends at rest, or speeds are planned ahead, or as LinuxCNC or "
                    "Klipper does"),
         choice_key("linuxcnc_release", "\"2.9\"", {"2.9", "2.10"}, "whose planner the planner linuxcnc is"),

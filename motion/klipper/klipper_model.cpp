@@ -33,7 +33,7 @@ KlipperModel::KlipperModel(const PlannerSetup& setup, SegmentOutput& output)
 
 PlanResult KlipperModel::add(const PathMove& move) {
     if (move.kind != SegmentKind::circular) return add_line(move);
-    if (!(setup_.controller.arc_resolution_mm > 0)) {
+    if (!(setup_.controller.klipper.arc_resolution_mm > 0)) {
         return make_plan_error(rrs::Status::RRS_MOTION_TYPE_NOT_SUPPORTED,
                                "This controller knows no arcs: its arc_resolution_mm is 0.");
     }

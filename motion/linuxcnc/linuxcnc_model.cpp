@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kShortestPeriod_s = 1e-9;
 
-linuxcnc::Clock make_clock(const rrs::ControllerRules& rules) {
+linuxcnc::Clock make_clock(const rrs::PositionLoopRules& rules) {
     if (!(rules.servo_period_s >= kShortestPeriod_s)) return {.counts = false};
     return {.period_s = rules.servo_period_s, .counts = true};
 }
@@ -21,8 +21,8 @@ linuxcnc::Clock make_clock(const rrs::ControllerRules& rules) {
 linuxcnc::PlanningRules make_planning(const PlannerSetup& setup, const rrs::ControllerRules& rules,
                                       const linuxcnc::Clock& clock) {
     linuxcnc::PlanningRules planning{.period_s = clock.period_s};
-    planning.since_2_10 = rules.linuxcnc_release == rrs::LinuxcncRelease::v2_10;
-    planning.s_curves = planning.since_2_10 && rules.limit_jerk;
+    planning.since_2_10 = rules.linuxcnc.release == rrs::LinuxcncRelease::v2_10;
+    planning.s_curves = planning.since_2_10 && rules.ramps.limit_jerk;
     planning.path_jerk = planning.s_curves ? setup.path.max_jerk_mm_s3 : kUnlimited;
     return planning;
 }
@@ -33,12 +33,13 @@ LinuxcncModel::LinuxcncModel(const PlannerSetup& setup, const rrs::ControllerRul
                              SegmentOutput& output)
     : setup_(setup),
       axes_(setup),
-      clock_(make_clock(rules)),
+      clock_(make_clock(rules.position_loop)),
       planning_(make_planning(setup, rules, clock_)),
-      join_rules_{planning_, rules.stop_between_rapid_and_feed, rules.overrides.planned_feed_percent / 100},
+      join_rules_{planning_, rules.corners.stop_between_rapid_and_feed,
+                  rules.overrides.planned_feed_percent / 100},
       merged_(axes_),
       output_(output),
-      velocity_planner_(std::max<std::size_t>(rules.look_ahead_blocks, 1), clock_, planning_, axes_),
+      velocity_planner_(std::max<std::size_t>(rules.blocks.look_ahead, 1), clock_, planning_, axes_),
       writer_(axes_, output) {}
 
 /// The path of a move that is too short to be made is added to the next line.

@@ -67,7 +67,7 @@ class CornerSequence {
 class JointBounds {
   public:
     explicit JointBounds(const PlannerSetup& setup) : count_(static_cast<std::size_t>(setup.joint_count())) {
-        const double share = setup.controller.centripetal_share;
+        const double share = setup.controller.ramps.centripetal_share;
         for (std::size_t joint = 0; joint < count_; ++joint) {
             const double acceleration = share * setup.joints[joint].min_acceleration();
             bounds_[joint] = {speed_step(setup, static_cast<int>(joint)), acceleration};
@@ -183,7 +183,7 @@ rrs::JointPos accelerations_for_corners(const PlannerSetup& setup, const Precedi
 
 WindowSpeed speed_in_window(const PlannerSetup& setup, const PrecedingBlocks& before, double speed_cap,
                             const Block& to) {
-    if (!std::isfinite(setup.controller.centripetal_share)) return {speed_cap, true};
+    if (!std::isfinite(setup.controller.ramps.centripetal_share)) return {speed_cap, true};
     const JointBounds bounds(setup);
     WindowSpeed window_speed{speed_cap, true};
     for_each_corner_sequence(
@@ -195,8 +195,8 @@ WindowSpeed speed_in_window(const PlannerSetup& setup, const PrecedingBlocks& be
 }
 
 void reserve_for_corners(const PlannerSetup& setup, const PrecedingBlocks& before, Block& to) {
-    if (setup.controller.centripetal_share >= 1) return;
-    const double min = 1 - setup.controller.centripetal_share;
+    if (setup.controller.ramps.centripetal_share >= 1) return;
+    const double min = 1 - setup.controller.ramps.centripetal_share;
     const rrs::JointPos used = accelerations_for_corners(setup, before, to);
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double share = std::abs(to.slope_in[joint]);

@@ -36,7 +36,9 @@ class LookAhead final : public MotionModel {
   public:
     /// Both must outlive this.
     LookAhead(const PlannerSetup& setup, SegmentOutput& output)
-        : setup_(setup), output_(setup.controller, output), stepped_(setup.controller.ramp_step_s) {}
+        : setup_(setup),
+          output_(setup.controller.position_loop, output),
+          stepped_(setup.controller.ramps.step_s) {}
 
     PlanResult add(const PathMove& move) override;
     void plan_to_standstill() override;

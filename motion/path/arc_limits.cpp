@@ -44,7 +44,7 @@ void limit_by_rotation(double jerk, double curvature, double third, LimitedBy by
 }  // namespace
 
 void limit_by_arc_jerk(const PlannerSetup& setup, const Arc& arc, MasterPath& master) {
-    if (!setup.controller.limit_jerk) return;
+    if (!setup.controller.ramps.limit_jerk) return;
     const double curvature = arc.max_curvature();
     // This also holds for spirals: p''' is as long as curvature^2 divided by the share of the path that runs
     // round.

@@ -62,7 +62,7 @@ bool is_linear_move(const PathMove& move) {
 }
 
 bool stops_always(const PlannerSetup& setup) {
-    return setup.controller.planner == rrs::PlannerKind::rest_to_rest;
+    return setup.controller.capabilities().stops_at_each_move;
 }
 
 LimitedPath way_of(const PlannerSetup& setup, const Block& block) {

@@ -63,7 +63,7 @@ PlanResult set_timing_with_other_joints(const PlannerSetup& setup, const MoveRul
     const OrientationArc* const orientation = segment.orientation.get();
     if (rules.rapid_share < 1)
         master.limit_speed(rules.rapid_share * master.limits.max_speed, {LimitKind::rapid_override, -1});
-    if (setup.controller.independent_ramps) {
+    if (setup.controller.coordination.independent_ramps) {
         const Followers followers(setup, rules, changes, role, orientation);
         return set_timing(segment, master, &followers, rules.min_duration_s);
     }

@@ -77,7 +77,8 @@ class PathSubdivider {
             const Eigen::Vector3d requested =
                 path_.tcp_path().at(interval.from + share * (interval.to - interval.from));
             const double deviation_mm = (pose * path_.tcp_mm() - requested).norm();
-            if (!(deviation_mm <= kToleranceShare * setup_.controller.tcp_tolerance_mm)) return false;
+            if (!(deviation_mm <= kToleranceShare * setup_.controller.coordination.tcp_tolerance_mm))
+                return false;
             if (share != 0.5) continue;
             const Eigen::Quaterniond probe_orientation(pose.linear());
             if (!(probe_orientation.angularDistance(Eigen::Quaterniond(

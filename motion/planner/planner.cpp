@@ -87,7 +87,7 @@ void Planner::end_model() {
 void Planner::plan_to_standstill(bool waits) {
     end_model();
     if (!waits || end_s_ == last_wait_s_) return;
-    const double dwell_s = setup_.controller.dwell_s;
+    const double dwell_s = setup_.controller.standstill.dwell_s;
     if (dwell_s > 0) append_dwell(kNoTarget, dwell_s);
     last_wait_s_ = end_s_;
 }
@@ -95,7 +95,7 @@ void Planner::plan_to_standstill(bool waits) {
 // LinuxCNC's position loop delays by a period, and smooths over another one.
 void Planner::plan_to_final_standstill() {
     plan_to_standstill();
-    const double delay_s = 2 * setup_.controller.servo_period_s;
+    const double delay_s = 2 * setup_.controller.position_loop.servo_period_s;
     if (end_s_ > 0 && delay_s > 0) append_dwell(kNoTarget, delay_s);
 }
 

@@ -34,7 +34,8 @@ constexpr double kMinTime_s = 1e-6;
 /// machine's speeds. It is 0 if the program requests no time, or if the controller uses the time of an arc
 /// differently.
 double min_time_s(const PathMove& move, const PlannerSetup& setup) {
-    const bool is_per_chord = move.kind == SegmentKind::circular && setup.controller.inverse_time_per_chord;
+    const bool is_per_chord =
+        move.kind == SegmentKind::circular && setup.controller.curves.inverse_time_per_chord;
     if (move.rules.min_duration_s <= 0 || is_per_chord) return 0;
     const auto block = make_block(move, setup);
     if (!block || !*block) return 0;
@@ -69,8 +70,7 @@ PlanResult check_motion_time(double motion_s) {
 }
 
 PlanResult Planner::check_ramps() const {
-    const rrs::PlannerKind planner = machine_.controller.planner;
-    if (planner != rrs::PlannerKind::linuxcnc && planner != rrs::PlannerKind::klipper) return {};
+    if (machine_.controller.capabilities().accepts_programmed_ramps) return {};
     return make_plan_error(Status::RRS_MODE_NOT_SUPPORTED,
                            "This controller has ramps of its own, which a program cannot change.");
 }
@@ -129,7 +129,7 @@ tl::expected<const PlannerSetup*, PlanError> Planner::setup_for_move(const PathM
 
 /// Returns a dwell as the controller counts it.
 double Planner::counted_dwell_s(double programmed_s) const {
-    const double step_s = setup_.controller.dwell_step_s;
+    const double step_s = setup_.controller.standstill.dwell_step_s;
     if (step_s <= 0) return programmed_s;
     return step_s * std::ceil(programmed_s / step_s * (1 - 1e-12));
 }
@@ -243,7 +243,7 @@ EnqueueResult Planner::enqueue_joint_move(const Move& move) {
 
 /// True if the joints of a move are coordinated with each other.
 bool Planner::is_interpolated(const Move& move) const {
-    return setup_.controller.interpolated_rapids || !move.move_parameters.rapid;
+    return setup_.controller.coordination.interpolated_rapids || !move.move_parameters.rapid;
 }
 
 /// Enqueues a move from standstill to standstill.
@@ -301,7 +301,7 @@ void Planner::set_parameters(const Move& move, PathMove& path) const {
     path.enabled_overrides = move_parameters.enabled_overrides;
     path.rapid = move_parameters.rapid;
     const bool stops =
-        move_parameters.path_mode == rrs::PathMode::exact_path && setup_.controller.exact_path_stops;
+        move_parameters.path_mode == rrs::PathMode::exact_path && setup_.controller.corners.exact_path_stops;
     path.mode = stops ? rrs::PathMode::exact_stop : move_parameters.path_mode;
     path.tolerance_mm = move_parameters.tolerance_mm;
     path.merge_tolerance_mm = move_parameters.merge_tolerance_mm;
@@ -316,7 +316,7 @@ PlanResult Planner::build_path(const Move& move) {
     if (move.type == MotionType::circular) {
         if (PlanResult build_result = build_circle(move, path_); !build_result) return build_result;
     }
-    if (setup_.controller.orientation != rrs::OrientationRule::joints && !path_.rapid) {
+    if (setup_.controller.coordination.orientation != rrs::OrientationRule::joints && !path_.rapid) {
         auto joint_path = orientation_between(setup_, path_.start, path_.end);
         if (!joint_path) return tl::unexpected(std::move(joint_path.error()));
         path_.orientation = *std::move(joint_path);

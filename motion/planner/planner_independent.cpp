@@ -18,8 +18,8 @@ constexpr double kPositionTolerance = 1e-12;  // mm or rad
 /// A rounded corner already consists of two simultaneous motions, and only one can be superimposed on the
 /// program's.
 bool rounds_corners(const rrs::ControllerRules& controller) {
-    return controller.planner == rrs::PlannerKind::linuxcnc || is_blend(controller.corner) ||
-           is_blend(controller.exact_path_corner);
+    return controller.capabilities().blends_at_tolerance || is_blend(controller.corners.continuous) ||
+           is_blend(controller.corners.exact_path);
 }
 
 }  // namespace

@@ -135,7 +135,7 @@ EnqueueResult Planner::enqueue_tool_move(const Move& move) {
 /// stops at the end.
 PlanResult Planner::add_sub_segments(const PathMove& full_move, const ToolPath& path,
                                      const std::vector<PathSubSegment>& sub_segments) {
-    const bool is_look_ahead = setup_.controller.planner == rrs::PlannerKind::look_ahead;
+    const bool is_look_ahead = setup_.controller.capabilities().plans_tool_paths;
     if (!is_look_ahead && model_) {
         end_model();
         model_->clear();

@@ -56,7 +56,7 @@ LawLimits other_joint_limits(const PlannerSetup& setup, const MoveRules& rules, 
 LawLimits law_limits(const PlannerSetup& setup, int joint) {
     const JointSetup& limits = setup.joints[static_cast<std::size_t>(joint)];
     return {limits.max_speed, limits.max_acceleration, limits.deceleration(),
-            setup.controller.limit_jerk ? limits.max_jerk : kUnlimited};
+            setup.controller.ramps.limit_jerk ? limits.max_jerk : kUnlimited};
 }
 
 LimitedBy reached_limit(const TimeLaw& law, const LawLimits& limits, const LimitedBy& speed_limit,

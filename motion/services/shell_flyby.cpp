@@ -8,7 +8,6 @@
 
 namespace gsim::motion {
 
-using rrs::PlannerKind;
 using rrs::Status;
 
 namespace {
@@ -42,8 +41,9 @@ Status PlannerShell::check_criterion(int criterion) {
                         criterion));
     }
     const rrs::ControllerRules& controller = planner_.machine().controller;
-    const bool blends = controller.planner == PlannerKind::linuxcnc || is_blend(controller.corner);
-    const bool has = criterion == kBlendTolerance ? blends : controller.planner == PlannerKind::look_ahead;
+    const bool blends =
+        controller.capabilities().blends_at_tolerance || is_blend(controller.corners.continuous);
+    const bool has = criterion == kBlendTolerance ? blends : controller.capabilities().applies_corner_rules;
     if (has) return Status::RRS_SUCCESS;
     return reject(Status::RRS_MODE_NOT_SUPPORTED,
                   fmt::format("This controller does not pass corners by the criterion {}.", criterion));
@@ -55,7 +55,7 @@ Status PlannerShell::SelectFlybyCriteria(int criterion) {
     if (criterion == kBlendTolerance) {
         selections_.move_parameters.tolerance_mm = selections_.blend_tolerance_mm;
     }
-    set_corner_rule(criterion == kBlendTolerance ? planner_.machine().controller.corner
+    set_corner_rule(criterion == kBlendTolerance ? planner_.machine().controller.corners.continuous
                                                  : corner_rule(criterion));
     return Status::RRS_SUCCESS;
 }
@@ -72,7 +72,7 @@ Status PlannerShell::SetFlybyCriteriaParameter(int criterion, int joint, double 
                       fmt::format("{} is no value for the fly-by criterion {}.", value, criterion));
     }
     if (criterion == kJunctionDeviation)
-        change_machine([&](PlannerSetup& setup) { setup.controller.junction_deviation_mm = value; });
+        change_machine([&](PlannerSetup& setup) { setup.controller.corners.junction_deviation_mm = value; });
     if (criterion == kBlendTolerance) {
         selections_.blend_tolerance_mm = value;
         if (selections_.flyby_criterion == criterion) selections_.move_parameters.tolerance_mm = value;
@@ -87,7 +87,7 @@ Status PlannerShell::SetFlybyCriteriaParameter(int criterion, int joint, double 
 }
 
 void PlannerShell::set_corner_rule(rrs::CornerRule rule) {
-    change_machine([&](PlannerSetup& setup) { setup.controller.corner = rule; });
+    change_machine([&](PlannerSetup& setup) { setup.controller.corners.continuous = rule; });
 }
 
 Status PlannerShell::CancelFlybyCriteria(int criterion) {
@@ -98,7 +98,7 @@ Status PlannerShell::CancelFlybyCriteria(int criterion) {
     }
     selections_.flyby_criterion = 0;
     if (criterion == kBlendTolerance) selections_.move_parameters.tolerance_mm = 0;
-    set_corner_rule(planner_.machine().controller.corner);
+    set_corner_rule(planner_.machine().controller.corners.continuous);
     return Status::RRS_SUCCESS;
 }
 
@@ -110,7 +110,7 @@ Status PlannerShell::check_accuracy(int accuracy_type) {
                                   "the axes are in position.",
                                   accuracy_type));
     }
-    if (accuracy_type == kNoSettling || planner_.setup().controller.planner == PlannerKind::look_ahead)
+    if (accuracy_type == kNoSettling || planner_.setup().controller.capabilities().waits_in_position)
         return Status::RRS_SUCCESS;
     return reject(Status::RRS_MODE_NOT_SUPPORTED,
                   "This controller does not wait at exact stops; a dwell does (SetRestParameter).");
@@ -122,9 +122,12 @@ Status PlannerShell::SelectPointAccuracy(int accuracy_type) {
     const bool waits = accuracy_type == kSettling;
     const rrs::ControllerRules& rules = planner_.machine().controller;
     change_machine([&](PlannerSetup& setup) {
-        setup.controller.settle_s = waits ? selections_.settle_s.value_or(rules.settle_s) : 0;
-        setup.controller.in_position_mm = waits ? rules.in_position_mm : kUnlimited;
-        setup.controller.in_position_deg = waits ? rules.in_position_deg : kUnlimited;
+        setup.controller.position_loop.settle_s =
+            waits ? selections_.settle_s.value_or(rules.position_loop.settle_s) : 0;
+        setup.controller.position_loop.in_position_mm =
+            waits ? rules.position_loop.in_position_mm : kUnlimited;
+        setup.controller.position_loop.in_position_deg =
+            waits ? rules.position_loop.in_position_deg : kUnlimited;
     });
     return Status::RRS_SUCCESS;
 }
@@ -137,7 +140,8 @@ Status PlannerShell::SetPointAccuracyParameter(int accuracy_type, double value) 
                                   value, accuracy_type, kMaxDuration_s));
     }
     selections_.settle_s = value;
-    if (selections_.settles) change_machine([&](PlannerSetup& setup) { setup.controller.settle_s = value; });
+    if (selections_.settles)
+        change_machine([&](PlannerSetup& setup) { setup.controller.position_loop.settle_s = value; });
     return Status::RRS_SUCCESS;
 }
 
@@ -154,7 +158,7 @@ Status PlannerShell::SelectOrientationInterpolationMode(int mode) {
             return reject(Status::RRS_MODE_NOT_SUPPORTED, *std::move(obstacle));
     }
     change_machine([&](PlannerSetup& setup) {
-        setup.controller.orientation =
+        setup.controller.coordination.orientation =
             mode == 1 ? rrs::OrientationRule::great_circle : rrs::OrientationRule::joints;
     });
     return Status::RRS_SUCCESS;

@@ -15,9 +15,9 @@ namespace {
 constexpr double kCentripetalRounding = 1 + 1e-9;
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-/// Round a circle an axis speeds up and slows down alike. LinuxCNC has one limit for both.
+/// Round a circle an axis speeds up and slows down alike. Some planners have one limit for both.
 double symmetric_acceleration(const machine::Machine& machine, const machine::Axis& axis) {
-    if (machine.controller.planner == rrs::PlannerKind::linuxcnc) return axis.max_acceleration;
+    if (!machine.controller.capabilities().has_deceleration_limits) return axis.max_acceleration;
     return std::min(axis.max_acceleration, axis.deceleration());
 }
 

@@ -42,8 +42,8 @@ std::vector<dynamics::ServoLoop> servo_loops(const machine::Machine& machine) {
                                  .delay_s = servo.command_delay_s};
         if (servo.position_gain_1_s > 0) {
             loop.gain_1_s = servo.position_gain_1_s;
-        } else if (machine.controller.position_gain_1_s > 0) {
-            loop.gain_1_s = machine.controller.position_gain_1_s;
+        } else if (machine.controller.position_loop.gain_1_s > 0) {
+            loop.gain_1_s = machine.controller.position_loop.gain_1_s;
         }
         loops.push_back(loop);
     }
@@ -133,12 +133,11 @@ void FollowingMotion::on_set_point_step(const dynamics::SetPointStep& step, cons
 }
 
 bool FollowingMotion::is_in_position(const rrs::JointPos& errors) const {
-    const rrs::ControllerRules& controller = setup_.machine.controller;
+    const rrs::PositionLoopRules& loop = setup_.machine.controller.position_loop;
     for (std::size_t i = 0; i < setup_.machine.axes.size(); ++i) {
         const double error = std::abs(errors[static_cast<Eigen::Index>(i)]);
         const bool linear = setup_.machine.axes[i].kind == machine::AxisKind::linear;
-        if (error > (linear ? controller.in_position_mm : controller.in_position_deg * kRadPerDeg))
-            return false;
+        if (error > (linear ? loop.in_position_mm : loop.in_position_deg * kRadPerDeg)) return false;
     }
     return true;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <fmt/format.h>
+
 #include "base/units.h"
 #include "runtime/simulator/simulator.h"
 
@@ -16,13 +18,13 @@ bool Simulator::has_no_jerk_limit() const {
 
 /// Warns if the machine file requests S-curves and the motion has none.
 void Simulator::warn_about_jerk() {
-    if (!machine_.controller.limit_jerk || is_sampled()) return;
+    if (!machine_.controller.ramps.limit_jerk || is_sampled()) return;
     const rrs::ControllerRules& rules = machine_.controller;
-    const bool straight = rules.linuxcnc_release == rrs::LinuxcncRelease::v2_9;
-    if (rules.planner == rrs::PlannerKind::linuxcnc && straight) {
-        warn("limit_jerk makes no difference: the planner \"linuxcnc\" of release 2.9 has straight ramps");
-    } else if (rules.planner == rrs::PlannerKind::klipper) {
-        warn("limit_jerk makes no difference: the planner \"klipper\" has straight ramps");
+    const rrs::PlannerCapabilities& planner = rules.capabilities();
+    if (!rules.has_s_curves()) {
+        warn(fmt::format("limit_jerk makes no difference: the planner \"{}\"{} has straight ramps",
+                         planner.name,
+                         planner.s_curves == rrs::SCurves::release_2_10 ? " of release 2.9" : ""));
     } else if (has_no_jerk_limit()) {
         warn("limit_jerk makes no difference: no axis of the machine has a jerk limit");
     }
@@ -60,8 +62,8 @@ void Simulator::set_path_limits(const ProgrammedPathLimits& limits) {
     const auto set = [](double& value, const std::optional<double>& to) { value = to.value_or(value); };
     set(changed.path.max_feed_mm_s, limits.speed_mm_s);
     set(changed.path.max_acceleration_mm_s2, limits.acceleration_mm_s2);
-    set(changed.controller.square_corner_velocity_mm_s, limits.square_corner_velocity_mm_s);
-    set(changed.controller.minimum_cruise_ratio, limits.minimum_cruise_ratio);
+    set(changed.controller.klipper.square_corner_velocity_mm_s, limits.square_corner_velocity_mm_s);
+    set(changed.controller.klipper.minimum_cruise_ratio, limits.minimum_cruise_ratio);
     path_limits_ = std::make_shared<const motion::PlannerSetup>(std::move(changed));
     if (observer_ != nullptr) observer_->on_unrecordable_motion("the program changes limits of its path");
 }

@@ -105,9 +105,10 @@ tl::expected<ProgrammedRun, std::string> GsimProgram::programmed_run(const Recor
     const machine::Machine full = *machine;
     rrs::ControllerRules& rules = machine->controller;
     rules.planner = rrs::PlannerKind::rest_to_rest;
-    rules.arc_chord_tolerance_mm = rules.dwell_step_s = rules.dwell_s = rules.servo_period_s = 0;
-    rules.path_measure = rrs::PathMeasure::tool;
-    rules.limit_jerk = false;
+    rules.curves.arc_chord_tolerance_mm = rules.standstill.dwell_step_s = rules.standstill.dwell_s =
+        rules.position_loop.servo_period_s = 0;
+    rules.blocks.path_measure = rrs::PathMeasure::tool;
+    rules.ramps.limit_jerk = false;
     const fs::path from_rest_to_rest = scratch_.write("machine.toml", machine::print_machine(*machine));
     const fs::path moves_file = scratch_.path() / "moves.jsonl";
     if (const auto ran = run_on(from_rest_to_rest, recording, {"--moves", moves_file}); !ran)

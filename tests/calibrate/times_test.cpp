@@ -205,13 +205,13 @@ TEST_F(Recordings, TellWhatABlockTakes) {
         add(text + "M2\n");
     }
     machine::Machine ground_truth = router(730, 0.012);
-    ground_truth.controller.block_time_s = 0.008;
+    ground_truth.controller.blocks.time_s = 0.008;
     record(ground_truth, 0.002);
     const machine::Machine start = router(400, 0.03);
     const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();
     const ModelSelection choice = choose(start, predictor);
     EXPECT_THAT(choice.candidate.name, HasSubstr("a time for each block"));
-    EXPECT_NEAR(choice.candidate.machine.controller.block_time_s, 0.008, 0.0002);
+    EXPECT_NEAR(choice.candidate.machine.controller.blocks.time_s, 0.008, 0.0002);
 }
 
 /// Long paths run at the speeds of the axes.
@@ -231,7 +231,7 @@ TEST_F(Recordings, OfCurvesTellOfThem) {
     for (const double radius : {2.0, 5.0, 10.0})
         add(fmt::format("G21 G90 G17 G64\nG1 X1 F6000\nG2 X1 Y0 I{0} J0\nG2 X1 Y0 I{0} J0\nM2\n", radius));
     machine::Machine ground_truth = router(730, 0.012);
-    ground_truth.controller.centripetal_share = 0.6;
+    ground_truth.controller.ramps.centripetal_share = 0.6;
     record(ground_truth, 0);
     const Fit found = fit(router(400, 0.03));
     EXPECT_TRUE(named(found, "centripetal_share").identified);
@@ -242,7 +242,7 @@ TEST_F(Recordings, OfCurvesTellOfThem) {
 TEST_F(Recordings, OfOneCurveLeaveTwoShares) {
     add("G21 G90 G17 G64\nG1 X1 F6000\nG2 X1 Y0 I10 J0\nG2 X1 Y0 I10 J0\nM2\n");
     machine::Machine ground_truth = router(730, 0.012);
-    ground_truth.controller.centripetal_share = 0.5;
+    ground_truth.controller.ramps.centripetal_share = 0.5;
     record(ground_truth, 0.005);
     const machine::Machine start = router(400, 0.03);
     const Predictor predictor = Predictor::of(runs_, {"rs274ngc"}, start).value();

@@ -45,7 +45,7 @@ TEST(CallbackFiles, GiveAMachineItsControllerAndItsMeshes) {
                    {"shop/cover.obj", kTetrahedron}};
     const auto machine = machine::load_machine("shop/af5.toml", os::NameSource::in_file, given.files);
     ASSERT_TRUE(machine) << machine.error();
-    EXPECT_EQ(machine->controller.dwell_s, 0.25);
+    EXPECT_EQ(machine->controller.standstill.dwell_s, 0.25);
     const auto cell = make_machine_cell(*machine, {.files = given.files});
     ASSERT_TRUE(cell) << cell.error();
     ASSERT_EQ(cell->items.back().name, "cover");

@@ -98,7 +98,7 @@ TEST(MachineParameter, IsAValueOfTheMachineByTheUnitsOfItsFile) {
     Machine machine = read_machine(kMachine, "m.toml").value();
     EXPECT_EQ(parameter_value({"B", "max_acceleration_deg_s2"}, machine), 90);
     set_value({"controller", "speed_step_s"}, 0.5, machine);
-    EXPECT_EQ(machine.controller.speed_step_s, 0.5);
+    EXPECT_EQ(machine.controller.corners.speed_step_s, 0.5);
     EXPECT_EQ(parameter_name({"XY", "max_jerk_mm_s3"}), "axes X, Y: max_jerk_mm_s3");
     EXPECT_EQ(parameter_name({"path", "max_feed_mm_s"}), "path: max_feed_mm_s");
 }

@@ -69,8 +69,8 @@ TEST(ControllerFile, WithoutTheTableEachMoveBeginsAndEndsAtRest) {
 
 TEST(ControllerFile, EveryOtherKeyOverridesOneValue) {
     ControllerRules expected_value = built_in_controller("grbl-1.1").value();
-    expected_value.look_ahead_blocks = 250;
-    expected_value.exact_path_corner = CornerRule::stop;
+    expected_value.blocks.look_ahead = 250;
+    expected_value.corners.exact_path = CornerRule::stop;
     EXPECT_EQ(read_rules("look_ahead_blocks = 250.0\nexact_path_corner = \"stop\"\nmodel = \"grbl-1.1\""),
               expected_value);
 }
@@ -103,39 +103,33 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
     const ControllerRules expected_value{
         .model = "all",
         .planner = PlannerKind::look_ahead,
-        .look_ahead_blocks = 7,
-        .corner = CornerRule::velocity_step,
-        .exact_path_corner = CornerRule::junction_deviation,
-        .exact_path_stops = true,
-        .junction_deviation_mm = 0.25,
-        .blend_tolerance_mm = 9,
-        .blend_tolerance_deg = 10,
-        .speed_step_s = 0.125,
-        .stop_between_rapid_and_feed = false,
-        .limit_jerk = true,
-        .ramp_step_s = 0.25,
-        .path_measure = rrs::PathMeasure::all_axes,
-        .feed_measure = rrs::PathMeasure::all_axes,
-        .centripetal_share = 0.5,
-        .continuous_acceleration_share = 0.75,
-        .block_time_s = 0.004,
-        .arc_chord_tolerance_mm = 0.75,
-        .spline_chord_tolerance_mm = 0.5,
-        .arc_resolution_mm = 0.5,
-        .square_corner_velocity_mm_s = 6,
-        .minimum_cruise_ratio = 0.25,
-        .retract_length_mm = 1.5,
-        .retract_speed_mm_s = 30,
-        .unretract_extra_length_mm = 0.125,
-        .unretract_speed_mm_s = 25,
-        .inverse_time_per_chord = true,
-        .tcp_tolerance_mm = 0.02,
-        .min_feed_mm_min = 3,
-        .settle_s = 4,
-        .position_gain_1_s = 11,
-        .in_position_mm = 12,
-        .in_position_deg = 13,
-        .stops = {{"M1", rrs::StopRule::never}, {"S", rrs::StopRule::on_change}},
+        .klipper = {.arc_resolution_mm = 0.5, .square_corner_velocity_mm_s = 6, .minimum_cruise_ratio = 0.25},
+        .blocks = {.look_ahead = 7,
+                   .time_s = 0.004,
+                   .path_measure = rrs::PathMeasure::all_axes,
+                   .feed_measure = rrs::PathMeasure::all_axes,
+                   .min_feed_mm_min = 3},
+        .corners = {.continuous = CornerRule::velocity_step,
+                    .exact_path = CornerRule::junction_deviation,
+                    .exact_path_stops = true,
+                    .junction_deviation_mm = 0.25,
+                    .blend_tolerance_mm = 9,
+                    .blend_tolerance_deg = 10,
+                    .speed_step_s = 0.125,
+                    .stop_between_rapid_and_feed = false},
+        .ramps = {.limit_jerk = true,
+                  .step_s = 0.25,
+                  .centripetal_share = 0.5,
+                  .continuous_acceleration_share = 0.75},
+        .curves = {.arc_chord_tolerance_mm = 0.75,
+                   .spline_chord_tolerance_mm = 0.5,
+                   .inverse_time_per_chord = true},
+        .coordination = {.tcp_tolerance_mm = 0.02},
+        .position_loop =
+            {.servo_period_s = 8, .gain_1_s = 11, .in_position_mm = 12, .in_position_deg = 13, .settle_s = 4},
+        .standstill = {.stops = {{"M1", rrs::StopRule::never}, {"S", rrs::StopRule::on_change}},
+                       .dwell_s = 5,
+                       .dwell_step_s = 6},
         .overrides = {.feed_min_percent = 11,
                       .feed_max_percent = 190,
                       .rapid_max_percent = 90,
@@ -145,17 +139,15 @@ TEST(ControllerFile, EveryKeyIsReadAndPrinted) {
                       .delay_s = 0.125,
                       .override_probe_feed = false,
                       .planned_feed_percent = 130},
-        .peck_clearance_mm = 1.5,
-        .peck_dwell_s = 2.5,
-        .pecks_feed_down = true,
-        .boring_cycles = false,
-        .dwell_s = 5,
-        .dwell_step_s = 6,
-        .servo_period_s = 8,
-        .corner_override_percent = 60,
-        .corner_override_before_mm = 9,
-        .corner_override_after_mm = 10,
-        .corner_override_angle_deg = 120};
+        .corner_override = {.percent = 60, .before_mm = 9, .after_mm = 10, .max_angle_deg = 120},
+        .drilling = {.peck_clearance_mm = 1.5,
+                     .peck_dwell_s = 2.5,
+                     .pecks_feed_down = true,
+                     .boring_cycles = false},
+        .retraction = {.length_mm = 1.5,
+                       .speed_mm_s = 30,
+                       .unretract_extra_length_mm = 0.125,
+                       .unretract_speed_mm_s = 25}};
     const Machine machine = read_machine(with_controller(lines), "m.toml").value();
     EXPECT_EQ(machine.controller, expected_value);
     EXPECT_EQ(read_machine(print_machine(machine), "printed").value(), machine) << print_machine(machine);
@@ -179,7 +171,7 @@ TEST(ControllerFile, OverridesAreRanges) {
 std::string great_circle(std::string_view lines, const Machine& like) {
     Machine machine = like;
     machine.controller = read_rules(lines);
-    machine.controller.orientation = rrs::OrientationRule::great_circle;
+    machine.controller.coordination.orientation = rrs::OrientationRule::great_circle;
     const auto read = read_machine(print_machine(machine), "m.toml");
     if (!read) return read.error();
     EXPECT_EQ(*read, machine);
@@ -200,15 +192,15 @@ TEST(ControllerFile, OrientationAlongGreatCirclesNeedsAHeadAndAPlannerThatCan) {
 }
 
 TEST(ControllerFile, OwnRampsAreOfThePlannerThatStopsAtEachTarget) {
-    EXPECT_TRUE(read_rules("own_ramps = true").independent_ramps);
-    EXPECT_TRUE(read_rules("model = \"exact-stop\"\nown_ramps = true").independent_ramps);
+    EXPECT_TRUE(read_rules("own_ramps = true").coordination.independent_ramps);
+    EXPECT_TRUE(read_rules("model = \"exact-stop\"\nown_ramps = true").coordination.independent_ramps);
     EXPECT_THAT(
         error_of("model = \"ab9\"\nown_ramps = true"),
         testing::AllOf(testing::HasSubstr("m.toml:3:"), testing::HasSubstr("\"rest-to-rest\" alone")));
 }
 
 TEST(ControllerFile, APercentageIsAboveZeroAndAtMostAHundred) {
-    EXPECT_EQ(read_rules("corner_override_percent = 100").corner_override_percent, 100);
+    EXPECT_EQ(read_rules("corner_override_percent = 100").corner_override.percent, 100);
     for (const std::string_view value : {"0", "-1", "100.1", "inf"}) {
         EXPECT_NE(error_of(fmt::format("corner_override_percent = {}", value))
                       .find("'corner_override_percent' must be"),
@@ -219,9 +211,9 @@ TEST(ControllerFile, APercentageIsAboveZeroAndAtMostAHundred) {
 
 TEST(ControllerFile, CurvesMayBeWithoutLimit) {
     const double inf = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(read_rules("centripetal_share = inf").centripetal_share, inf);
-    EXPECT_EQ(read_rules("centripetal_share = 5").centripetal_share, 5);
-    EXPECT_EQ(read_rules("speed_step_s = inf").speed_step_s, inf);
+    EXPECT_EQ(read_rules("centripetal_share = inf").ramps.centripetal_share, inf);
+    EXPECT_EQ(read_rules("centripetal_share = 5").ramps.centripetal_share, 5);
+    EXPECT_EQ(read_rules("speed_step_s = inf").corners.speed_step_s, inf);
 }
 
 TEST(ControllerFile, PrintsTheModelAndWhatDiffersFromIt) {
@@ -237,8 +229,8 @@ TEST_F(OwnFile, IsFoundBesideTheMachineFile) {
     write("machine.toml", with_controller("model = \"own.toml\"\nrest_s = 0.75"));
     ControllerRules expected_value = built_in_controller("ab9").value();
     expected_value.model = "own.toml";
-    expected_value.settle_s = 0.5;
-    expected_value.dwell_s = 0.75;
+    expected_value.position_loop.settle_s = 0.5;
+    expected_value.standstill.dwell_s = 0.75;
     const auto machine = load_machine(path("machine.toml"));
     ASSERT_TRUE(machine) << machine.error();
     EXPECT_EQ(machine->controller, expected_value);

@@ -126,9 +126,9 @@ TEST_P(Events, WaitForAStop) {
 PlannerSetup holding_setup(rrs::PlannerKind kind) {
     PlannerSetup setup = gantry_setup();
     setup.controller.planner = kind;
-    setup.controller.corner = rrs::CornerRule::velocity_step;
+    setup.controller.corners.continuous = rrs::CornerRule::velocity_step;
     for (JointSetup& joint : setup.joints) joint.max_speed_step = 5;
-    setup.controller.servo_period_s = 0.001;
+    setup.controller.position_loop.servo_period_s = 0.001;
     return setup;
 }
 

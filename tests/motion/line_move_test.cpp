@@ -198,7 +198,7 @@ class OwnRamps : public LineMove {
     OwnRamps() : LineMove(independent_ramps()) {}
     static PlannerSetup independent_ramps() {
         PlannerSetup setup = gantry_setup();
-        setup.controller.independent_ramps = true;
+        setup.controller.coordination.independent_ramps = true;
         return setup;
     }
 };

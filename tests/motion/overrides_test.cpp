@@ -26,9 +26,9 @@ PlannerSetup make_setup(Planner planner) {
     rrs::ControllerRules& rules = setup.controller;
     if (planner == Planner::standstill) return setup;
     rules.planner = planner == Planner::linuxcnc ? rrs::PlannerKind::linuxcnc : rrs::PlannerKind::look_ahead;
-    rules.look_ahead_blocks = 15;
-    rules.corner = rules.exact_path_corner = rrs::CornerRule::junction_deviation;
-    rules.stop_between_rapid_and_feed = planner == Planner::linuxcnc;
+    rules.blocks.look_ahead = 15;
+    rules.corners.continuous = rules.corners.exact_path = rrs::CornerRule::junction_deviation;
+    rules.corners.stop_between_rapid_and_feed = planner == Planner::linuxcnc;
     return setup;
 }
 
@@ -203,7 +203,7 @@ TEST_P(OverridesOf, ARapidUnderWayIsNoneOfTheFeedOverride) {
 
 TEST_P(OverridesOf, AnArcIsCutOnItsCircle) {
     PlannerSetup slides = setup();
-    slides.controller.centripetal_share = 0.5;
+    slides.controller.ramps.centripetal_share = 0.5;
     Operated run(slides, {{1, {.feed = 0.5}}, {2, {.feed = 0.8}}});
     run.arc(-20, 0, kPi, -40, 0, 20);
     run.end();
@@ -321,8 +321,9 @@ INSTANTIATE_TEST_SUITE_P(Planners, OverridesOf,
 TEST(Overrides, RoundedCornersKeepTheLimits) {
     for (unsigned seed = 0; seed < 40; ++seed) {
         PlannerSetup setup = make_setup(Planner::look_ahead);
-        setup.controller.corner = setup.controller.exact_path_corner = rrs::CornerRule::parabolic_blend;
-        setup.controller.stop_between_rapid_and_feed = true;
+        setup.controller.corners.continuous = setup.controller.corners.exact_path =
+            rrs::CornerRule::parabolic_blend;
+        setup.controller.corners.stop_between_rapid_and_feed = true;
         Operated run(setup, random_changes(seed, seed % 2 == 1));
         random_program(seed, run);
         run.end();
@@ -346,7 +347,7 @@ TEST(Overrides, RoundedCornersKeepTheLimits) {
 TEST(Overrides, AnSCurveIsTurnedWithoutAJumpOfTheAcceleration) {
     for (const Planner planner : {Planner::standstill, Planner::look_ahead}) {
         PlannerSetup setup = make_setup(planner);
-        setup.controller.limit_jerk = true;
+        setup.controller.ramps.limit_jerk = true;
         for (JointSetup& joint : setup.joints) joint.max_jerk = 20'000;
         Operated run(setup,
                      {{0.02, {.feed = 0.5}}, {1, {.feed = 1.5}}, {1.2, {.feed = 0}}, {2, {.feed = 1}}});

@@ -309,8 +309,8 @@ TEST(PlannerQueue, SegmentLeavesOnceEvenIfTheSinkThrows) {
 TEST(PlannerQueue, WhatFollowsALineOnTheGridStartsThere) {
     PlannerSetup setup = gantry_setup();
     setup.controller.planner = rrs::PlannerKind::look_ahead;
-    setup.controller.corner = rrs::CornerRule::junction_deviation;
-    setup.controller.arc_chord_tolerance_mm = 0.002;
+    setup.controller.corners.continuous = rrs::CornerRule::junction_deviation;
+    setup.controller.curves.arc_chord_tolerance_mm = 0.002;
     for (JointSetup& joint : setup.joints) joint.step = 1.0 / 250;
     ReadyPlanner ready(setup, kinematics::joint_pos({1.0013, 0, 0, 0, 0}));
     ready.planner.SetCartesianPositionSpeed(50);

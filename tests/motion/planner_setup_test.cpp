@@ -59,14 +59,14 @@ TEST(PlannerSetup, SentenceNamesFieldAndValue) {
               "max_speed_step of joint 1 is -1; it must be greater than 0 (infinity for no limit).");
     EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.joints[1].step = kNan; }),
               "step of joint 1 is nan; it must be 0 or greater.");
-    EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.controller.look_ahead_blocks = 0; }),
+    EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.controller.blocks.look_ahead = 0; }),
               "look_ahead_blocks of the controller is 0; it must be at least 1.");
-    EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.controller.centripetal_share = 0; }),
+    EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.controller.ramps.centripetal_share = 0; }),
               "centripetal_share of the controller is 0; it must be greater than 0 (infinity: "
               "curves do not slow the motion).");
-    EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.controller.speed_step_s = 0; }),
+    EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.controller.corners.speed_step_s = 0; }),
               "speed_step_s of the controller is 0; it must be greater than 0 (infinity for no limit).");
-    EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.controller.settle_s = -1; }),
+    EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.controller.position_loop.settle_s = -1; }),
               "settle_s of the controller is -1; it must be 0 or greater.");
     EXPECT_EQ(trouble_after([](PlannerSetup& s) { s.queue_capacity = 1; }),
               "queue_capacity is 1; it must be at least 2.");

@@ -66,8 +66,10 @@ constexpr std::array kOverrideKinds{
 
 /// Returns why the controller rejects a value; empty if it accepts it.
 std::string override_error(const Kind& kind, double percent, const rrs::ControllerRules& controller) {
-    if (controller.planner == rrs::PlannerKind::klipper && percent != 100)
-        return "the planner \"klipper\" follows no override; M220 in the program sets its speed factor";
+    const rrs::PlannerCapabilities& planner = controller.capabilities();
+    if (!planner.speed_factor_word.empty() && percent != 100)
+        return fmt::format("the planner \"{}\" follows no override; {} in the program sets its speed factor",
+                           planner.name, planner.speed_factor_word);
     const PercentRange allowed = kind.allowed(controller.overrides);
     if (!allowed.accepts(percent))
         return fmt::format("the controller {} takes {}", controller.model, allowed.text());

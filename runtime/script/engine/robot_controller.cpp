@@ -53,7 +53,7 @@ void set_machine_process(lua_State* state, const machine::Process& process) {
 }
 
 /// Sets core.stops: words that stop the controller otherwise than by default, by word as it is printed.
-void set_stops(lua_State* state, const rrs::ControllerRules& rules) {
+void set_stops(lua_State* state, const rrs::StandstillRules& rules) {
     constexpr std::array kRules{"always", "on-change", "never"};
     lua_createtable(state, 0, static_cast<int>(rules.stops.size()));
     for (const auto& [word, rule] : rules.stops) {
@@ -101,17 +101,17 @@ void set_word_times(lua_State* state, const machine::WordTimes& times) {
     lua_setfield(state, -2, "times");
 }
 
-void set_corner_override(lua_State* state, const rrs::ControllerRules& rules) {
+void set_corner_override(lua_State* state, const rrs::CornerOverrideRules& rules) {
     lua_createtable(state, 0, 4);
-    set_number(state, "percent", rules.corner_override_percent);
-    set_number(state, "before_mm", rules.corner_override_before_mm);
-    set_number(state, "after_mm", rules.corner_override_after_mm);
-    set_number(state, "angle_deg", rules.corner_override_angle_deg);
+    set_number(state, "percent", rules.percent);
+    set_number(state, "before_mm", rules.before_mm);
+    set_number(state, "after_mm", rules.after_mm);
+    set_number(state, "angle_deg", rules.max_angle_deg);
     lua_setfield(state, -2, "corner_override");
 }
 
 /// Sets core.drilling: the deep drilling of the controller.
-void set_drilling(lua_State* state, const rrs::ControllerRules& rules) {
+void set_drilling(lua_State* state, const rrs::DrillingRules& rules) {
     lua_createtable(state, 0, 4);
     set_number(state, "clearance_mm", rules.peck_clearance_mm);
     set_number(state, "dwell", rules.peck_dwell_s);
@@ -125,12 +125,12 @@ void set_drilling(lua_State* state, const rrs::ControllerRules& rules) {
 /// Sets core.arc_resolution_mm, and core.retraction.length_mm, .speed_mm_s, .extra_mm and
 /// .unretract_speed_mm_s.
 void set_klipper_rules(lua_State* state, const rrs::ControllerRules& rules) {
-    set_number(state, "arc_resolution_mm", rules.arc_resolution_mm);
+    set_number(state, "arc_resolution_mm", rules.klipper.arc_resolution_mm);
     lua_createtable(state, 0, 4);
-    set_number(state, "length_mm", rules.retract_length_mm);
-    set_number(state, "speed_mm_s", rules.retract_speed_mm_s);
-    set_number(state, "extra_mm", rules.unretract_extra_length_mm);
-    set_number(state, "unretract_speed_mm_s", rules.unretract_speed_mm_s);
+    set_number(state, "length_mm", rules.retraction.length_mm);
+    set_number(state, "speed_mm_s", rules.retraction.speed_mm_s);
+    set_number(state, "extra_mm", rules.retraction.unretract_extra_length_mm);
+    set_number(state, "unretract_speed_mm_s", rules.retraction.unretract_speed_mm_s);
     lua_setfield(state, -2, "retraction");
 }
 
@@ -273,16 +273,16 @@ void RobotController::set_options(lua_State* state, const ProgramOptions& switch
     lua_setfield(state, -2, "optional_stop");
     lua_pushinteger(state, static_cast<lua_Integer>(switches.passes));
     lua_setfield(state, -2, "passes");
-    const bool stops = robot_.simulator.machine().controller.planner == rrs::PlannerKind::rest_to_rest;
-    lua_pushboolean(state, static_cast<int>(stops));
+    const rrs::ControllerRules& controller = robot_.simulator.machine().controller;
+    lua_pushboolean(state, static_cast<int>(controller.capabilities().stops_at_each_move));
     lua_setfield(state, -2, "stops_at_each_move");
-    set_stops(state, robot_.simulator.machine().controller);
+    set_stops(state, controller.standstill);
     lua_pushstring(state, prefix().c_str());
     lua_setfield(state, -2, "signal_prefix");
-    set_corner_override(state, robot_.simulator.machine().controller);
-    set_drilling(state, robot_.simulator.machine().controller);
-    set_number(state, "spline_chord_mm", robot_.simulator.machine().controller.spline_chord_tolerance_mm);
-    set_klipper_rules(state, robot_.simulator.machine().controller);
+    set_corner_override(state, controller.corner_override);
+    set_drilling(state, controller.drilling);
+    set_number(state, "spline_chord_mm", controller.curves.spline_chord_tolerance_mm);
+    set_klipper_rules(state, controller);
     if (robot_.simulator.machine().process) set_machine_process(state, *robot_.simulator.machine().process);
     if (const machine::WordTimes& times = robot_.simulator.machine().times; times != machine::WordTimes{})
         set_word_times(state, times);

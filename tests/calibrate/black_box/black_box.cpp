@@ -101,11 +101,11 @@ machine::Machine without_inside(machine::Machine machine) {
     constexpr double kUnlimited = std::numeric_limits<double>::infinity();
     rrs::ControllerRules generic;
     // These are known from its manual: whether it has arcs and boring cycles, and how it drills.
-    generic.arc_resolution_mm = machine.controller.arc_resolution_mm;
-    generic.boring_cycles = machine.controller.boring_cycles;
-    generic.pecks_feed_down = machine.controller.pecks_feed_down;
-    generic.peck_clearance_mm = machine.controller.peck_clearance_mm;
-    generic.peck_dwell_s = machine.controller.peck_dwell_s;
+    generic.klipper.arc_resolution_mm = machine.controller.klipper.arc_resolution_mm;
+    generic.drilling.boring_cycles = machine.controller.drilling.boring_cycles;
+    generic.drilling.pecks_feed_down = machine.controller.drilling.pecks_feed_down;
+    generic.drilling.peck_clearance_mm = machine.controller.drilling.peck_clearance_mm;
+    generic.drilling.peck_dwell_s = machine.controller.drilling.peck_dwell_s;
     machine.controller = generic;
     machine.times = {};
     machine.path.max_acceleration_mm_s2 = kUnlimited;

@@ -22,7 +22,7 @@ machine::Machine pin_machine(bool interpolated = true) {
     machine::Machine machine = machine::read_machine(machine::built_in_machine_toml(), "af5.toml").value();
     machine.shapes.clear();
     machine.ignored.clear();
-    machine.controller.interpolated_rapids = interpolated;
+    machine.controller.coordination.interpolated_rapids = interpolated;
     return machine;
 }
 

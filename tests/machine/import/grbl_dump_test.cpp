@@ -59,8 +59,8 @@ TEST(GrblDump, WithHomingMachineCoordinatesGoFromMinusTheTravelToZero) {
 TEST(GrblDump, TheRulesOfItsPlannerAndAFourthAxis) {
     const ImportResult imported = import_text(
         std::string(kRouter) + "$11=0.020\n$12=0.004 (arc tolerance, mm)\n$103=10\n$113=3600\n$123=50\n");
-    EXPECT_EQ(imported.machine.controller.junction_deviation_mm, 0.02);
-    EXPECT_EQ(imported.machine.controller.arc_chord_tolerance_mm, 0.004);
+    EXPECT_EQ(imported.machine.controller.corners.junction_deviation_mm, 0.02);
+    EXPECT_EQ(imported.machine.controller.curves.arc_chord_tolerance_mm, 0.004);
     ASSERT_EQ(imported.machine.axes.size(), 4U);
     EXPECT_EQ(imported.machine.axes[3].letter, 'A');
     EXPECT_EQ(imported.machine.axes[3].max_speed, 60);

@@ -142,7 +142,7 @@ TEST(LinuxcncIni, ThePlannersOf210) {
     const std::string jerks =
         "[AXIS_X]\nMAX_JERK = 500\n[AXIS_Y]\nMAX_JERK = 600\n[AXIS_Z]\nMAX_JERK = 700\n";
     const ImportResult curves = of_traj("PLANNER_TYPE = 1\nMAX_LINEAR_JERK = 400\n", jerks);
-    EXPECT_TRUE(curves.machine.controller.limit_jerk);
+    EXPECT_TRUE(curves.machine.controller.ramps.limit_jerk);
     EXPECT_EQ(curves.machine.controller.model, "linuxcnc-2.10");
     EXPECT_NEAR(curves.machine.path.max_jerk_mm_s3, 400 * 25.4, 1e-6);
     EXPECT_NEAR(curves.machine.axes.at(1).max_jerk, 600 * 25.4, 1e-6);
@@ -153,7 +153,7 @@ TEST(LinuxcncIni, ThePlannersOf210) {
     EXPECT_THAT(silent.warnings, Contains(HasSubstr("no S-curves of moves of X, Y, Z")));
     EXPECT_EQ(of_traj("").machine.controller.model, "linuxcnc-2.9");
     const ImportResult pecks = of_traj("PLANNER_TYPE = 1\n[RS274NGC]\nG83_PECK_CLEARANCE = 0.05\n");
-    EXPECT_NEAR(pecks.machine.controller.peck_clearance_mm, 0.05 * 25.4, 1e-9);
+    EXPECT_NEAR(pecks.machine.controller.drilling.peck_clearance_mm, 0.05 * 25.4, 1e-9);
 }
 
 TEST(LinuxcncIni, RangesOfOverridesAreThoseOfTheDisplay) {
@@ -176,7 +176,7 @@ TEST(LinuxcncIni, WhatIsNotTakenOverIsNamed) {
                     "80\nMAX_LINEAR_JERK = 9\n"
                     "[JOINT_0]\nMAX_VELOCITY = 2\nMAX_ACCELERATION = 20\nTYPE = ANGULAR\nBACKLASH = 0.1\n"
                     "[RS274NGC]\nPARAMETER_FILE = none.var\nRS274NGC_STARTUP_CODE = G21 G64P0.01\n");
-    EXPECT_EQ(imported.machine.controller.look_ahead_blocks, 80U);
+    EXPECT_EQ(imported.machine.controller.blocks.look_ahead, 80U);
     EXPECT_EQ(imported.machine.program.units, machine::ProgramUnits::mm);
     EXPECT_THAT(
         imported.warnings,

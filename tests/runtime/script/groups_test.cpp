@@ -311,7 +311,7 @@ TEST(Groups, WhatNeedsAnIndependentGroupWaitsForIt) {
 
 TEST(Groups, SCurvesOfAnIndependentGroupEndInARest) {
     Conditions conditions = in_the_cell();
-    conditions.machine.controller.limit_jerk = true;
+    conditions.machine.controller.ramps.limit_jerk = true;
     conditions.machine.axes[kTable].max_jerk = 1000;
     const GroupRun r(kByItself + "t.move{z=180}\nG0{x=900}\nG4{p=10}\n", conditions);
     ASSERT_TRUE(r.run.completed()) << r.run.message();
@@ -348,7 +348,7 @@ TEST(Groups, WhatCannotBeIsSaid) {
     expect_alarm(said("local k = group 'track' k.independent()\nk.move{x=2000}"), 2, {"2000"});
     expect_alarm(said(kByItself + "t.move(90)"), 2, {"is told by a table of its axes (z)"});
     Conditions rounds = in_the_cell(rrs::PlannerKind::look_ahead);
-    rounds.machine.controller.corner = rrs::CornerRule::smooth_blend;
+    rounds.machine.controller.corners.continuous = rrs::CornerRule::smooth_blend;
     expect_alarm(run_lua(kByItself + "t.move{z=90}", rounds), "a controller that rounds corners");
     expect_alarm(run_lua("group 'table'"), "tables [[group]] of the machine file make them");
 }

@@ -142,7 +142,7 @@ TEST(FollowingMonitor, CornerIsRoundedByTheLag) {
 TEST(FollowingMonitor, CornerThatTheControllerRoundsIsPartOfTheWayFromTheProgramAlone) {
     machine::Machine machine = slides();
     machine.controller = machine::built_in_controller("blend").value();
-    machine.controller.position_gain_1_s = 0;
+    machine.controller.position_loop.gain_1_s = 0;
     for (machine::Axis& axis : machine.axes) {
         axis.servo->velocity_feed_forward = 1;
         axis.max_acceleration = 1000;
@@ -247,7 +247,7 @@ TEST(FollowingMonitor, GainOfTheControllerIsThatOfTheAxesWithoutOne) {
     machine::Machine machine = slides();
     machine.axes[0].servo = machine::Servo{};
     machine.axes[1].servo.reset();
-    machine.controller.position_gain_1_s = 20;
+    machine.controller.position_loop.gain_1_s = 20;
     Simulator simulator(machine, {});
     feed(simulator, 300, 400, 1);
     const FollowingReport report = following(simulator);
@@ -259,7 +259,7 @@ TEST(FollowingMonitor, GainOfTheControllerIsThatOfTheAxesWithoutOne) {
 TEST(FollowingMonitor, MachineWithoutServosTellsNothing) {
     machine::Machine machine = slides();
     for (machine::Axis& axis : machine.axes) axis.servo.reset();
-    machine.controller.position_gain_1_s = 20;  // for exact stops alone
+    machine.controller.position_loop.gain_1_s = 20;  // for exact stops alone
     Simulator simulator(machine, {});
     feed(simulator, 10, 0, 1);
     const Report report = simulator.finish("part.nc");

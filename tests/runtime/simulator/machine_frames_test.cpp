@@ -71,7 +71,7 @@ TEST_P(MachineFrames, AnotherToolReachesTargetsWithItsOwnTip) {
         ASSERT_LT((step.pose.translation() - tcp).norm(), 1e-9);
         const Vector3d gone = tcp - from.translation();
         ASSERT_LT((gone - displacement * displacement.dot(gone)).norm(),
-                  robot.setup.controller.tcp_tolerance_mm);
+                  robot.setup.controller.coordination.tcp_tolerance_mm);
     }
     EXPECT_TRUE(tool_in_world(robot, step.joints).isApprox(tool_in_world(robot, expected_value), 1e-6));
 }

@@ -269,7 +269,7 @@ TEST_P(DefaultModule, ReportsWhatItReportsInProcessToWithinSteps) {
     machine::Machine machine = af5();
     const auto& [kind, location] = GetParam();
     machine.controller.planner = kind;
-    machine.controller.dwell_s = 0.01;
+    machine.controller.standstill.dwell_s = 0.01;
     Simulator in_process(machine, {});
     Simulator stepped(machine, {}, module_of(location, tests::default_module_path(), machine));
     put_program(in_process);

@@ -48,7 +48,7 @@ machine::Machine wide_af5() {
 
 machine::Machine looking_ahead(machine::Machine machine, rrs::CornerRule corner) {
     machine.controller.planner = rrs::PlannerKind::look_ahead;
-    machine.controller.corner = machine.controller.exact_path_corner = corner;
+    machine.controller.corners.continuous = machine.controller.corners.exact_path = corner;
     return machine;
 }
 
@@ -113,7 +113,7 @@ TEST(PathBound, ADwellTakesItsTimeAtRest) {
 
 TEST(PathBound, WhatAControllerRestsByItselfIsNotTheProgramsTime) {
     machine::Machine machine = looking_ahead(af5(), rrs::CornerRule::stop);
-    machine.controller.settle_s = 3;
+    machine.controller.position_loop.settle_s = 3;
     const Times times = run(machine, [](Simulator& s) {
         s.set_path_mode(rrs::PathMode::exact_stop, 0, 0);
         s.move(to(at(100, 0), 6000));
@@ -142,7 +142,7 @@ TEST(PathBound, AProgrammedTimeIsNoLimit) {
 // 10 mm and 90 deg: the rotary axis, which moves by its own law, takes 4.24 s.
 TEST(PathBound, AJointWithALawOfItsOwnDoesNotCount) {
     machine::Machine machine = af5();
-    machine.controller.independent_ramps = true;
+    machine.controller.coordination.independent_ramps = true;
     const Times times = run(machine, [](Simulator& s) { s.move(to(at(10, 0, 0, 90), 6000)); });
     EXPECT_NEAR(times.bound_s, trapezoid_s(10, 100, kAcceleration), 1e-9);
     EXPECT_GT(times.cycle_s, 4);
@@ -220,7 +220,7 @@ TEST(PathBound, NeverAboveAlongGreatCircles) {
     for (int i = 0; i < 20; ++i) {
         machine::Machine machine = random_machine(random, af5());
         if (i % 2 == 0) machine = looking_ahead(machine, rrs::CornerRule::velocity_step);
-        machine.controller.orientation = rrs::OrientationRule::great_circle;
+        machine.controller.coordination.orientation = rrs::OrientationRule::great_circle;
         const Times times = run(machine, [&](Simulator& s) {
             s.move(to(at(0, 0, 0, 0, 10), 3000));
             for (int k = 0; k < 20; ++k) {
@@ -251,12 +251,12 @@ TEST_P(NeverAbove, TheCycleTimeOfARandomProgram) {
     for (int i = 0; i < 60; ++i) {
         machine::Machine machine = random_machine(random, af5());
         machine.controller.planner = GetParam().planner;
-        machine.controller.corner = machine.controller.exact_path_corner = GetParam().corner;
-        machine.controller.limit_jerk = GetParam().limit_jerk;
-        machine.controller.arc_chord_tolerance_mm = GetParam().chord_tolerance_mm;
-        machine.controller.look_ahead_blocks = 1 + random() % 30;
-        machine.controller.stop_between_rapid_and_feed = random() % 2 == 0;
-        machine.controller.centripetal_share = random() % 4 == 0 ? motion::kUnlimited : 0.866;
+        machine.controller.corners.continuous = machine.controller.corners.exact_path = GetParam().corner;
+        machine.controller.ramps.limit_jerk = GetParam().limit_jerk;
+        machine.controller.curves.arc_chord_tolerance_mm = GetParam().chord_tolerance_mm;
+        machine.controller.blocks.look_ahead = 1 + random() % 30;
+        machine.controller.corners.stop_between_rapid_and_feed = random() % 2 == 0;
+        machine.controller.ramps.centripetal_share = random() % 4 == 0 ? motion::kUnlimited : 0.866;
         const Times times = run(machine, [&](Simulator& s) { make_random_moves(random, s, 25); });
         EXPECT_LE(times.bound_s, times.cycle_s * (1 + 1e-9)) << i;
         EXPECT_GT(times.bound_s, 0) << i;

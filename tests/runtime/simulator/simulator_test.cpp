@@ -49,7 +49,7 @@ TEST_P(EachPlanner, ARunWithinTheLimitCompletes) {
 
 TEST_P(EachPlanner, LimitJerkWithoutEffectIsTold) {
     machine::Machine with = machine();
-    with.controller.limit_jerk = true;
+    with.controller.ramps.limit_jerk = true;
     Simulator without_jerks(with, {});
     EXPECT_THAT(without_jerks.finish("p").warnings, Contains(HasSubstr("limit_jerk makes no difference")));
     for (machine::Axis& axis : with.axes) axis.max_jerk = 1000;

@@ -32,7 +32,7 @@ PlannerSetup sample(const std::string& name, PlannerKind planner = PlannerKind::
     machine::Machine machine =
         machine::load_machine(tests::source_path("samples/machines/") + name + ".toml").value();
     machine.controller.planner = planner;
-    machine.controller.corner = rrs::CornerRule::velocity_step;
+    machine.controller.corners.continuous = rrs::CornerRule::velocity_step;
     return simulation::make_planner_setup(machine);
 }
 

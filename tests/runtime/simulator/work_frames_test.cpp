@@ -81,7 +81,7 @@ TEST_P(WorkFrames, TheToolFrameGoesTheProgrammedWay) {
     for (step = robot.step(); step.status == Status::RRS_SUCCESS; step = robot.step()) {
         const Vector3d gone = step.pose.translation() - from.translation();
         ASSERT_LT((gone - displacement * displacement.dot(gone)).norm(),
-                  robot.setup.controller.tcp_tolerance_mm);
+                  robot.setup.controller.coordination.tcp_tolerance_mm);
     }
     EXPECT_EQ(step.status, Status::RRS_TARGET_REACHED);
     EXPECT_TRUE(step.pose.isApprox(to, 1e-6));

@@ -90,10 +90,10 @@ void expect_first(const machine::Zone& zone, const Collected& run, double hit_s)
 machine::Machine machine_with(std::mt19937& random, PlannerKind planner, CornerRule corner, bool jerk) {
     machine::Machine machine = random_machine(random, af5());
     machine.controller.planner = planner;
-    machine.controller.corner = corner;
-    machine.controller.limit_jerk = jerk;
-    machine.controller.blend_tolerance_mm = 0.5;
-    if (planner == PlannerKind::linuxcnc) machine.controller.servo_period_s = 0.001;
+    machine.controller.corners.continuous = corner;
+    machine.controller.ramps.limit_jerk = jerk;
+    machine.controller.corners.blend_tolerance_mm = 0.5;
+    if (planner == PlannerKind::linuxcnc) machine.controller.position_loop.servo_period_s = 0.001;
     return machine;
 }
 
