@@ -18,7 +18,9 @@ constexpr double kDefaultStep_s = 0.001;
 ModuleShell::ModuleShell(rrs::RcsModule module, const motion::PlannerSetup& setup, double max_time_s,
                          motion::SegmentSink& sink)
     : RcsShell(std::move(module), setup.joint_count()),
-      step_s_(setup.controller.servo_period_s > 0 ? setup.controller.servo_period_s : kDefaultStep_s),
+      step_s_(setup.controller.position_loop.servo_period_s > 0
+                  ? setup.controller.position_loop.servo_period_s
+                  : kDefaultStep_s),
       max_time_s_(max_time_s),
       segments_(setup.joint_count(), setup.position_joints, sink),
       target_(rrs::JointPos::Zero(setup.joint_count())),
