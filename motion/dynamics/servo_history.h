@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "controller/services/types.h"
 #include "motion/dynamics/servo_loop.h"
+#include "motion/segment/segment.h"
 
 namespace gsim::dynamics {
 
@@ -36,7 +36,7 @@ class ServoHistory {
     /// Sets the position of the joints before the first step.
     void begin(const rrs::JointPos& start) { start_ = start; }
     /// Returns a step to fill, with the memory of one that is no longer needed.
-    Step take_spare() { return std::move(spare_); }
+    Step release_spare() { return std::move(spare_); }
     void add(Step step);
 
     /// Returns the set points at an instant up to the end of the last step, as far back as length_s() or in

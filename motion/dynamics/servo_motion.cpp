@@ -172,7 +172,7 @@ void ServoMotion::make_step(double duration_s, const StepHandler& on_step) {
     set_points_.duration_s = duration_s;
     set_points_.to = part_constant_ ? set_points_.from : state_inside(at_s_, to_s, true);
     if (part_constant_) set_points_.to.position += duration_s * set_points_.from.velocity;
-    ServoHistory::Step step = history_.take_spare();
+    ServoHistory::Step step = history_.release_spare();
     step.start_s = set_points_.start_s;
     step.duration_s = duration_s;
     step.joints.resize(loops_.size());

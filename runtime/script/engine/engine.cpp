@@ -181,8 +181,8 @@ void Engine::report(simulation::Report& report) const {
     if (const std::uint64_t dropped = processes_.signals().board().dropped(); dropped > 0)
         report.warnings.push_back(
             fmt::format("{} more changes of signals than the report lists were left out", dropped));
-    report.zone_uses = processes_.zones().zones().uses();
-    if (const std::uint64_t dropped = processes_.zones().zones().dropped(); dropped > 0)
+    report.zone_uses = processes_.zones().shared_zones().uses();
+    if (const std::uint64_t dropped = processes_.zones().shared_zones().dropped(); dropped > 0)
         report.warnings.push_back(
             fmt::format("{} more uses of zones than the report lists were left out", dropped));
 }

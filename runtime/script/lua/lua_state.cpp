@@ -59,8 +59,8 @@ void* LuaState::allocate(void* self, void* block, std::size_t old_size, std::siz
 }
 
 void LuaState::add_external_bytes(lua_State* state, std::size_t bytes, const char* what) {
-    if (!memory_.has_room_for(bytes)) lua_gc(state, LUA_GCCOLLECT);
-    if (!memory_.has_room_for(bytes)) {
+    if (!memory_.has_space_for(bytes)) lua_gc(state, LUA_GCCOLLECT);
+    if (!memory_.has_space_for(bytes)) {
         memory_.reject_external(bytes, what);
         stop_reason_ = StopReason::memory;
         raise_stop(state);

@@ -41,7 +41,7 @@ class ScriptMemory {
     }
 
     /// Returns true if there is space for so many bytes outside of Lua.
-    bool has_room_for(std::size_t bytes) const {
+    bool has_space_for(std::size_t bytes) const {
         return bytes <= limit_bytes_ && bytes_ <= limit_bytes_ - bytes;
     }
     /// Counts memory outside of Lua. `what` is stored and names the consumer: "the text of the script".

@@ -10,7 +10,7 @@
 namespace gsim::script {
 
 /// Notifies the monitors of what is known about the motion of other processes: the time up to which conveyors
-/// and robots have all their motion, and who has robots and zones.
+/// and robots have all their motion, and the owners of robots and zones.
 class KnownMotion {
   public:
     /// `table` and `robots` must outlive this.

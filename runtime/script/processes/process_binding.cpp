@@ -160,7 +160,7 @@ int process_time(lua_State* state) {
 
 std::size_t check_zone(lua_State* state, int index) {
     const std::string name = check_name(state, index, "zone");
-    const process::SharedZones& zones = bound_processes(state).zones().zones();
+    const process::SharedZones& zones = bound_processes(state).zones().shared_zones();
     if (const auto found = zones.find(name)) return *found;
     alarm(state, fmt::format("there is no zone '{}'; {}", name, hint(name, zones.names())));
 }
@@ -170,7 +170,7 @@ int enter_zone(lua_State* state) {
     const std::size_t zone = check_zone(state, 1);
     if (bound_processes(state).zones().has(zone)) {
         alarm(state, fmt::format("the process has the zone '{}' already",
-                                 bound_processes(state).zones().zones().name(zone)));
+                                 bound_processes(state).zones().shared_zones().name(zone)));
     }
     return bound_processes(state).zones().enter(state, zone);
 }
@@ -179,7 +179,7 @@ int leave_zone(lua_State* state) {
     const std::size_t zone = check_zone(state, 1);
     if (!bound_processes(state).zones().has(zone)) {
         alarm(state, fmt::format("the process does not have the zone '{}'",
-                                 bound_processes(state).zones().zones().name(zone)));
+                                 bound_processes(state).zones().shared_zones().name(zone)));
     }
     bound_processes(state).zones().leave(zone);
     return 0;

@@ -19,7 +19,7 @@ class ProcessZones {
 
     /// Sets the zones that processes share, before the first process is started.
     void set_zones(const std::vector<process::SharedZone>& zones) { zones_ = process::SharedZones(zones); }
-    const process::SharedZones& zones() const { return zones_; }
+    const process::SharedZones& shared_zones() const { return zones_; }
     /// Returns true if the running process has the zone.
     bool has(std::size_t zone) const { return zones_.holder(zone) == table_.running_id(); }
     /// Waits until the running process has the zone, which it does not have yet. Raises an alarm if that can
