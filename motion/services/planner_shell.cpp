@@ -82,7 +82,7 @@ Status PlannerShell::enqueue(const Move& move) {
 Status PlannerShell::SetInitialPosition(const rrs::CartPos& cartesian, const rrs::JointPos& joints,
                                         std::string_view) {
     if (!initialized_) return not_initialized();
-    if (planner_.is_tracking())
+    if (planner_.tracked_frame().is_active())
         return reject(Status::RRS_INVALID_PARAMETER,
                       "The position cannot be set while a conveyor is tracked.");
     if (PlanResult is_stationary = planner_.set_position(goal(cartesian, joints)); !is_stationary)
@@ -94,7 +94,7 @@ Status PlannerShell::SetInitialPosition(const rrs::CartPos& cartesian, const rrs
 Status PlannerShell::SetNextTarget(rrs::TargetId id, rrs::TargetParam param, const rrs::CartPos& cartesian,
                                    const rrs::JointPos& joints, std::string_view, double param_value) {
     if (!initialized_) return not_initialized();
-    if (PlanResult ready = planner_.check_ready_for_move(); !ready)
+    if (PlanResult ready = planner_.motion_stop().check_ready_for_move(); !ready)
         return to_status(std::move(ready.error()));
     if (!std::isfinite(param_value))
         return reject(Status::RRS_INVALID_PARAMETER, "The target's parameter is not finite.");
@@ -138,14 +138,15 @@ Status PlannerShell::store_via(const Goal& goal) {
     // The via point is solved now, because the end of the path so far decides which of several solutions is
     // meant.
     rrs::JointPos via;
-    if (PlanResult solved = planner_.solve(goal, via); !solved) return to_status(std::move(solved.error()));
+    if (PlanResult solved = planner_.targets().solve(goal, via); !solved)
+        return to_status(std::move(solved.error()));
     via_ = via;
     return Status::RRS_SUCCESS;
 }
 
 Status PlannerShell::SetNextRest(rrs::TargetId id, double dwell_s) {
     if (!initialized_) return not_initialized();
-    return to_status(planner_.enqueue_dwell(id, dwell_s));
+    return to_status(planner_.dwells().enqueue(id, dwell_s));
 }
 
 Status PlannerShell::ComeToRest(rrs::RestReason reason) {
@@ -157,9 +158,9 @@ Status PlannerShell::ComeToRest(rrs::RestReason reason) {
             fmt::format("There is no reason {} to come to rest; 0 is a query, 1 a wait, 2 the end.", number));
     }
     if (reason == rrs::RestReason::end) {
-        planner_.plan_to_final_standstill();
+        planner_.dwells().plan_to_final_standstill();
     } else {
-        planner_.plan_to_standstill(reason == rrs::RestReason::wait);
+        planner_.dwells().plan_to_standstill(reason == rrs::RestReason::wait);
     }
     return Status::RRS_SUCCESS;
 }
@@ -168,22 +169,22 @@ Status PlannerShell::GetNextStep(rrs::JointPos& joints, rrs::CartPos& pose, doub
     if (!initialized_) return not_initialized();
     if (!planner_.has_position())
         return reject(Status::RRS_NO_INITIAL_POSITION, "There is no position to step from yet.");
-    const double from_s = planner_.step_time_s();
-    const Planner::Step step = planner_.step(selections_.interpolation_s);
+    const double from_s = planner_.timeline().step_time_s();
+    const MotionStep step = planner_.step(selections_.interpolation_s);
     joints = step.joints;
-    pose = frames_of_step(from_s).to_target(planner_.setup().kinematics->forward(joints));
+    pose = frames_of_step(from_s).to_target(planner_.machine().setup().kinematics->forward(joints));
     elapsed_s = step.elapsed_s;
     switch (step.end) {
-        case Planner::Step::StepEnd::in_motion: return Status::RRS_SUCCESS;
-        case Planner::Step::StepEnd::target_reached: return Status::RRS_TARGET_REACHED;
-        case Planner::Step::StepEnd::at_end: break;
+        case MotionStep::End::in_motion: return Status::RRS_SUCCESS;
+        case MotionStep::End::target_reached: return Status::RRS_TARGET_REACHED;
+        case MotionStep::End::at_end: break;
     }
     return Status::RRS_NEED_MORE_DATA;
 }
 
 Status PlannerShell::GetTargetOfLastStep(rrs::TargetId& id) {
     if (!initialized_) return not_initialized();
-    id = planner_.target_of_last_step();
+    id = planner_.timeline().target_of_last_step();
     return Status::RRS_SUCCESS;
 }
 

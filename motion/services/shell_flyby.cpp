@@ -25,11 +25,11 @@ rrs::CornerRule corner_rule(int criterion) {
 /// Changes a rule of the machine for the targets that follow.
 template <typename Change>
 void PlannerShell::change_machine(const Change& change) {
-    PlannerSetup changed =
-        selections_.move_parameters.machine ? *selections_.move_parameters.machine : planner_.machine();
+    PlannerSetup changed = selections_.move_parameters.machine ? *selections_.move_parameters.machine
+                                                               : planner_.machine().original();
     change(changed);
     selections_.move_parameters.machine = std::make_shared<const PlannerSetup>(std::move(changed));
-    planner_.use(selections_.move_parameters);
+    planner_.machine().use(selections_.move_parameters);
 }
 
 Status PlannerShell::check_criterion(int criterion) {
@@ -41,7 +41,7 @@ Status PlannerShell::check_criterion(int criterion) {
                         "junction deviation, 3 the tolerance of corners.",
                         criterion));
     }
-    const rrs::ControllerRules& controller = planner_.machine().controller;
+    const rrs::ControllerRules& controller = planner_.machine().original().controller;
     const bool blends = controller.planner == PlannerKind::linuxcnc || is_blend(controller.corner);
     const bool has = criterion == kBlendTolerance ? blends : controller.planner == PlannerKind::look_ahead;
     if (has) return Status::RRS_SUCCESS;
@@ -55,7 +55,7 @@ Status PlannerShell::SelectFlybyCriteria(int criterion) {
     if (criterion == kBlendTolerance) {
         selections_.move_parameters.tolerance_mm = selections_.blend_tolerance_mm;
     }
-    set_corner_rule(criterion == kBlendTolerance ? planner_.machine().controller.corner
+    set_corner_rule(criterion == kBlendTolerance ? planner_.machine().original().controller.corner
                                                  : corner_rule(criterion));
     return Status::RRS_SUCCESS;
 }
@@ -63,7 +63,7 @@ Status PlannerShell::SelectFlybyCriteria(int criterion) {
 Status PlannerShell::SetFlybyCriteriaParameter(int criterion, int joint, double value) {
     if (const Status status = check_criterion(criterion); status != Status::RRS_SUCCESS) return status;
     const bool is_joint_parameter = criterion == kVelocityStep;
-    if (joint < -1 || joint >= (is_joint_parameter ? planner_.setup().joint_count() : 0)) {
+    if (joint < -1 || joint >= (is_joint_parameter ? planner_.machine().setup().joint_count() : 0)) {
         return reject(Status::RRS_INVALID_PARAMETER,
                       fmt::format("The fly-by criterion {} has no value for joint {}.", criterion, joint));
     }
@@ -98,7 +98,7 @@ Status PlannerShell::CancelFlybyCriteria(int criterion) {
     }
     selections_.flyby_criterion = 0;
     if (criterion == kBlendTolerance) selections_.move_parameters.tolerance_mm = 0;
-    set_corner_rule(planner_.machine().controller.corner);
+    set_corner_rule(planner_.machine().original().controller.corner);
     return Status::RRS_SUCCESS;
 }
 
@@ -110,7 +110,8 @@ Status PlannerShell::check_accuracy(int accuracy_type) {
                                   "the axes are in position.",
                                   accuracy_type));
     }
-    if (accuracy_type == kNoSettling || planner_.setup().controller.planner == PlannerKind::look_ahead)
+    if (accuracy_type == kNoSettling ||
+        planner_.machine().setup().controller.planner == PlannerKind::look_ahead)
         return Status::RRS_SUCCESS;
     return reject(Status::RRS_MODE_NOT_SUPPORTED,
                   "This controller does not wait at exact stops; a dwell does (SetRestParameter).");
@@ -120,7 +121,7 @@ Status PlannerShell::SelectPointAccuracy(int accuracy_type) {
     if (const Status status = check_accuracy(accuracy_type); status != Status::RRS_SUCCESS) return status;
     selections_.settles = accuracy_type == kSettling;
     const bool waits = accuracy_type == kSettling;
-    const rrs::ControllerRules& rules = planner_.machine().controller;
+    const rrs::ControllerRules& rules = planner_.machine().original().controller;
     change_machine([&](PlannerSetup& setup) {
         setup.controller.settle_s = waits ? selections_.settle_s.value_or(rules.settle_s) : 0;
         setup.controller.in_position_mm = waits ? rules.in_position_mm : kUnlimited;
@@ -150,7 +151,7 @@ Status PlannerShell::SelectOrientationInterpolationMode(int mode) {
                                   mode));
     }
     if (mode == 1) {
-        if (auto obstacle = find_great_circle_error(planner_.setup()))
+        if (auto obstacle = find_great_circle_error(planner_.machine().setup()))
             return reject(Status::RRS_MODE_NOT_SUPPORTED, *std::move(obstacle));
     }
     change_machine([&](PlannerSetup& setup) {

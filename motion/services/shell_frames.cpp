@@ -27,13 +27,14 @@ Status PlannerShell::ModifyCellFrame(std::string_view frame_name, const rrs::Car
     if (cell_ == nullptr) return Shell::ModifyCellFrame(frame_name, frame);
     if (!initialized_) return not_initialized();
     const bool is_machine_frame = MachineFrames::has(frame_name);
-    if (is_machine_frame && (planner_.is_tracking() || planner_.is_stopped())) {
+    if (is_machine_frame && (planner_.tracked_frame().is_active() || planner_.motion_stop().is_stopped())) {
         return reject(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("The frame '{}' is the machine's, which cannot change while {}.", frame_name,
-                        planner_.is_tracking() ? "a conveyor is tracked" : "a motion is stopped"));
+            fmt::format(
+                "The frame '{}' is the machine's, which cannot change while {}.", frame_name,
+                planner_.tracked_frame().is_active() ? "a conveyor is tracked" : "a motion is stopped"));
     }
-    planner_.plan_to_standstill(true);
+    planner_.dwells().plan_to_standstill(true);
     if (PlanResult moved = cell_->move_frame(frame_name, frame, planner_.time_s()); !moved)
         return to_status(std::move(moved.error()));
     store_frames();
@@ -44,10 +45,10 @@ Status PlannerShell::ModifyCellFrame(std::string_view frame_name, const rrs::Car
 
 /// Keeps the frames of motion that waits in the queue: its steps are reported as they were planned.
 void PlannerShell::store_frames() {
-    while (!frames_before_.empty() && frames_before_.front().until_s <= planner_.step_time_s())
+    while (!frames_before_.empty() && frames_before_.front().until_s <= planner_.timeline().step_time_s())
         frames_before_.pop_front();
     const bool kept = !frames_before_.empty() && frames_before_.back().until_s >= planner_.time_s();
-    if (planner_.step_time_s() < planner_.time_s() && !kept)
+    if (planner_.timeline().step_time_s() < planner_.time_s() && !kept)
         frames_before_.push_back({planner_.time_s(), selections_.frames});
 }
 
@@ -64,7 +65,7 @@ PlanResult PlannerShell::select_frames() {
 /// Returns the frames in which the step that began at `from_s` is reported.
 const WorkFrames& PlannerShell::frames_of_step(double from_s) {
     const auto is_over = [&](const FramesUntil& before) {
-        return before.until_s <= from_s || before.until_s < planner_.step_time_s();
+        return before.until_s <= from_s || before.until_s < planner_.timeline().step_time_s();
     };
     while (!frames_before_.empty() && is_over(frames_before_.front())) frames_before_.pop_front();
     return frames_before_.empty() ? selections_.frames : frames_before_.front().frames;
@@ -85,7 +86,7 @@ Status PlannerShell::SelectWorkFrames(std::string_view tool_frame, std::string_v
 Status PlannerShell::SelectObject(std::string_view frame_name) {
     if (cell_ == nullptr) return Shell::SelectObject(frame_name);
     if (!initialized_) return not_initialized();
-    planner_.plan_to_standstill(true);
+    planner_.dwells().plan_to_standstill(true);
     if (PlanResult enabled = cell_->enable_frame_motion(frame_name); !enabled)
         return to_status(std::move(enabled.error()));
     object_frame_ = frame_name;
@@ -97,7 +98,7 @@ Status PlannerShell::SelectObject(std::string_view frame_name) {
 /// The object begins at the program's current time, or after its targets so far.
 void PlannerShell::move_object(const rrs::CartPos& pose, double duration_s) {
     if (!object_frame_) return;
-    planner_.plan_to_standstill(true);
+    planner_.dwells().plan_to_standstill(true);
     const double from_s = std::max(planner_.time_s(), object_idle_s_);
     object_idle_s_ = from_s + duration_s;
     cell_->interpolate_frame(*object_frame_, pose, from_s, object_idle_s_);

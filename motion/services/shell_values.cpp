@@ -26,9 +26,10 @@ Status PlannerShell::GetInverseKinematics(const rrs::CartPos& pose, const rrs::J
     if (auto checked = kinematics::check_pose(pose); !checked) {
         return reject(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
     }
-    if (PlanResult checked = planner_.check_joints(near); !checked)
+    if (PlanResult checked = planner_.targets().check_joints(near); !checked)
         return to_status(std::move(checked.error()));
-    auto solution = planner_.setup().kinematics->inverse(selections_.frames.to_tool_centre(pose), near);
+    auto solution =
+        planner_.machine().setup().kinematics->inverse(selections_.frames.to_tool_centre(pose), near);
     if (!solution) return reject(Status::RRS_NO_SOLUTION, std::move(solution.error()));
     joints = *solution;
     return Status::RRS_SUCCESS;
@@ -36,9 +37,9 @@ Status PlannerShell::GetInverseKinematics(const rrs::CartPos& pose, const rrs::J
 
 Status PlannerShell::GetForwardKinematics(const rrs::JointPos& joints, rrs::CartPos& pose) {
     if (!initialized_) return not_initialized();
-    if (PlanResult checked = planner_.check_joints(joints); !checked)
+    if (PlanResult checked = planner_.targets().check_joints(joints); !checked)
         return to_status(std::move(checked.error()));
-    pose = selections_.frames.to_target(planner_.setup().kinematics->forward(joints));
+    pose = selections_.frames.to_target(planner_.machine().setup().kinematics->forward(joints));
     return Status::RRS_SUCCESS;
 }
 
@@ -55,7 +56,7 @@ Status PlannerShell::SelectTargetType(rrs::TargetType type) {
             fmt::format("There is no target type {}; 0 is Cartesian, 1 joint.", static_cast<int>(type)));
     }
     selections_.target_type = type;
-    if (type == rrs::TargetType::joint && !planner_.setup().has_position_joints())
+    if (type == rrs::TargetType::joint && !planner_.machine().setup().has_position_joints())
         selections_.motion_type = rrs::MotionType::joint;
     return Status::RRS_SUCCESS;
 }
@@ -69,8 +70,8 @@ Status PlannerShell::SelectMotionType(rrs::MotionType type) {
                                   static_cast<int>(type)));
     }
     const bool targets_poses = selections_.target_type == rrs::TargetType::cartesian;
-    if (path && !planner_.setup().has_position_joints() &&
-        !(targets_poses && rotary_joints_move_tcp(planner_.setup(), selections_.frames.tcp_mm()))) {
+    if (path && !planner_.machine().setup().has_position_joints() &&
+        !(targets_poses && rotary_joints_move_tcp(planner_.machine().setup(), selections_.frames.tcp_mm()))) {
         return reject(
             Status::RRS_MOTION_TYPE_NOT_SUPPORTED,
             "Linear and circular motion to joint values need joints that carry the position of the tool; "
@@ -95,7 +96,7 @@ Status PlannerShell::SelectDominantInterpolation(rrs::Dominance dominance) {
 
 Status PlannerShell::SelectFlybyMode(bool on) {
     if (!initialized_) return not_initialized();
-    if (on && !planner_.can_pass_targets())
+    if (on && !planner_.buffered_moves().can_pass_targets())
         return reject(Status::RRS_MODE_NOT_SUPPORTED,
                       "The default planner stops at each target; it has no fly-by.");
     selections_.move_parameters.path_mode = on ? rrs::PathMode::continuous : rrs::PathMode::exact_stop;
@@ -162,7 +163,7 @@ Status PlannerShell::SetRampMode(rrs::RampMode mode) {
                         number));
     }
     if (mode != rrs::RampMode::machine) {
-        if (PlanResult checked = planner_.check_ramps(); !checked)
+        if (PlanResult checked = planner_.machine().check_ramps(); !checked)
             return to_status(std::move(checked.error()));
     }
     ProgrammedRamps changed = ramps();
@@ -180,7 +181,8 @@ Status PlannerShell::SetJointRampLimits(rrs::RampLimit limit, std::span<const in
             Status::RRS_INVALID_PARAMETER,
             fmt::format("There is no limit {}; 0 is acceleration, 1 deceleration, 2 jerk.", number));
     }
-    if (PlanResult checked = planner_.check_ramps(); !checked) return to_status(std::move(checked.error()));
+    if (PlanResult checked = planner_.machine().check_ramps(); !checked)
+        return to_status(std::move(checked.error()));
     constexpr std::string_view kNames[] = {"acceleration", "deceleration", "jerk"};
     ProgrammedRamps changed = ramps();
     const Status status = set_joint_values(changed.of(limit), joints, values, kNames[number]);
@@ -190,12 +192,12 @@ Status PlannerShell::SetJointRampLimits(rrs::RampLimit limit, std::span<const in
 
 ProgrammedRamps PlannerShell::ramps() const {
     return selections_.move_parameters.ramps ? *selections_.move_parameters.ramps
-                                             : ProgrammedRamps(planner_.setup().joint_count());
+                                             : ProgrammedRamps(planner_.machine().setup().joint_count());
 }
 
 void PlannerShell::set_ramps(const ProgrammedRamps& ramps) {
     selections_.move_parameters.ramps = std::make_shared<const ProgrammedRamps>(ramps);
-    planner_.use(selections_.move_parameters);
+    planner_.machine().use(selections_.move_parameters);
 }
 
 Status PlannerShell::SetCartesianPositionSpeed(double speed_mm_s) {
@@ -265,7 +267,7 @@ Status PlannerShell::set_percent(double& factor, double percent, std::string_vie
 Status PlannerShell::set_joint_values(rrs::JointPos& values, std::span<const int> joints,
                                       std::span<const double> requested, std::string_view what) {
     if (!initialized_) return not_initialized();
-    const std::size_t count = joints.empty() ? planner_.setup().joints.size() : joints.size();
+    const std::size_t count = joints.empty() ? planner_.machine().setup().joints.size() : joints.size();
     if (requested.size() != count) {
         return reject(
             Status::RRS_INVALID_PARAMETER,
@@ -274,10 +276,10 @@ Status PlannerShell::set_joint_values(rrs::JointPos& values, std::span<const int
     rrs::JointPos changed = values;
     for (std::size_t i = 0; i < count; ++i) {
         const int joint = joints.empty() ? static_cast<int>(i) : joints[i];
-        if (joint < 0 || joint >= planner_.setup().joint_count()) {
+        if (joint < 0 || joint >= planner_.machine().setup().joint_count()) {
             return reject(Status::RRS_INVALID_PARAMETER,
                           fmt::format("There is no joint {}; joints are 0 to {}.", joint,
-                                      planner_.setup().joint_count() - 1));
+                                      planner_.machine().setup().joint_count() - 1));
         }
         if (!(requested[i] > 0)) {
             return reject(Status::RRS_INVALID_PARAMETER,
@@ -294,7 +296,7 @@ Status PlannerShell::set_joint_parameters(rrs::JointPos JointParameters::*values
                                           std::span<const double> requested, std::string_view what) {
     JointParameters changed = selections_.move_parameters.joints
                                   ? *selections_.move_parameters.joints
-                                  : JointParameters(planner_.setup().joint_count());
+                                  : JointParameters(planner_.machine().setup().joint_count());
     const Status status = set_joint_values(changed.*values, joints, requested, what);
     if (status == Status::RRS_SUCCESS)
         selections_.move_parameters.joints = std::make_shared<const JointParameters>(std::move(changed));
@@ -309,7 +311,7 @@ Status PlannerShell::SetTipControl(bool on, const Eigen::Vector3d& tcp_mm) {
         selections_.tcp_mm.reset();
         return Status::RRS_SUCCESS;
     }
-    if (PlanResult checked = planner_.check_tcp_control(); !checked)
+    if (PlanResult checked = planner_.machine().check_tcp_control(); !checked)
         return to_status(std::move(checked.error()));
     selections_.tcp_mm = tcp_mm;
     return Status::RRS_SUCCESS;
