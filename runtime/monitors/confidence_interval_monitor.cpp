@@ -66,7 +66,7 @@ void ConfidenceIntervalMonitor::on_request(const MotionRequest& request) {
 
 void ConfidenceIntervalMonitor::ended() {
     for (const PerturbedMachine& comparison : perturbed_machines_) {
-        comparison.planner->plan_to_final_standstill();
+        comparison.planner->dwells().plan_to_final_standstill();
         comparison.planner->flush();
     }
 }

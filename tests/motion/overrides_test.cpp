@@ -44,7 +44,7 @@ class Operated {
     explicit Operated(const PlannerSetup& setup, std::vector<OverrideChange> changes = {})
         : planner_(setup, &sink_) {
         if (!changes.empty())
-            planner_.set_overrides(std::make_shared<const OverrideSchedule>(std::move(changes)));
+            planner_.machine().set_overrides(std::make_shared<const OverrideSchedule>(std::move(changes)));
         planner_.Initialize();
         planner_.SetInitialPosition(rrs::CartPos::Identity(), joint_pos({0, 0, 0}), {});
         planner_.SelectMotionType(rrs::MotionType::linear);
@@ -133,7 +133,7 @@ TEST_P(OverridesOf, AMoveThatIsLockedIsDeaf) {
     Operated run(setup(), constant({.feed = 0.5, .rapid = 0.5, .spindle = 0.5}));
     run.set_obeyed_overrides({.feed = false, .rapid = false});
     run.feed(100, 0, 10);
-    run.planner().plan_to_standstill();
+    run.planner().dwells().plan_to_standstill();
     const double feed_s = run.planner().time_s();
     EXPECT_NEAR(feed_s, trapezoid_s(100, 10), 1e-9);
     run.rapid(0, 0);

@@ -72,7 +72,7 @@ TEST(PlannerQueue, SegmentsLeaveInOrderEachOnceAndJoinWithoutGaps) {
     }
     EXPECT_EQ(clock, at.planner.time_s());
     EXPECT_EQ(position, at.planner.position());
-    EXPECT_EQ(at.planner.step_time_s(), clock);
+    EXPECT_EQ(at.planner.timeline().step_time_s(), clock);
 }
 
 TEST_P(QueueServices, StepsAreSamplesOfTheSegments) {
@@ -206,12 +206,12 @@ TEST(PlannerQueue, SegmentsLeaveAsStepsPassThem) {
         const Status status = at.planner.GetNextStep(joints, pose, elapsed);
         if (status == Status::RRS_NEED_MORE_DATA) break;
         clock += elapsed;
-        ASSERT_NEAR(clock, at.planner.step_time_s(), 1e-9);
+        ASSERT_NEAR(clock, at.planner.timeline().step_time_s(), 1e-9);
         const std::size_t passed = at.collector.segments.size();
         ASSERT_EQ(status == Status::RRS_TARGET_REACHED, passed > remaining);
         remaining = passed;
     }
-    EXPECT_EQ(at.planner.step_time_s(), at.planner.time_s());
+    EXPECT_EQ(at.planner.timeline().step_time_s(), at.planner.time_s());
     EXPECT_EQ(ids(at.collector.segments), (std::vector<rrs::TargetId>{1, 2, 3, 4, 5, 6, 6, 7}));
 }
 

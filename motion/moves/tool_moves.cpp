@@ -1,12 +1,11 @@
-// Moves of Planner with curved joint paths, so that the TCP follows a straight or circular path: under TCP
-// control, and to poses if slides alone do not carry the TCP.
+#include "motion/moves/tool_moves.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "motion/kinematics/pose.h"
+#include "motion/lookahead/look_ahead.h"
+#include "motion/path/axis_space.h"
 #include "motion/path/circle.h"
-#include "motion/planner/planner.h"
 
 namespace gsim::motion {
 
@@ -17,11 +16,6 @@ namespace {
 Eigen::Vector3d tcp_position(const PlannerSetup& setup, const rrs::JointPos& joints,
                              const Eigen::Vector3d& tcp_mm) {
     return setup.kinematics->forward(joints) * tcp_mm;
-}
-
-std::ptrdiff_t slide_count(const PlannerSetup& setup) {
-    return std::count_if(setup.position_joints.begin(), setup.position_joints.end(),
-                         [](int joint) { return joint >= 0; });
 }
 
 /// Converts an inverse time feed into a speed along the full path.
@@ -43,30 +37,45 @@ Eigen::Vector3d tcp_of_move(const Move& move) {
 
 }  // namespace
 
-bool Planner::moves_tool(const Move& move) const {
-    if (move.type == rrs::MotionType::joint || !is_interpolated(move)) return false;
+ToolMoves::ToolMoves(const ActiveMachine& machine, const TargetSolver& targets, const PathBuilder& paths,
+                     BufferedMoves& buffered_moves, Dwells& dwells, Timeline& timeline,
+                     RobotPosition& position)
+    : machine_(machine),
+      targets_(targets),
+      paths_(paths),
+      buffered_moves_(buffered_moves),
+      dwells_(dwells),
+      timeline_(timeline),
+      position_(position),
+      exact_stop_model_(std::make_unique<LookAhead>(machine.setup(), timeline)) {}
+
+bool ToolMoves::accepts(const Move& move) const {
+    if (move.type == rrs::MotionType::joint || !machine_.is_interpolated(move.move_parameters.rapid))
+        return false;
     return move.tcp_mm ||
-           (move.goal.pose && rotary_joints_move_tcp(setup_, move.goal.pose->tool.translation()));
+           (move.goal.pose && rotary_joints_move_tcp(machine_.setup(), move.goal.pose->tool.translation()));
 }
 
 /// Returns `via` as a position of the controlled point. It is taken from the pose if joints are `led` on the
 /// path, because the joints that would reach it are known only on the path.
-tl::expected<Eigen::Vector3d, PlanError> Planner::via_point(const Move& move) const {
-    if (move.via->pose && has_fixed_joints()) return Eigen::Vector3d(move.via->pose->pose.translation());
+tl::expected<Eigen::Vector3d, PlanError> ToolMoves::via_point(const Move& move) const {
+    if (move.via->pose && machine_.has_fixed_joints())
+        return Eigen::Vector3d(move.via->pose->pose.translation());
     rrs::JointPos via;
-    if (PlanResult solved = solve(*move.via, via); !solved) return tl::unexpected(std::move(solved.error()));
-    return tcp_position(setup_, via, tcp_of_move(move));
+    if (PlanResult solved = targets_.solve(*move.via, via); !solved)
+        return tl::unexpected(std::move(solved.error()));
+    return tcp_position(machine_.setup(), via, tcp_of_move(move));
 }
 
-tl::expected<TcpPath, PlanError> Planner::make_tcp_path(const Move& move, const Eigen::Vector3d& from,
-                                                        const Eigen::Vector3d& to) const {
+tl::expected<TcpPath, PlanError> ToolMoves::make_tcp_path(const Move& move, const Eigen::Vector3d& from,
+                                                          const Eigen::Vector3d& to) const {
     TcpPath tcp_path{.from = from, .to = to};
     if (move.type == rrs::MotionType::linear) return tcp_path;
     tcp_path.kind = SegmentKind::circular;
     PlanResult planned;
     if (move.circle) {
         planned = arc_about(from, to, move.circle->center_mm, move.circle->axis, move.circle->sweep_rad,
-                            setup_.arc_tolerance_mm, tcp_path.arc);
+                            machine_.setup().arc_tolerance_mm, tcp_path.arc);
     } else if (move.via) {
         const auto via = via_point(move);
         if (!via) return tl::unexpected(via.error());
@@ -80,50 +89,45 @@ tl::expected<TcpPath, PlanError> Planner::make_tcp_path(const Move& move, const 
 
 /// The other joints move in proportion if three slides carry the controlled point. Otherwise, and if the
 /// inverse holds joints, the tool turns evenly.
-tl::expected<std::unique_ptr<ToolPath>, PlanError> Planner::make_tool_path(const Move& move) const {
-    const bool is_pose_move = move.goal.pose && (slide_count(setup_) < 3 || has_fixed_joints());
+tl::expected<std::unique_ptr<ToolPath>, PlanError> ToolMoves::make_tool_path(const Move& move) const {
+    const PlannerSetup& setup = machine_.setup();
+    const rrs::JointPos& start = position_.joints();
+    const bool is_pose_move = move.goal.pose && (slide_count(setup) < 3 || machine_.has_fixed_joints());
     rrs::JointPos end;
     if (is_pose_move) {
         if (auto checked = kinematics::check_pose(move.goal.pose->pose); !checked)
             return make_plan_error(Status::RRS_INVALID_PARAMETER, std::move(checked.error()));
     } else {
-        if (PlanResult solved = solve(move.goal, end); !solved)
+        if (PlanResult solved = targets_.solve(move.goal, end); !solved)
             return tl::unexpected(std::move(solved.error()));
     }
     const Eigen::Vector3d tcp = tcp_of_move(move);
     const Eigen::Vector3d to =
-        is_pose_move ? Eigen::Vector3d(move.goal.pose->pose.translation()) : tcp_position(setup_, end, tcp);
+        is_pose_move ? Eigen::Vector3d(move.goal.pose->pose.translation()) : tcp_position(setup, end, tcp);
     GroupPath group_joints =
-        is_pose_move ? GroupPath(setup_, position_, move.goal.pose->group_joints) : GroupPath();
+        is_pose_move ? GroupPath(setup, start, move.goal.pose->group_joints) : GroupPath();
     auto tcp_path =
-        make_tcp_path(move, tcp_position(setup_, group_joints.with_synchronous_joints(position_), tcp), to);
+        make_tcp_path(move, tcp_position(setup, group_joints.with_synchronous_joints(start), tcp), to);
     if (!tcp_path) return tl::unexpected(std::move(tcp_path.error()));
     if (is_pose_move)
-        return make_pose_path(setup_, *std::move(tcp_path), move.goal.pose->tool, position_,
-                              move.goal.pose->pose, std::move(group_joints));
-    return make_slide_compensated_path(setup_, *std::move(tcp_path), tcp, position_, end);
+        return make_pose_path(setup, *std::move(tcp_path), move.goal.pose->tool, start, move.goal.pose->pose,
+                              std::move(group_joints));
+    return make_slide_compensated_path(setup, *std::move(tcp_path), tcp, start, end);
 }
 
-PlanResult Planner::check_tcp_control() const {
-    if (slide_count(setup_) >= 3) return {};
-    return make_plan_error(
-        Status::RRS_MODE_NOT_SUPPORTED,
-        "Tool-centre-point control needs three slides, X, Y and Z, which this machine has not.");
-}
-
-EnqueueResult Planner::enqueue_tool_move(const Move& move) {
+EnqueueResult ToolMoves::enqueue(const Move& move) {
     if (move.tcp_mm) {
-        if (PlanResult checked = check_tcp_control(); !checked)
+        if (PlanResult checked = machine_.check_tcp_control(); !checked)
             return tl::unexpected(std::move(checked.error()));
     }
     if (move.move_parameters.rapid && move.type == rrs::MotionType::circular)
-        return tl::unexpected(std::move(check_circular(true).error()));
+        return tl::unexpected(std::move(paths_.check_circular(true).error()));
     auto path = make_tool_path(move);
     if (!path) return tl::unexpected(std::move(path.error()));
-    auto sub_segments = cut(**path, setup_, position_);
+    auto sub_segments = cut(**path, machine_.setup(), position_.joints());
     if (!sub_segments) return tl::unexpected(std::move(sub_segments.error()));
     PathMove full_move;
-    set_parameters(move, full_move);
+    paths_.set_parameters(move, full_move);
     full_move.merge_tolerance_mm = 0;
     set_speed(**path, full_move.rules);
     if (PlanResult result = add_sub_segments(full_move, **path, *sub_segments); !result)
@@ -131,23 +135,23 @@ EnqueueResult Planner::enqueue_tool_move(const Move& move) {
     return {};
 }
 
-/// The planner's model takes the sub-segments if it supports them. Otherwise another model takes them, which
-/// stops at the end.
-PlanResult Planner::add_sub_segments(const PathMove& full_move, const ToolPath& path,
-                                     const std::vector<PathSubSegment>& sub_segments) {
-    const bool is_look_ahead = setup_.controller.capabilities().plans_tool_paths;
-    if (!is_look_ahead && model_) {
-        end_model();
-        model_->clear();
+/// The controller's model takes the sub-segments if it supports them. Otherwise another model takes them,
+/// which stops at the end.
+PlanResult ToolMoves::add_sub_segments(const PathMove& full_move, const ToolPath& path,
+                                       const std::vector<PathSubSegment>& sub_segments) {
+    const bool is_look_ahead = machine_.setup().controller.capabilities().plans_tool_paths;
+    if (!is_look_ahead) {
+        buffered_moves_.plan_to_standstill();
+        buffered_moves_.clear();
     }
     if (sub_segments.empty() && !is_look_ahead) {
-        append_dwell(full_move.target_id, 0);
+        dwells_.append(full_move.target_id, 0);
         return {};
     }
-    MotionModel& model = is_look_ahead ? *model_ : *tool_model_;
-    const bool is_pending = is_look_ahead && pending_.enqueue(full_move.target_id);
+    MotionModel& model = is_look_ahead ? *buffered_moves_.model() : *exact_stop_model_;
+    const bool is_pending = is_look_ahead && timeline_.pending().enqueue(full_move.target_id);
     PathMove move = full_move;
-    move.end = position_;
+    move.end = position_.joints();
     for (std::size_t i = 0; i < sub_segments.size(); ++i) {
         const PathSubSegment& sub_segment = sub_segments[i];
         move.start = std::exchange(move.end, sub_segment.end);
@@ -156,12 +160,12 @@ PlanResult Planner::add_sub_segments(const PathMove& full_move, const ToolPath& 
         move.reaches_target = i + 1 == sub_segments.size();
         move.share = sub_segment.share;
         if (PlanResult result = model.add(move); !result) {
-            if (is_pending) pending_.retract_last();
+            if (is_pending) timeline_.pending().retract_last();
             if (!is_look_ahead) model.clear();
             return result;
         }
     }
-    position_ = move.end;
+    position_.move_to(move.end);
     if (!is_look_ahead) model.plan_to_standstill();
     return {};
 }
