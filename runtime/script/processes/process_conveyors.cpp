@@ -35,29 +35,30 @@ void Processes::set_conveyor_speed(lua_State* state, process::Conveyor& conveyor
 }
 
 bool Processes::tracks_conveyors() const {
-    return std::any_of(controllers_.begin(), controllers_.end(),
-                       [](RobotController* controller) { return controller->simulator().has_conveyors(); });
+    return std::any_of(controllers_.begin(), controllers_.end(), [](RobotController* controller) {
+        return controller->simulator().cell().has_conveyors();
+    });
 }
 
 /// Sets the conveyor's motion from a time on in the cells of robots through which it runs.
 void Processes::notify_conveyor(const process::Conveyor& conveyor, double time_s) {
     for (RobotController* controller : controllers_) {
         const Eigen::Vector3d direction = controller->base().linear().transpose() * conveyor.direction();
-        controller->simulator().set_conveyor(conveyor.name(), conveyor.position_mm(time_s) * direction,
-                                             conveyor.speed_mm_s() * direction, time_s);
+        controller->simulator().cell().set_conveyor(conveyor.name(), conveyor.position_mm(time_s) * direction,
+                                                    conveyor.speed_mm_s() * direction, time_s);
     }
 }
 
 /// A process changes conveyors only at its own time, with its own robot at standstill.
 void Processes::notify_known_conveyor_time() {
     for (RobotController* controller : controllers_) {
-        if (!controller->simulator().has_conveyors()) continue;
+        if (!controller->simulator().cell().has_conveyors()) continue;
         double known_s = std::numeric_limits<double>::infinity();
         for (ProcessId id = 0; id < lua_processes_.size(); ++id) {
             if (lua_processes_[id]->controller != controller)
                 known_s = std::min(known_s, schedule_.next_action_s(id));
         }
-        controller->simulator().set_conveyors_known_until(known_s);
+        controller->simulator().cell().monitor()->set_known_until(known_s);
     }
 }
 
@@ -83,15 +84,15 @@ void Processes::track(lua_State* state, RobotController& controller, process::Co
     simulation::Simulator& simulator = controller.simulator();
     const simulation::SourceLocation location = controller.interpreter().location();
     if (tracked_conveyors_.erase(&controller) > 0)
-        controller.interpreter().check(state, simulator.untrack(location));
+        controller.interpreter().check(state, simulator.services().untrack(location));
     if (conveyor != nullptr) {
         tracked_conveyors_.emplace(&controller, conveyor);
         const Eigen::Vector3d direction = controller.base().linear().transpose() * conveyor->direction();
-        const bool done = simulator.track(direction, conveyor->position_mm(simulator.time_s()),
-                                          conveyor->speed_mm_s(), location);
+        const bool done = simulator.services().track(
+            direction, conveyor->position_mm(simulator.clock().time_s()), conveyor->speed_mm_s(), location);
         controller.interpreter().check(state, done);
     }
-    now().time_s = std::max(now().time_s, simulator.time_s());
+    now().time_s = std::max(now().time_s, simulator.clock().time_s());
 }
 
 }  // namespace gsim::script

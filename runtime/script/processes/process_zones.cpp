@@ -19,7 +19,8 @@ int Processes::enter_zone(lua_State* state, std::size_t zone) {
     }
     if (const std::vector<ProcessId> deadlocked = schedule_.deadlocked_from(running_); !deadlocked.empty()) {
         alarm(state, DiagnosticKind::process,
-              fmt::format("dead-lock: {}", schedule_.waits(interpreter().simulator().files(), deadlocked)));
+              fmt::format("dead-lock: {}",
+                          schedule_.waits(interpreter().simulator().program().files().names(), deadlocked)));
     }
     return yield(state, YieldReason::in_wait);
 }
@@ -37,7 +38,7 @@ std::optional<Processes::Outcome> Processes::find_deadlock(ProcessId id) {
     RobotController* controller =
         lua_processes_[*first]->controller != nullptr ? lua_processes_[*first]->controller : controllers_[0];
     const std::string waits =
-        schedule_.waits(controller->simulator().files(), schedule_.deadlocked_from(*first));
+        schedule_.waits(controller->simulator().program().files().names(), schedule_.deadlocked_from(*first));
     return Outcome{.end = RunEnd::deadlock,
                    .message = "dead-lock: " + waits,
                    .controller = controller,

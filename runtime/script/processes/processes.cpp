@@ -50,7 +50,7 @@ Processes::Outcome Processes::deadlock() {
     return {
         .end = RunEnd::deadlock,
         .message = fmt::format("{}nothing can go on: {}", schedule_.any_waits_for_zone() ? "dead-lock, " : "",
-                               schedule_.waits(controller->simulator().files())),
+                               schedule_.waits(controller->simulator().program().files().names())),
         .controller = controller,
         .location = schedule_.process(first).location};
 }
@@ -106,7 +106,7 @@ std::optional<Processes::Outcome> Processes::resume(ProcessId id) {
         lua_process.controller != nullptr ? lua_process.controller : controllers_[0];
     const bool stopped = status == LUA_ERRRUN && LuaState::is_stop(thread, -1);
     const bool has_alarm = std::any_of(controllers_.begin(), controllers_.end(), [](RobotController* each) {
-        return each->simulator().alarm().has_value();
+        return each->simulator().outcome().alarm().has_value();
     });
     if (status != LUA_OK && (!stopped || has_alarm || lua_.ended() != LuaState::StopReason::no))
         return Outcome{
@@ -143,7 +143,7 @@ void Processes::finish(ProcessId id) {
     LuaProcess& lua_process = *lua_processes_[id];
     Process& process = schedule_.process(id);
     if (several() && lua_process.controller != nullptr)
-        process.time_s = std::max(process.time_s, lua_process.controller->simulator().time_s());
+        process.time_s = std::max(process.time_s, lua_process.controller->simulator().clock().time_s());
     assign_robot(lua_process, nullptr);
     while (!lua_process.threads.empty()) drop_thread(lua_process);
     schedule_.finish(id);
@@ -195,7 +195,7 @@ void Processes::attach(lua_State* state, Interpreter& requested) {
     }
     bring_to_standstill(state);
     assign_robot(lua_process(), controller);
-    now().time_s = std::max(now().time_s, controller->simulator().time_s());
+    now().time_s = std::max(now().time_s, controller->simulator().clock().time_s());
     notify_robot_owner(controller);
     add_idle_time(lua_process());
 }
@@ -204,12 +204,12 @@ void Processes::attach(lua_State* state, Interpreter& requested) {
 void Processes::add_idle_time(LuaProcess& lua_process) {
     if (lua_process.controller == nullptr) return;
     simulation::Simulator& simulator = lua_process.controller->simulator();
-    const double idle_s = now().time_s - simulator.planned_s();
+    const double idle_s = now().time_s - simulator.clock().planned_s();
     if (!(idle_s > 0) || lua_process.yield_reason == YieldReason::at_block) return;
     lua_process.idle_s += idle_s;
     lua_process.controller->add_idle(idle_s);
-    simulator.dwell(idle_s, now().location);
-    now().time_s = std::max(now().time_s, simulator.planned_s());
+    simulator.dwells().enqueue(idle_s, now().location);
+    now().time_s = std::max(now().time_s, simulator.clock().planned_s());
 }
 
 // --- Requests of the running process ---
@@ -221,10 +221,11 @@ void Processes::alarm(lua_State* state, DiagnosticKind kind, const std::string& 
 
 void Processes::count_join(lua_State* state) {
     simulation::Simulator& simulator = interpreter().simulator();
-    if (++joins_ <= simulator.max_blocks()) return;
-    simulator.stop(DiagnosticKind::run_limit,
-                   fmt::format("the processes have joined each other {} times (--max-blocks)", joins_ - 1),
-                   now().location);
+    if (++joins_ <= simulator.outcome().limits().max_blocks) return;
+    simulator.outcome().stop(
+        DiagnosticKind::run_limit,
+        fmt::format("the processes have joined each other {} times (--max-blocks)", joins_ - 1),
+        now().location);
     LuaState::raise_stop(state);
 }
 
@@ -236,8 +237,8 @@ void Processes::bring_to_standstill(lua_State* state) {
     if (controller == nullptr) return;
     controller->interpreter().locate(state);
     controller->flush(state);
-    controller->simulator().wait();
-    process.time_s = std::max(process.time_s, controller->simulator().planned_s());
+    controller->simulator().clock().wait();
+    process.time_s = std::max(process.time_s, controller->simulator().clock().planned_s());
 }
 
 int Processes::yield(lua_State* state, YieldReason reason) {
@@ -249,11 +250,11 @@ int Processes::join(lua_State* state) {
     bring_to_standstill(state);
     count_join(state);
     simulation::Simulator& simulator = interpreter().simulator();
-    if (now().time_s > simulator.max_time_s()) {
-        simulator.stop(DiagnosticKind::run_limit,
-                       fmt::format("the limit of {:.10g} s of machine time is reached (--max-time)",
-                                   simulator.max_time_s()),
-                       now().location);
+    if (now().time_s > simulator.outcome().limits().max_time_s) {
+        simulator.outcome().stop(DiagnosticKind::run_limit,
+                                 fmt::format("the limit of {:.10g} s of machine time is reached (--max-time)",
+                                             simulator.outcome().limits().max_time_s),
+                                 now().location);
         LuaState::raise_stop(state);
     }
     return schedule_.continues(running_) ? 0 : yield(state, YieldReason::to_join);
@@ -263,7 +264,8 @@ int Processes::wait(lua_State* state, double seconds) {
     bring_to_standstill(state);
     const double end_s = now().time_s + seconds;
     if (RobotController* controller = lua_process().controller; controller != nullptr)
-        controller->interpreter().check(state, controller->simulator().dwell(seconds, now().location));
+        controller->interpreter().check(state,
+                                        controller->simulator().dwells().enqueue(seconds, now().location));
     now().time_s = end_s;
     if (seconds > 0) lua_.restart_steps();
     return join(state);
@@ -317,7 +319,7 @@ void Processes::on_line_hook(lua_State* state, lua_Debug* line) {
     lua_getinfo(state, "S", line);
     if (line->source[0] != '=' || line->source[1] != '#') return;
     if (lua_process.controller != nullptr)
-        now().time_s = std::max(now().time_s, lua_process.controller->simulator().planned_s());
+        now().time_s = std::max(now().time_s, lua_process.controller->simulator().clock().planned_s());
     if (!needs_line_hook(lua_process)) {
         lua_.set_line_hook(state, false);
         notify_known_time();
