@@ -15,7 +15,7 @@ namespace gsim::simulation {
 
 /// Controller of a run, which gets each move as one. Segments are passed to a sink in the order of time; the
 /// source decides when. Its services are for clients that call them by themselves. Selections of clients hold
-/// for their own targets, and for moves only as far as the Simulator copies them from selections().
+/// for their own targets, and for moves only as far as ProgramState copies them from selections().
 class MotionSource {
   public:
     virtual ~MotionSource() = default;

@@ -22,7 +22,7 @@ using simulation::MoveKind;
 
 namespace {
 
-constexpr double kPositionTolerance = 1e-9;  // mm or deg; as the Simulator has it
+constexpr double kPositionTolerance = 1e-9;  // mm or deg; as ProgramPosition has it
 constexpr std::array<double, 3> kQuarters = {0.25, 0.5, 0.75};
 constexpr int kMaxHalvings = 12;  // of such a motion, or of a quarter turn
 constexpr std::size_t kMaxTargets = 4'000'000;

@@ -11,8 +11,8 @@
 namespace gsim::simulation {
 
 std::string MultiRobotMonitor::item_name(const Track& track, std::size_t item) {
-    if (track.simulator == nullptr) return fmt::format("zone {}", track.name);
-    return track.simulator->cell()->cell().items[item].name;
+    if (track.cell == nullptr) return fmt::format("zone {}", track.name);
+    return track.cell->cell().items[item].name;
 }
 
 /// Records new contacts of a pair, while the parts of both sides still exist.

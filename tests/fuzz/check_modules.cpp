@@ -8,7 +8,7 @@
 #include "controller/module/rcs_shell.h"
 #include "machine/file/machine_file.h"
 #include "runtime/rcs/rcs_machine.h"
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "tests/build_files/build_files.h"
 #include "tests/fuzz/checks.h"
 #include "tests/fuzz/small_run.h"

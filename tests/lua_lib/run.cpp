@@ -81,8 +81,8 @@ Outcome run_script(Script script, Conditions setup) {
     simulation::Simulator simulator(result.machine, setup.limits);
     Collector collector(result);
     simulator.add_output(collector);
-    simulator.set_probe(setup.probe);
-    if (!setup.overrides.changes().empty()) simulator.set_overrides(setup.overrides);
+    simulator.probing().set_surface(setup.probe);
+    if (!setup.overrides.changes().empty()) simulator.motion().set_overrides(setup.overrides);
     const std::string name = script.file_name;
     {
         setup.options.codes = engine::word_table(*grammar::find_dialect(setup.options.dialect));

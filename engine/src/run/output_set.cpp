@@ -42,7 +42,7 @@ tl::expected<void, std::string> OutputSet::add(OutputKind output_kind, TextSink 
     switch (output_kind) {
         case OutputKind::moves:
             add_output(std::make_unique<simulation::MovesWriter>(stream(std::move(sink)), machine,
-                                                                 simulator_.files()));
+                                                                 simulator_.program().files().names()));
             return {};
         case OutputKind::trajectory: return add_trajectory(stream(std::move(sink)), options);
         case OutputKind::dxf: {
@@ -61,14 +61,14 @@ tl::expected<void, std::string> OutputSet::add(OutputKind output_kind, TextSink 
 tl::expected<void, std::string> OutputSet::add_trajectory(TextStream& out, const OutputOptions& options) {
     if (auto error = check_step(options.step_s)) return tl::unexpected(*std::move(error));
     trajectory_name_ = options.name;
-    auto trajectory = std::make_unique<simulation::TrajectoryWriter>(out, simulator_.machine(),
-                                                                     options.step_s, simulator_.max_time_s());
+    auto trajectory = std::make_unique<simulation::TrajectoryWriter>(
+        out, simulator_.machine(), options.step_s, simulator_.outcome().limits().max_time_s);
     if (options.forces) {
-        if (simulator_.dynamics() == nullptr) return tl::unexpected(std::string(kNoMassesError));
-        trajectory->add_efforts(*simulator_.dynamics());
+        if (simulator_.monitors().dynamics() == nullptr) return tl::unexpected(std::string(kNoMassesError));
+        trajectory->add_efforts(*simulator_.monitors().dynamics());
     }
     if (options.following) {
-        const auto setup = simulator_.following_setup();
+        const auto setup = simulator_.monitors().following_setup();
         if (!setup) return tl::unexpected(std::string(kNoServosError));
         trajectory->add_following(*setup);
     }
@@ -86,8 +86,9 @@ tl::expected<void, std::string> OutputSet::add_plot(TextSink sink, const OutputO
     if (auto missing_axes = simulation::PlotData::missing_axes_error(machine, *plane))
         return tl::unexpected(*missing_axes);
     plot_ = std::make_unique<Plot>(machine, *plane, options.bitmap, std::move(sink));
-    if (simulator_.dynamics() != nullptr) plot_->data.add_efforts(*simulator_.dynamics());
-    if (const auto setup = simulator_.following_setup()) plot_->data.add_following(*setup);
+    if (simulator_.monitors().dynamics() != nullptr)
+        plot_->data.add_efforts(*simulator_.monitors().dynamics());
+    if (const auto setup = simulator_.monitors().following_setup()) plot_->data.add_following(*setup);
     simulator_.add_output(plot_->data);
     return {};
 }
@@ -100,7 +101,7 @@ void OutputSet::add_path(TextSink sink) {
 void OutputSet::explain() {
     explanation_data_ = std::make_unique<ExplanationData>(simulator_.machine());
     simulator_.add_output(explanation_data_->times);
-    if (simulator_.is_sampled()) return;
+    if (simulator_.motion().source().is_sampled()) return;
     simulator_.add_output(explanation_data_->bound.emplace(simulator_.machine()));
 }
 

@@ -78,8 +78,8 @@ tl::expected<RobotsRun::Station, InputError> RobotsRun::make_station(
     station.simulator =
         std::make_unique<simulation::Simulator>(std::move(*machine), run_limits(request, run_context_->cpu));
     station.simulator->set_cell(*station.cell);
-    station.simulator->set_dynamics(*std::move(dynamics));
-    if (!overrides->changes().empty()) station.simulator->set_overrides(*overrides);
+    station.simulator->monitors().set_dynamics(*std::move(dynamics));
+    if (!overrides->changes().empty()) station.simulator->motion().set_overrides(*overrides);
     return station;
 }
 
@@ -111,7 +111,8 @@ void RobotsRun::monitor_robots() {
     std::vector<simulation::PlacedRobot> robots;
     robots.reserve(stations_.size());
     for (Station& station : stations_)
-        robots.push_back({station.entry.name, *station.simulator, station.entry.base});
+        robots.push_back(
+            {station.entry.name, station.simulator->motion(), station.cell.get(), station.entry.base});
     std::vector<simulation::PlacedZone> zones;
     zones.reserve(zones_.size());
     for (const process::SharedZone& zone : zones_)

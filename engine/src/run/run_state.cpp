@@ -105,7 +105,7 @@ tl::expected<void, Error> Run::State::prepare() {
     if (!inputs) return tl::unexpected(make_error(inputs.error()));
     inputs->module = std::exchange(module_, std::nullopt);
     program_run_ = std::make_unique<ProgramRun>(found_, *std::move(inputs), run_context_, progress());
-    program_run_->simulator().set_dynamics(dynamics_);
+    program_run_->simulator().monitors().set_dynamics(dynamics_);
     add(program_run_->simulator());
     return {};
 }

@@ -72,7 +72,7 @@ bool SuggestedFixSearch::is_fixed_by(const std::vector<OffsetShift>& shifts) con
     limits.stop_at_first = true;
     simulation::Simulator simulator(machine_, limits);
     simulator.set_cell(**cell);
-    simulator.set_probe(probe_);
+    simulator.probing().set_surface(probe_);
     const TextDiagnosticHandler on_diagnostic = [](const text::Diagnostic&) {
     };  // the first run has reported them
     script::Engine::Options options = engine_options(found_.request, std::move(data), language_,

@@ -96,7 +96,7 @@ std::size_t check_group(lua_State* state, Interpreter& interpreter, int index) {
 
 void check_coordinated(lua_State* state, Interpreter& interpreter, const machine::AxisGroup& group) {
     const auto index = static_cast<std::size_t>(&group - interpreter.simulator().machine().groups.data());
-    if (interpreter.simulator().group_motion(index) != machine::GroupMotion::independent) return;
+    if (interpreter.simulator().groups().motion(index) != machine::GroupMotion::independent) return;
     interpreter.alarm(
         state, DiagnosticKind::mode,
         fmt::format("the group '{0}' is independent; group(\"{0}\").move{{...}} moves it", group.name));
@@ -118,7 +118,7 @@ int group_motion(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
     interpreter.locate(state);
     const std::size_t group = check_group(state, interpreter, 1);
-    lua_pushstring(state, kMotions[static_cast<std::size_t>(interpreter.simulator().group_motion(group))]);
+    lua_pushstring(state, kMotions[static_cast<std::size_t>(interpreter.simulator().groups().motion(group))]);
     return 1;
 }
 
@@ -135,7 +135,7 @@ int set_group_motion(lua_State* state) {
             "groups are coordinated on machines with inverse = \"numeric\"; where X, Y and Z carry "
             "the tip, G43.4 coordinates all axes");
     }
-    interpreter.simulator().set_group_motion(group, motion);
+    interpreter.simulator().groups().set_motion(group, motion);
     return 0;
 }
 
@@ -146,7 +146,7 @@ int move_group(lua_State* state) {
     interpreter.attach(state);
     const std::size_t group = check_group(state, interpreter, 1);
     const machine::AxisGroup& moved = interpreter.simulator().machine().groups[group];
-    if (interpreter.simulator().group_motion(group) != machine::GroupMotion::independent) {
+    if (interpreter.simulator().groups().motion(group) != machine::GroupMotion::independent) {
         interpreter.alarm(
             state, DiagnosticKind::mode,
             fmt::format("the group '{0}' is led by poses; group(\"{0}\").independent() comes before it "
@@ -156,7 +156,7 @@ int move_group(lua_State* state) {
     lua_settop(state, 2);
     std::vector<simulation::GroupTarget> targets;
     read_targets(state, interpreter, moved, targets);
-    interpreter.check(state, interpreter.simulator().move_group(group, targets, interpreter.location()));
+    interpreter.check(state, interpreter.simulator().groups().move(group, targets, interpreter.location()));
     return 0;
 }
 
@@ -165,7 +165,7 @@ int wait_for_groups(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
     interpreter.locate(state);
     interpreter.attach(state);
-    interpreter.check(state, interpreter.simulator().wait_for_groups(interpreter.location()));
+    interpreter.check(state, interpreter.simulator().groups().wait(interpreter.location()));
     return 0;
 }
 

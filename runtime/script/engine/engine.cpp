@@ -63,7 +63,7 @@ Engine::Engine(std::vector<Robot> robots, std::vector<process::Conveyor> conveyo
     const int status = call_protected([](Engine& engine) { engine.open_controllers(); });
     if (!process_result(status, lua_.get(), *controllers_.front())) {
         throw std::runtime_error("the library in Lua cannot be loaded: " +
-                                 controllers_.front()->simulator().alarm()->message);
+                                 controllers_.front()->simulator().outcome().alarm()->message);
     }
 }
 
@@ -222,24 +222,24 @@ bool Engine::process_outcome(int status) {
         process_result(outcome.status, outcome.error_thread, *outcome.controller);
     }
     if (outcome.end == Processes::RunEnd::deadlock)
-        outcome.controller->simulator().fail(DiagnosticKind::script, std::move(outcome.message),
-                                             outcome.location);
+        outcome.controller->simulator().outcome().fail(DiagnosticKind::script, std::move(outcome.message),
+                                                       outcome.location);
     return std::none_of(controllers_.begin(), controllers_.end(),
                         [](const std::unique_ptr<RobotController>& controller) {
-                            return controller->simulator().alarm().has_value();
+                            return controller->simulator().outcome().alarm().has_value();
                         });
 }
 
 /// Applies the end of a protected call to the run; the error is on top of the stack.
 bool Engine::process_result(int status, lua_State* state, RobotController& controller) {
     simulation::Simulator& simulator = controller.simulator();
-    if (status == LUA_OK) return !simulator.alarm();
+    if (status == LUA_OK) return !simulator.outcome().alarm();
     const SourceLocation location = controller.interpreter().location();
     if (status == LUA_ERRMEM || lua_.ended() == LuaState::StopReason::memory) {
-        return simulator.stop(DiagnosticKind::run_limit, lua_.memory().error(), location);
+        return simulator.outcome().stop(DiagnosticKind::run_limit, lua_.memory().error(), location);
     }
     if (lua_.ended() == LuaState::StopReason::steps) {
-        return simulator.stop(
+        return simulator.outcome().stop(
             DiagnosticKind::run_limit,
             fmt::format(
                 "{} steps of the script without a motion or a dwell (--max-steps): is this an endless loop?",
@@ -247,10 +247,12 @@ bool Engine::process_result(int status, lua_State* state, RobotController& contr
             last_step_location_.line > 0 ? last_step_location_ : location);
     }
     if (lua_.ended() == LuaState::StopReason::cpu)
-        return simulator.has_cpu_time(last_step_location_.line > 0 ? last_step_location_ : location);
-    if (LuaState::is_stop(state, -1)) return !simulator.alarm();
-    return simulator.fail(DiagnosticKind::script,
-                          error_.empty() ? "an error in the handling of an error" : error_, error_location_);
+        return simulator.outcome().has_cpu_time(last_step_location_.line > 0 ? last_step_location_
+                                                                             : location);
+    if (LuaState::is_stop(state, -1)) return !simulator.outcome().alarm();
+    return simulator.outcome().fail(DiagnosticKind::script,
+                                    error_.empty() ? "an error in the handling of an error" : error_,
+                                    error_location_);
 }
 
 }  // namespace gsim::script

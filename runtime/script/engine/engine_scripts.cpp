@@ -30,7 +30,7 @@ Engine::LoadedScript& Engine::add_script(lua_State* state, Script script, RobotC
     loaded_script.script = std::move(script);
     loaded_script.controller = &controller;
     for (const std::unique_ptr<RobotController>& each : controllers_)
-        loaded_script.file = each->simulator().add_file(loaded_script.script.file_name);
+        loaded_script.file = each->simulator().program().files().add(loaded_script.script.file_name);
     return loaded_script;
 }
 

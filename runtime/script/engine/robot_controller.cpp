@@ -225,7 +225,7 @@ void RobotController::open(lua_State* state, const Library& library_files, const
     add_core_functions(state, *this);
     set_function<push_loading_module>(state, "loading", this);
     set_options(state, switches);
-    robot_.simulator.set_zone_data(robot_.data);
+    robot_.simulator.program().zones().set_data(robot_.data);
     machine::MachineData tables = robot_.data;
     tables.homes = machine::secondary_homes(robot_.simulator.machine(), tables.homes);
     set_data_tables(state, tables);

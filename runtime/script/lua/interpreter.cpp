@@ -71,7 +71,7 @@ void Interpreter::enter(lua_State* state, std::size_t word_id) {
         words_in_block_.reset();
         modal_.machine_frame_once = false;
         location_ = location;
-        if (!simulator_.count_block(location)) LuaState::raise_stop(state);
+        if (!simulator_.outcome().count_block(location)) LuaState::raise_stop(state);
     }
     words_in_block_[word_id] = true;
 }
@@ -94,7 +94,7 @@ void Interpreter::push_motion(lua_State* state) const {
 }
 
 void Interpreter::alarm(lua_State* state, DiagnosticKind kind, const std::string& message) {
-    simulator_.fail(kind, message, location_);
+    simulator_.outcome().fail(kind, message, location_);
     LuaState::raise_stop(state);
 }
 
@@ -102,7 +102,7 @@ void Interpreter::check(lua_State* state, bool done) {
     if (!done) LuaState::raise_stop(state);
     LuaState& lua = LuaState::of(state);
     lua.restart_steps();
-    if (const std::size_t bytes = simulator_.observed_bytes(); bytes > observed_bytes_) {
+    if (const std::size_t bytes = simulator_.notifier().observed_bytes(); bytes > observed_bytes_) {
         lua.add_external_bytes(state, bytes - observed_bytes_, "the path of the run (--record)");
         observed_bytes_ = bytes;
     }
@@ -262,7 +262,7 @@ void Interpreter::line(lua_State* state, bool rapid, int index) {
     move.kind = rapid ? simulation::MoveKind::rapid : simulation::MoveKind::linear;
     if (!rapid) move.feed = feed(state, std::nullopt);
     move.location = location_;
-    check(state, simulator_.move(move));
+    check(state, simulator_.moves().enqueue(move));
 }
 
 }  // namespace gsim::script

@@ -72,7 +72,7 @@ class Interpreter {
     /// Returns the point that the program has reached, in machine coordinates. It is the position of the
     /// machine, unless the library has set another one (set_programmed).
     const simulation::AxisVector& programmed() const {
-        return programmed_ ? *programmed_ : simulator_.position();
+        return programmed_ ? *programmed_ : simulator_.position().axes();
     }
     void set_programmed(const std::optional<simulation::AxisVector>& point) { programmed_ = point; }
     const simulation::SourceLocation& location() const { return location_; }

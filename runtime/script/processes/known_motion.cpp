@@ -19,13 +19,13 @@ void KnownMotion::update() const {
 /// A process changes conveyors only at its own time, with its own robot at standstill.
 void KnownMotion::update_conveyors() const {
     for (RobotController* controller : robots_.controllers()) {
-        if (!controller->simulator().has_conveyors()) continue;
+        if (!controller->simulator().cell().has_conveyors()) continue;
         double known_s = std::numeric_limits<double>::infinity();
         for (ProcessId id = 0; id < table_.size(); ++id) {
             if (table_.lua_process(id).controller != controller)
                 known_s = std::min(known_s, table_.schedule().next_action_s(id));
         }
-        controller->simulator().set_conveyors_known_until(known_s);
+        controller->simulator().cell().monitor()->set_known_until(known_s);
     }
 }
 

@@ -44,8 +44,8 @@ void ProcessConveyors::set_speed(lua_State* state, process::Conveyor& conveyor, 
 void ProcessConveyors::set_in_cells(const process::Conveyor& conveyor, double time_s) const {
     for (RobotController* controller : robots_.controllers()) {
         const Eigen::Vector3d direction = controller->base().linear().transpose() * conveyor.direction();
-        controller->simulator().set_conveyor(conveyor.name(), conveyor.position_mm(time_s) * direction,
-                                             conveyor.speed_mm_s() * direction, time_s);
+        controller->simulator().cell().set_conveyor(conveyor.name(), conveyor.position_mm(time_s) * direction,
+                                                    conveyor.speed_mm_s() * direction, time_s);
     }
 }
 
@@ -55,16 +55,16 @@ void ProcessConveyors::track(lua_State* state, RobotController& controller, proc
     simulation::Simulator& simulator = controller.simulator();
     const simulation::SourceLocation location = controller.interpreter().location();
     if (tracked_conveyors_.erase(&controller) > 0)
-        controller.interpreter().check(state, simulator.untrack(location));
+        controller.interpreter().check(state, simulator.services().untrack(location));
     if (conveyor != nullptr) {
         tracked_conveyors_.emplace(&controller, conveyor);
         const Eigen::Vector3d direction = controller.base().linear().transpose() * conveyor->direction();
-        const bool done = simulator.track(direction, conveyor->position_mm(simulator.time_s()),
-                                          conveyor->speed_mm_s(), location);
+        const bool done = simulator.services().track(
+            direction, conveyor->position_mm(simulator.clock().time_s()), conveyor->speed_mm_s(), location);
         controller.interpreter().check(state, done);
     }
     process::Process& process = table_.running();
-    process.time_s = std::max(process.time_s, simulator.time_s());
+    process.time_s = std::max(process.time_s, simulator.clock().time_s());
 }
 
 }  // namespace gsim::script

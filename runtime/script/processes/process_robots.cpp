@@ -40,13 +40,14 @@ RobotController& ProcessRobots::controller_of(ProcessId id) const {
 
 bool ProcessRobots::has_alarm() const {
     return std::any_of(controllers_.begin(), controllers_.end(), [](RobotController* controller) {
-        return controller->simulator().alarm().has_value();
+        return controller->simulator().outcome().alarm().has_value();
     });
 }
 
 bool ProcessRobots::has_conveyors() const {
-    return std::any_of(controllers_.begin(), controllers_.end(),
-                       [](RobotController* controller) { return controller->simulator().has_conveyors(); });
+    return std::any_of(controllers_.begin(), controllers_.end(), [](RobotController* controller) {
+        return controller->simulator().cell().has_conveyors();
+    });
 }
 
 void ProcessRobots::assign(LuaProcess& lua_process, RobotController* controller) {
@@ -77,12 +78,12 @@ void ProcessRobots::add_idle_time() const {
     if (lua_process.controller == nullptr) return;
     Process& process = table_.running();
     simulation::Simulator& simulator = lua_process.controller->simulator();
-    const double idle_s = process.time_s - simulator.planned_s();
+    const double idle_s = process.time_s - simulator.clock().planned_s();
     if (!(idle_s > 0) || lua_process.yield_reason == YieldReason::at_block) return;
     lua_process.idle_s += idle_s;
     lua_process.controller->add_idle(idle_s);
-    simulator.dwell(idle_s, process.location);
-    process.time_s = std::max(process.time_s, simulator.planned_s());
+    simulator.dwells().enqueue(idle_s, process.location);
+    process.time_s = std::max(process.time_s, simulator.clock().planned_s());
 }
 
 void ProcessRobots::bring_to_standstill(lua_State* state) const {
@@ -93,8 +94,8 @@ void ProcessRobots::bring_to_standstill(lua_State* state) const {
     if (controller == nullptr) return;
     controller->interpreter().locate(state);
     controller->flush(state);
-    controller->simulator().wait();
-    process.time_s = std::max(process.time_s, controller->simulator().planned_s());
+    controller->simulator().clock().wait();
+    process.time_s = std::max(process.time_s, controller->simulator().clock().planned_s());
 }
 
 void ProcessRobots::alarm(lua_State* state, DiagnosticKind kind, const std::string& message) const {

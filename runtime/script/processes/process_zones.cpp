@@ -18,7 +18,8 @@ int ProcessZones::enter(lua_State* state, std::size_t zone) {
         !deadlocked.empty()) {
         robots_.alarm(state, DiagnosticKind::process,
                       fmt::format("dead-lock: {}",
-                                  schedule.waits(robots_.interpreter().simulator().files(), deadlocked)));
+                                  schedule.waits(robots_.interpreter().simulator().program().files().names(),
+                                                 deadlocked)));
     }
     return table_.yield(state, YieldReason::in_wait);
 }

@@ -59,7 +59,7 @@ Processes::Outcome Processes::deadlock() {
     return {
         .end = RunEnd::deadlock,
         .message = fmt::format("{}nothing can go on: {}", schedule.any_waits_for_zone() ? "dead-lock, " : "",
-                               schedule.waits(controller.simulator().files())),
+                               schedule.waits(controller.simulator().program().files().names())),
         .controller = &controller,
         .location = schedule.process(first).location};
 }
@@ -72,7 +72,7 @@ std::optional<Processes::Outcome> Processes::find_deadlock(ProcessId id) {
     if (!first) return std::nullopt;
     RobotController& controller = robots_.controller_of(*first);
     const std::string waits =
-        schedule.waits(controller.simulator().files(), schedule.deadlocked_from(*first));
+        schedule.waits(controller.simulator().program().files().names(), schedule.deadlocked_from(*first));
     return Outcome{.end = RunEnd::deadlock,
                    .message = "dead-lock: " + waits,
                    .controller = &controller,
@@ -163,7 +163,7 @@ void Processes::finish(ProcessId id) {
     LuaProcess& lua_process = table_.lua_process(id);
     Process& process = table_.schedule().process(id);
     if (several() && lua_process.controller != nullptr)
-        process.time_s = std::max(process.time_s, lua_process.controller->simulator().time_s());
+        process.time_s = std::max(process.time_s, lua_process.controller->simulator().clock().time_s());
     ProcessRobots::assign(lua_process, nullptr);
     while (!lua_process.threads.empty()) drop_thread(lua_process);
     table_.schedule().finish(id);
@@ -176,7 +176,7 @@ void Processes::attach(lua_State* state, const Interpreter& requested) {
     robots_.bring_to_standstill(state);
     ProcessRobots::assign(table_.running_lua(), &controller);
     Process& process = table_.running();
-    process.time_s = std::max(process.time_s, controller.simulator().time_s());
+    process.time_s = std::max(process.time_s, controller.simulator().clock().time_s());
     known_motion_.on_robot_owner(controller);
     robots_.add_idle_time();
 }
@@ -185,10 +185,11 @@ void Processes::attach(lua_State* state, const Interpreter& requested) {
 
 void Processes::count_join(lua_State* state) {
     simulation::Simulator& simulator = robots_.interpreter().simulator();
-    if (++joins_ <= simulator.max_blocks()) return;
-    simulator.stop(DiagnosticKind::run_limit,
-                   fmt::format("the processes have joined each other {} times (--max-blocks)", joins_ - 1),
-                   table_.running().location);
+    if (++joins_ <= simulator.outcome().limits().max_blocks) return;
+    simulator.outcome().stop(
+        DiagnosticKind::run_limit,
+        fmt::format("the processes have joined each other {} times (--max-blocks)", joins_ - 1),
+        table_.running().location);
     LuaState::raise_stop(state);
 }
 
@@ -196,11 +197,11 @@ int Processes::join(lua_State* state) {
     robots_.bring_to_standstill(state);
     count_join(state);
     simulation::Simulator& simulator = robots_.interpreter().simulator();
-    if (time_s() > simulator.max_time_s()) {
-        simulator.stop(DiagnosticKind::run_limit,
-                       fmt::format("the limit of {:.10g} s of machine time is reached (--max-time)",
-                                   simulator.max_time_s()),
-                       table_.running().location);
+    if (time_s() > simulator.outcome().limits().max_time_s) {
+        simulator.outcome().stop(DiagnosticKind::run_limit,
+                                 fmt::format("the limit of {:.10g} s of machine time is reached (--max-time)",
+                                             simulator.outcome().limits().max_time_s),
+                                 table_.running().location);
         LuaState::raise_stop(state);
     }
     return table_.schedule().continues(table_.running_id()) ? 0 : table_.yield(state, YieldReason::to_join);
@@ -211,7 +212,8 @@ int Processes::wait(lua_State* state, double seconds) {
     Process& process = table_.running();
     const double end_s = process.time_s + seconds;
     if (RobotController* controller = table_.running_lua().controller; controller != nullptr)
-        controller->interpreter().check(state, controller->simulator().dwell(seconds, process.location));
+        controller->interpreter().check(state,
+                                        controller->simulator().dwells().enqueue(seconds, process.location));
     process.time_s = end_s;
     if (seconds > 0) lua_.restart_steps();
     return join(state);
@@ -226,7 +228,7 @@ void Processes::on_line_hook(lua_State* state, lua_Debug* line) {
     if (line->source[0] != '=' || line->source[1] != '#') return;
     Process& process = table_.running();
     if (lua_process.controller != nullptr)
-        process.time_s = std::max(process.time_s, lua_process.controller->simulator().planned_s());
+        process.time_s = std::max(process.time_s, lua_process.controller->simulator().clock().planned_s());
     if (!signals_.needs_line_hook(lua_process)) {
         lua_.set_line_hook(state, false);
         known_motion_.update();

@@ -25,7 +25,7 @@ void move_along_arc(lua_State* state, Interpreter& interpreter) {
     simulation::ArcMove move = read_arc(state, interpreter, ccw, 1);
     move.feed = interpreter.feed(state, move.sweep_rad);
     move.location = interpreter.location();
-    interpreter.check(state, interpreter.simulator().move(move));
+    interpreter.check(state, interpreter.simulator().moves().enqueue(move));
 }
 
 /// Implements G2{..} and G3{..}; upvalues as above.

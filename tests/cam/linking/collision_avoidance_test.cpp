@@ -8,7 +8,7 @@
 #include "collision/cell/cell_file.h"
 #include "collision/monitor/clearance_monitor.h"
 #include "machine/file/machine_file.h"
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "toolpath/model/validate.h"
 
 namespace gsim::linking::clear_ways_test {

@@ -11,7 +11,7 @@
 
 #include "machine/file/machine_file.h"
 #include "motion/kinematics/pose.h"
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "tests/build_files/build_files.h"
 #include "tests/lua_lib/run.h"
 

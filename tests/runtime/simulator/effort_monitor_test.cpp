@@ -49,22 +49,23 @@ machine::Machine make_machine(const std::string& more = "") {
 
 std::unique_ptr<Simulator> simulator_of(const machine::Machine& machine) {
     auto simulator = std::make_unique<Simulator>(machine, RunLimits{});
-    simulator->set_dynamics(make_dynamics(machine).value());
-    simulator->add_file("part.nc");
+    simulator->monitors().set_dynamics(make_dynamics(machine).value());
+    simulator->program().files().add("part.nc");
     return simulator;
 }
 
 void rapid(Simulator& simulator, double x, double z, std::uint32_t line) {
-    LineMove move{.kind = MoveKind::rapid, .target = simulator.position(), .feed = {}, .location = {0, line}};
+    LineMove move{
+        .kind = MoveKind::rapid, .target = simulator.position().axes(), .feed = {}, .location = {0, line}};
     move.target[0] = x;
     move.target[1] = z;
-    simulator.move(move);
+    simulator.moves().enqueue(move);
 }
 
 TEST(EffortMonitor, OneMoveIsItsClosedForm) {
     const auto simulator = simulator_of(make_machine());
     rapid(*simulator, 500, 0, 7);  // 0.25 s up, 0.75 s, 0.25 s down
-    simulator->dwell(1, {0, 8});
+    simulator->dwells().enqueue(1, {0, 8});
     const Report report = simulator->finish("part.nc");
     ASSERT_TRUE(report.efforts);
     const AxisEffort& x = report.efforts->axes[0];
@@ -169,9 +170,9 @@ TEST(EffortMonitor, EnergyOfEachProgram) {
     const auto simulator = simulator_of(make_machine());
     rapid(*simulator, 500, 0, 1);
     for (int i = 0; i < 2; ++i) {
-        simulator->enter_program("O2", {0, 2});
+        simulator->program().calls().enter("O2", {0, 2});
         rapid(*simulator, 500, i == 0 ? 100 : 0, 3);
-        simulator->leave_program();
+        simulator->program().calls().leave();
     }
     rapid(*simulator, 0, 0, 4);
     const Report report = simulator->finish("part.nc");

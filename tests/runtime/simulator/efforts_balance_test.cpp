@@ -107,7 +107,7 @@ TEST(EffortsBalance, OfRandomProgramsUnderEachController) {
         std::mt19937 random(static_cast<unsigned>(program));
         const machine::Machine machine = heavy(random, program);
         Simulator simulator(machine, {});
-        simulator.set_dynamics(make_dynamics(machine).value());
+        simulator.monitors().set_dynamics(make_dynamics(machine).value());
         Friction friction(machine);
         simulator.add_output(friction);
         RandomMoves(random, simulator).make(kMoves);

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "machine/file/controller_file.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "runtime/simulator/simulator.h"
 #include "tests/runtime/simulator/random_program.h"
 #include "tests/runtime/simulator/test_segments.h"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/kinematics/chain.h"
+#include "runtime/simulator/simulator.h"
 #include "tests/runtime/simulator/posed.h"
 
 namespace gsim::simulation::machine_frames_test {
@@ -227,19 +228,19 @@ TEST(MachineFrames, TipControlIsOfTheChangedTip) {
     const auto kinematics = machine::make_kinematics(machine);
     LineMove move;
     move.kind = MoveKind::rapid;
-    move.target = simulator.position();
+    move.target = simulator.position().axes();
     move.target.head(3) += Vector3d(600, 600, 300);
-    ASSERT_TRUE(simulator.move(move));
-    ASSERT_TRUE(simulator.set_tcp_control(Vector3d(0, 0, 0), {}));
+    ASSERT_TRUE(simulator.moves().enqueue(move));
+    ASSERT_TRUE(simulator.tcp_control().set(Vector3d(0, 0, 0), {}));
     const CartPos shift = pose_from_rpy({.z_mm = -60});
-    ASSERT_EQ(simulator.modify_cell_frame("tool", kinematics->chain().tool_side().end * shift),
+    ASSERT_EQ(simulator.cell().modify_frame("tool", kinematics->chain().tool_side().end * shift),
               Status::RRS_SUCCESS);
-    EXPECT_TRUE(simulator.position().isApprox(move.target, 1e-9)) << simulator.position();
-    const CartPos before = kinematics->forward(simulator.joints()) * shift;
+    EXPECT_TRUE(simulator.position().axes().isApprox(move.target, 1e-9)) << simulator.position().axes();
+    const CartPos before = kinematics->forward(simulator.motion().source().position()) * shift;
     move.target[3] += 40;
     move.target[4] += 30;
-    ASSERT_TRUE(simulator.move(move)) << simulator.alarm()->message;
-    const CartPos after = kinematics->forward(simulator.joints()) * shift;
+    ASSERT_TRUE(simulator.moves().enqueue(move)) << simulator.outcome().alarm()->message;
+    const CartPos after = kinematics->forward(simulator.motion().source().position()) * shift;
     EXPECT_GT((after.linear() - before.linear()).norm(), 0.1);
     EXPECT_LT((after.translation() - before.translation()).norm(), 1e-6);
 }

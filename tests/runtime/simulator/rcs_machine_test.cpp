@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "machine/file/machine_file.h"
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::simulation::rcs_machine_test {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "motion/services/default_planner.h"
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "tests/runtime/simulator/test_segments.h"
 
 namespace gsim::simulation::recorder_test {

@@ -32,9 +32,9 @@ class EachPlanner : public testing::TestWithParam<PlannerKind> {
 
 TEST_P(EachPlanner, MovesThatAControllerHoldsBackCountAgainstTheLimitOfTime) {
     Simulator simulator(machine(), {.max_time_s = 60});
-    simulator.move(line(100, 6000));
-    EXPECT_FALSE(simulator.alarm());
-    simulator.move(line(200, 60));
+    simulator.moves().enqueue(line(100, 6000));
+    EXPECT_FALSE(simulator.outcome().alarm());
+    simulator.moves().enqueue(line(200, 60));
     const Report report = simulator.finish("p");
     EXPECT_EQ(report.status, RunStatus::stopped);
     ASSERT_TRUE(report.alarm);
@@ -43,7 +43,7 @@ TEST_P(EachPlanner, MovesThatAControllerHoldsBackCountAgainstTheLimitOfTime) {
 
 TEST_P(EachPlanner, ARunWithinTheLimitCompletes) {
     Simulator simulator(machine(), {.max_time_s = 60});
-    simulator.move(line(100, 6000));
+    simulator.moves().enqueue(line(100, 6000));
     EXPECT_EQ(simulator.finish("p").status, RunStatus::completed);
 }
 

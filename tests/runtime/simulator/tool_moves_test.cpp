@@ -13,7 +13,7 @@
 #include "motion/kinematics/pose.h"
 #include "motion/path/tool_path.h"
 #include "motion/services/default_planner.h"
-#include "runtime/simulator/simulator.h"
+#include "runtime/simulator/make_planner_setup.h"
 #include "tests/build_files/build_files.h"
 
 namespace gsim::motion::tool_moves_test {

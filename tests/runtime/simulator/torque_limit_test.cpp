@@ -69,13 +69,13 @@ std::string rejection(const std::string& text) {
 
 std::unique_ptr<Simulator> simulator_of(const machine::Machine& machine) {
     auto simulator = std::make_unique<Simulator>(machine, RunLimits{});
-    simulator->set_dynamics(make_dynamics(machine).value());
-    simulator->add_file("part.nc");
+    simulator->monitors().set_dynamics(make_dynamics(machine).value());
+    simulator->program().files().add("part.nc");
     return simulator;
 }
 
 bool rapid(Simulator& simulator, const AxisVector& target) {
-    return simulator.move(
+    return simulator.moves().enqueue(
         LineMove{.kind = MoveKind::rapid, .target = target, .feed = {}, .location = {0, 1}});
 }
 
@@ -131,7 +131,7 @@ TEST(TorqueLimit, SlowerWhereTheMotorHasLessAtSpeed) {
     const std::string curve = "curve_speed_mm_s = [0, 500, 1000]\ncurve_peak_n = [400, 400, 110]";
     const auto simulator = simulator_of(read(slides(curve)));
     ASSERT_TRUE(rapid(*simulator, at(20, 0)));  // never faster than 500 mm/s
-    EXPECT_NEAR(simulator->time_s(), time_s(0.02, 0.5, 300.0 / 50, 500.0 / 50), 1e-9);
+    EXPECT_NEAR(simulator->clock().time_s(), time_s(0.02, 0.5, 300.0 / 50, 500.0 / 50), 1e-9);
     ASSERT_TRUE(rapid(*simulator, at(2000, 0)));
     const Report report = simulator->finish("part.nc");
     EXPECT_EQ(report.efforts->excess_count, 0U);
@@ -142,9 +142,9 @@ TEST(TorqueLimit, SlowerWhereTheMotorHasLessAtSpeed) {
 
 TEST(TorqueLimit, ProgrammedRampsHoldAsWell) {
     const auto simulator = simulator_of(read(slides()));
-    simulator->set_ramp_limit(rrs::RampLimit::acceleration, 0, 4000);
+    simulator->program().ramps().set_limit(rrs::RampLimit::acceleration, 0, 4000);
     ASSERT_TRUE(rapid(*simulator, at(500, 0)));
-    EXPECT_NEAR(simulator->time_s(), time_s(0.5, 1, 4, 10), 1e-9);
+    EXPECT_NEAR(simulator->clock().time_s(), time_s(0.5, 1, 4, 10), 1e-9);
 }
 
 TEST(TorqueLimit, MotorThatCannotHoldItsWeightIsRefused) {
@@ -152,7 +152,8 @@ TEST(TorqueLimit, MotorThatCannotHoldItsWeightIsRefused) {
     text.replace(text.find("peak_n = 300"), 12, "peak_n = 190");
     const auto simulator = simulator_of(read(text));
     EXPECT_FALSE(rapid(*simulator, at(0, 300)));
-    EXPECT_THAT(simulator->alarm()->message, HasSubstr("axis Z: The motor has not enough for this move"));
+    EXPECT_THAT(simulator->outcome().alarm()->message,
+                HasSubstr("axis Z: The motor has not enough for this move"));
 }
 
 TEST(TorqueLimit, RefusesByName) {
@@ -214,16 +215,18 @@ inertia_kg_m2 = [0.01, 0.1, 0.1]
 Report arm_run(const machine::Machine& machine, unsigned seed) {
     const auto simulator = simulator_of(machine);
     std::mt19937 random(seed);
-    simulator->set_path_mode(seed % 3 == 0 ? rrs::PathMode::exact_stop : rrs::PathMode::continuous, 0, 0);
+    simulator->program().settings().set_path_mode(
+        seed % 3 == 0 ? rrs::PathMode::exact_stop : rrs::PathMode::continuous, 0, 0);
     for (int i = 0; i < 20; ++i) {
         AxisVector target(2);
         target << between(random, -180, 180), between(random, -150, 150);
-        if (i % 4 == 3) target = simulator->position() + AxisVector::Constant(2, between(random, -4, 4));
+        if (i % 4 == 3)
+            target = simulator->position().axes() + AxisVector::Constant(2, between(random, -4, 4));
         LineMove move{.kind = i % 2 == 0 ? MoveKind::rapid : MoveKind::linear,
                       .target = target,
                       .feed = {.linear_mm_min = 60000, .rotary_deg_min = between(random, 6000, 30000)},
                       .location = {0, 1}};
-        EXPECT_TRUE(simulator->move(move));
+        EXPECT_TRUE(simulator->moves().enqueue(move));
     }
     return simulator->finish("arm");
 }
