@@ -8,9 +8,9 @@
 
 #include "motion/planner/planner_setup.h"
 #include "motion/segment/segment.h"
+#include "runtime/motion_sources/module_move_settings.h"
 #include "runtime/motion_sources/module_shell.h"
 #include "runtime/motion_sources/motion_source.h"
-#include "runtime/motion_sources/move_settings.h"
 
 namespace gsim::simulation {
 
@@ -69,7 +69,7 @@ class ModuleMotion final : public MotionSource {
 
     motion::PlannerSetup setup_;
     ModuleShell shell_;
-    MoveSettings settings_;
+    ModuleMoveSettings settings_;
     motion::Selections no_selections_;
 };
 

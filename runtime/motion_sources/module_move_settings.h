@@ -12,10 +12,10 @@ namespace gsim::simulation {
 
 /// Settings of moves in a controller module: of the settings of a move it sends those that the module does
 /// not have yet.
-class MoveSettings {
+class ModuleMoveSettings {
   public:
     /// `shell` and `joints`, the machine's, must outlive this.
-    MoveSettings(ModuleShell& shell, const std::vector<motion::JointSetup>& joints)
+    ModuleMoveSettings(ModuleShell& shell, const std::vector<motion::JointSetup>& joints)
         : shell_(shell), joints_(joints) {}
 
     /// Sends the settings of a move. Returns an error if the module cannot make the move without one.

@@ -1,4 +1,4 @@
-#include "runtime/motion_sources/move_settings.h"
+#include "runtime/motion_sources/module_move_settings.h"
 
 #include <cmath>
 #include <cstddef>
@@ -27,7 +27,7 @@ std::span<const double> all_of(const rrs::JointPos& joints) {
 
 /// Sends the kind of the move's target and path. Poses are impossible without the services; joint values
 /// continue with what the controller has.
-Status MoveSettings::send_kind(const motion::Move& move) {
+Status ModuleMoveSettings::send_kind(const motion::Move& move) {
     ModuleModes& sent = shell_.move_modes();
     const TargetType target = move.goal.pose ? TargetType::cartesian : TargetType::joint;
     const MotionType type = move.via ? MotionType::circular : move.circle ? MotionType::linear : move.type;
@@ -53,7 +53,7 @@ Status MoveSettings::send_kind(const motion::Move& move) {
     return Status::RRS_SUCCESS;
 }
 
-Status MoveSettings::send_feed(const motion::MoveParameters& move_parameters) {
+Status ModuleMoveSettings::send_feed(const motion::MoveParameters& move_parameters) {
     ModuleModes& sent = shell_.move_modes();
     const bool any_speed =
         move_parameters.rapid || move_parameters.motion_time_s > 0;  // will do: it does not hold
@@ -77,7 +77,7 @@ Status MoveSettings::send_feed(const motion::MoveParameters& move_parameters) {
 
 /// Returns the speeds for a line of joint values that are independent, because none of the joints carries the
 /// tool. They move evenly, all together as fast as the feed says, which is that of the slides if some move.
-rrs::JointPos MoveSettings::joint_speeds(const motion::Move& move) const {
+rrs::JointPos ModuleMoveSettings::joint_speeds(const motion::Move& move) const {
     rrs::JointPos speeds = rrs::JointPos::Constant(shell_.target().size(), motion::kUnlimited);
     if (move.move_parameters.rapid || move.move_parameters.motion_time_s > 0) return speeds;
     const rrs::JointPos displacement = (move.goal.joints - shell_.target()).cwiseAbs();
@@ -96,7 +96,7 @@ rrs::JointPos MoveSettings::joint_speeds(const motion::Move& move) const {
     return speeds;
 }
 
-Status MoveSettings::send_joint_speeds(const motion::Move& move) {
+Status ModuleMoveSettings::send_joint_speeds(const motion::Move& move) {
     ModuleModes& sent = shell_.move_modes();
     if (!sent.joint_motion_only || move.goal.pose) return Status::RRS_SUCCESS;
     const rrs::JointPos speeds = joint_speeds(move);
@@ -108,7 +108,7 @@ Status MoveSettings::send_joint_speeds(const motion::Move& move) {
     return Status::RRS_SUCCESS;
 }
 
-void MoveSettings::send_blending(const motion::MoveParameters& move_parameters) {
+void ModuleMoveSettings::send_blending(const motion::MoveParameters& move_parameters) {
     if (move_parameters.path_mode == sent_.path_mode && move_parameters.tolerance_mm == sent_.tolerance_mm &&
         move_parameters.merge_tolerance_mm == sent_.merge_tolerance_mm) {
         return;
@@ -123,7 +123,7 @@ void MoveSettings::send_blending(const motion::MoveParameters& move_parameters) 
     }
 }
 
-void MoveSettings::send_ramps(const motion::MoveParameters& move_parameters) {
+void ModuleMoveSettings::send_ramps(const motion::MoveParameters& move_parameters) {
     if (move_parameters.ramps == sent_.ramps) return;
     sent_.ramps = move_parameters.ramps;
     motion::ProgrammedRamps ramps = move_parameters.ramps
@@ -140,7 +140,7 @@ void MoveSettings::send_ramps(const motion::MoveParameters& move_parameters) {
     }
 }
 
-Status MoveSettings::send(const motion::Move& move) {
+Status ModuleMoveSettings::send(const motion::Move& move) {
     if (const Status status = send_kind(move); is_error_status(status)) return status;
     if (const Status status = send_feed(move.move_parameters); is_error_status(status)) return status;
     if (const Status status = send_joint_speeds(move); is_error_status(status)) return status;
