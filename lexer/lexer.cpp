@@ -66,7 +66,7 @@ void Lexer::start_block() {
 
 void Lexer::unread(std::size_t kept) {
     const std::size_t returned_bytes = cursor_.unread(kept);
-    if (keep_raw_) block_.raw.resize(block_.raw.size() - returned_bytes);
+    if (keep_raw_) block_.raw.erase(block_.raw.size() - returned_bytes);
 }
 
 Token Lexer::symbol(char c, Value& value) {
