@@ -2,11 +2,12 @@
 -- follows. With no coordinate the line ends at the intersection with the line of the next block, which has ,A
 -- and both coordinates. In Lua: `line_angle(30) G1{x=10}`.
 
+local dialect = use "core/dialect"
 local alarm, copied, given = use("core/basics", "alarm", "copied", "given")
 local word = use("core/words", "word")
 local ab9_corners, ab9_macros, axes, motion, path =
-  use "ab9/corners", use "ab9/macros", use "core/axes", use "common/motion", use "core/path"
-local plane_geometry, plane_view, polar, state = use "ab9/geometry", use "core/plane_view", use "common/polar", use "core/state"
+  dialect.use "corners", dialect.use "macros", use "core/axes", use "common/motion", use "core/path"
+local plane_geometry, plane_view, polar, state = dialect.use "geometry", use "core/plane_view", use "common/polar", use "core/state"
 
 local STRAIGHT = plane_geometry.straight
 

@@ -1,10 +1,11 @@
 -- Chamfers (,C) and corner radii (,R): a corner is between the move that has it and the next one; both lie in
 -- the active plane. The move is buffered until the next one is known. In Lua: `corner(2) G1{x=10}`.
 
+local dialect = use "core/dialect"
 local alarm, copied, given, space_between = use("core/basics", "alarm", "copied", "given", "space_between")
 local feed_of_part = use("common/feed", "feed_of_part")
 local word = use("core/words", "word")
-local axes, path, plane_geometry, plane_view = use "core/axes", use "core/path", use "ab9/geometry", use "core/plane_view"
+local axes, path, plane_geometry, plane_view = use "core/axes", use "core/path", dialect.use "geometry", use "core/plane_view"
 
 local geometry = plane_geometry
 local SAME_MM, STRAIGHT = geometry.same_mm, geometry.straight

@@ -2,9 +2,10 @@
 -- value itself, G91: added to the value in the table. An active tool offset stays as it is until it is called
 -- again.
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
-local ab9_frames, ab9_transform, frames, tools = use "ab9/frames", use "ab9/transform", use "common/frames", use "common/tools"
+local ab9_frames, ab9_transform, frames, tools = dialect.use "frames", dialect.use "transform", use "common/frames", use "common/tools"
 
 local LAST_TOOL = 999
 local FIRST_SETTABLE, LAST_SETTABLE = 505, 599

@@ -1,9 +1,10 @@
 -- System variables: data of the controller that the program reads and sets by numbers from #1000 on. Lengths
 -- are in program units, axes count in the order of the machine file.
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local ab9_data, ab9_frames, ab9_home, ab9_modal, ab9_transform =
-  use "ab9/data", use "ab9/frames", use "ab9/home", use "ab9/modal", use "ab9/transform"
+  dialect.use "data", dialect.use "frames", dialect.use "home", dialect.use "modal", dialect.use "transform"
 local axes, inputs, path, state = use "core/axes", use "common/inputs", use "core/path", use "core/state"
 
 local MAX_AXES = 12

@@ -3,9 +3,10 @@
 -- order: the mirror, then the scale, then the rotation. Centres are points of the program, always absolute,
 -- so the maps programmed before the centre act on it too.
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
-local ab9_frames, hooks, plane_view, state = use "ab9/frames", use "core/hooks", use "core/plane_view", use "core/state"
+local ab9_frames, hooks, plane_view, state = dialect.use "frames", use "core/hooks", use "core/plane_view", use "core/state"
 
 local LETTERS = { "x", "y", "z" }
 local FACTOR = { x = "i", y = "j", z = "k" }

@@ -1,8 +1,9 @@
 -- Variables #1.. of the 9/Series as v[1].. A vacant variable is nil.
 
+local dialect = use "core/dialect"
 local alarm, copied = use("core/basics", "alarm", "copied")
 local take_remark = use("common/expressions", "take_remark")
-local system = use "ab9/system"
+local system = dialect.use "system"
 
 local LAST_LOCAL, FIRST_COMMON, LAST_COMMON, FIRST_PERMANENT, LAST_PERMANENT = 33, 100, 199, 500, 999
 

@@ -1,21 +1,11 @@
 -- Circular motion (thesis, Appendix D): by centre, by radius, by angle, and through a point. Plain arcs are
--- C++, which makes them from their words (core.read_arc); the rules of a dialect for them are here.
-
+-- C++, which makes them from their words (core.read_arc); the rules of a dialect for them are properties.
 
 local alarm, check_table, space_between = use("core/basics", "alarm", "check_table", "space_between")
 local axes, motion, path, polar = use "core/axes", use "common/motion", use "core/path", use "common/polar"
 
 -- Permitted difference of the radii of start and end if the centre is given, and permitted shortness of R.
--- For RS274/NGC as in LinuxCNC 2.9: 0.0283 mm (0.00283 in), or 0.1 % of the radius if that is more, up to a
--- hundred times that. A number of turns within 0.0001 of an integer counts as that integer.
-if core.dialect == "rs274ngc" then
-  core.set_arc_rules {
-    radii_tolerance_mm = 0.0283, radii_tolerance_inch_mm = 0.00283 * 25.4, radii_tolerance_share = 0.001,
-    radii_tolerance_growth = 100, short_radius_mm = 0.00127, turns_tolerance = 1e-4,
-  }
-else
-  core.set_arc_rules { radii_tolerance_mm = 0.05, radii_tolerance_inch_mm = 0.05, short_radius_mm = 0.05 }
-end
+core.set_arc_rules(use("core/dialect", "arc_rules"))
 
 local function arc(name, ccw)
   local function arc_in_lua(words)

@@ -4,6 +4,7 @@
 
 local alarm, nearly_whole = use("core/basics", "alarm", "nearly_whole")
 local word = use("core/words", "word")
+local modal_cycles, peck_tolerance_mm = use("core/dialect", "modal_cycles", "peck_tolerance_mm")
 local path, state = use "core/path", use "core/state"
 
 local SAME_MM = 1e-9    -- a stroke below this length is no move
@@ -11,10 +12,7 @@ local MAX_PECKS = 100000
 local MAX_REPEATS = 9999
 
 local cycle_names = {}
-for _, name in ipairs { "G73", "G74", "G76", "G81", "G82", "G83", "G84", "G85", "G86", "G87", "G88", "G89" } do
-  cycle_names[name] = true
-end
-if core.dialect == "rs274ngc" then cycle_names.G76 = nil end  -- there it cuts a thread, and is not modal
+for _, name in ipairs(modal_cycles) do cycle_names[name] = true end
 
 -- Returns true if the modal motion of that name is a canned cycle.
 local function is_cycle(name) return cycle_names[name] == true end
@@ -85,8 +83,7 @@ local function pecks(from, bottom, step, name)
   end
   local depths = {}
   local depth = from - step
-  local least = core.dialect == "rs274ngc" and 0 or SAME_MM   -- LinuxCNC compares exactly
-  while depth - bottom > least do
+  while depth - bottom > peck_tolerance_mm do
     depths[#depths + 1] = depth
     depth = depth - step
   end

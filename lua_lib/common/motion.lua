@@ -117,7 +117,7 @@ local none = motion.new("G80", core.word(words.id(), function()
 end))
 function motion.end_motion() core.make_modal(none) end
 
--- In RS274/NGC the program must set a motion for axis words.
-core.make_modal(core.dialect == "rs274ngc" and none or plain.G0.id)
+local initial_motion = use("core/dialect", "initial_motion")
+core.make_modal(initial_motion == "none" and none or plain[initial_motion].id)
 
 return motion

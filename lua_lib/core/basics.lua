@@ -1,5 +1,7 @@
 -- Common messages and checks of all files of the library.
 
+local integer_tolerance = use("core/dialect", "integer_tolerance")
+
 local basics = {}
 
 -- Ends the run. `kind` is the code of a kind of diagnostic (base/text/diagnostic_kind.cpp); the text and its values are as
@@ -29,12 +31,11 @@ function basics.given(value, name)
   return value ~= nil
 end
 
--- RS274/NGC: a number within 0.0001 of an integer counts as that integer, as in LinuxCNC; otherwise it must
--- be exact.
+-- Returns the integer as which a number counts in the dialect, else the number.
 function basics.nearly_whole(value)
-  if core.dialect ~= "rs274ngc" or type(value) ~= "number" then return value end
+  if integer_tolerance == 0 or type(value) ~= "number" then return value end
   local near = math.floor(value + 0.5)
-  return math.abs(value - near) <= 1e-4 and near or value
+  return math.abs(value - near) <= integer_tolerance and near or value
 end
 
 -- Returns a word in printed form: G92_1 is G92.1.

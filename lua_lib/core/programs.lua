@@ -2,7 +2,7 @@
 
 local alarm, nearly_whole = use("core/basics", "alarm", "nearly_whole")
 local word = use("core/words", "word")
-local calls, path = use "core/calls", use "core/path"
+local calls, dialect, path = use "core/calls", use "core/dialect", use "core/path"
 
 local MAX_NUMBER = 2^31 - 1     -- of a program number, and of repeats
 local TO_START = "M99"   -- return value of a program that ends in M99
@@ -25,8 +25,8 @@ function env.program(name, body)
       parts = parts.following
     until parts == nil
   end
-  -- RS274/NGC: an O-word that a program reaches is only a mark; M99 after it ends the run.
-  if last and core.dialect == "rs274ngc" then last.following = own end
+  -- The O-word that a program reaches is only a mark then; M99 after it ends the run.
+  if last and dialect.programs_continue then last.following = own end
   last = own
   -- If several have one number, the first one after the main program is called (RS274/NGC has such files).
   if name ~= nil and (programs[name] == nil or programs[name] == first) then programs[name] = run end

@@ -1,9 +1,10 @@
 -- G2 and G3 of Klipper: as many chords of equal length as possible with at least arc_resolution_mm each.
 -- Every chord is a G1.
 
+local dialect = use "core/dialect"
 local alarm, check_table = use("core/basics", "alarm", "check_table")
 local word = use("core/words", "word")
-local moves, state = use "klipper/moves", use "klipper/state"
+local moves, state = dialect.use "moves", dialect.use "state"
 
 -- Planes by their axes. Counterclockwise is from the first to the second axis, so XZ has the opposite sense
 -- of the ZX plane of RS274.

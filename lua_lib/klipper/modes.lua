@@ -1,8 +1,9 @@
 -- Modes of Klipper, its offsets and speed factor, and the commands at which it waits.
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
-local moves, path, state = use "klipper/moves", use "core/path", use "klipper/state"
+local moves, path, state = dialect.use "moves", use "core/path", dialect.use "state"
 
 local LETTERS = { "x", "y", "z", "e" }
 local STALL_S = 0.1   -- before and after a command that switches the motors off

@@ -1,8 +1,9 @@
 -- G0 and G1 of Klipper, which are identical.
 
+local dialect = use "core/dialect"
 local alarm, check_table = use("core/basics", "alarm", "check_table")
 local word = use("core/words", "word")
-local path, state = use "core/path", use "klipper/state"
+local path, state = use "core/path", dialect.use "state"
 
 local LETTERS = { "x", "y", "z" }
 

@@ -2,10 +2,11 @@
 -- kept as they were written, in program units. After a change of units or offsets they are interpreted with
 -- the new ones, as in LinuxCNC.
 
+local dialect = use "core/dialect"
 local alarm, check_table = use("core/basics", "alarm", "check_table")
 local if_allowed, word, word_id = use("core/words", "if_allowed", "word", "id")
 local axes, cycles, motion, ngc_modes, overrides =
-  use "core/axes", use "common/cycles", use "common/motion", use "rs274ngc/modes", use "common/overrides"
+  use "core/axes", use "common/cycles", use "common/motion", dialect.use "modes", use "common/overrides"
 local path, plane_view, spindle, state = use "core/path", use "core/plane_view", use "common/spindle", use "core/state"
 
 local held = {}   -- words of the cycle that is modal, and `initial`, the level at which the series of cycles began

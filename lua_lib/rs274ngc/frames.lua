@@ -5,10 +5,11 @@
 -- The parameters #5221.. hold the systems in inches and degrees, #5211.. the G92 offset. As in LinuxCNC,
 -- values written into them take effect when a word loads them.
 
+local dialect = use "core/dialect"
 local alarm, copied = use("core/basics", "alarm", "copied")
 local word = use("core/words", "word")
 local axes, compensation, frames, parameters, path, state =
-  use "core/axes", use "common/compensation", use "common/frames", use "rs274ngc/variables", use "core/path", use "core/state"
+  use "core/axes", use "common/compensation", use "common/frames", dialect.use "variables", use "core/path", use "core/state"
 
 local systems = {}
 

@@ -1,9 +1,10 @@
 -- RS274/NGC: G10 sets the tool table (L1, L10, L11) and the work coordinate systems (L2, L20).
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
-local axes, compensation, frames, parameters = use "core/axes", use "common/compensation", use "common/frames", use "rs274ngc/variables"
-local path, state, systems, tools = use "core/path", use "core/state", use "rs274ngc/frames", use "common/tools"
+local axes, compensation, frames, parameters = use "core/axes", use "common/compensation", use "common/frames", dialect.use "variables"
+local path, state, systems, tools = use "core/path", use "core/state", dialect.use "frames", use "common/tools"
 
 local SYSTEMS = 9
 local REFERENCE_SYSTEM = 9      -- G59.3, which L11 measures by

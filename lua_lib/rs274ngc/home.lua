@@ -1,8 +1,9 @@
 -- RS274/NGC: G28 and G30 move to a stored point through an intermediate point, G28.1 and G30.1 store the
 -- machine position.
 
+local dialect = use "core/dialect"
 local word = use("core/words", "word")
-local axes, parameters, path, polar = use "core/axes", use "rs274ngc/variables", use "core/path", use "common/polar"
+local axes, parameters, path, polar = use "core/axes", dialect.use "variables", use "core/path", use "common/polar"
 
 -- Returns the stored point in machine coordinates, from its parameters (inches and degrees).
 local function stored(first)

@@ -4,9 +4,10 @@
 -- is off). A nil value means that it did not happen in time. Without a function, inputs are signals if the
 -- run has processes; otherwise each is 0 at once, as in a dry run of LinuxCNC.
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local word = use("core/words", "word")
-local inputs, parameters, path = use "common/inputs", use "rs274ngc/variables", use "core/path"
+local inputs, parameters, path = use "common/inputs", dialect.use "variables", use "core/path"
 
 local RESULT = 5399
 local TIMED_OUT = -1

@@ -1,8 +1,9 @@
 -- RS274/NGC: M70 to M73 save and restore the modal state.
 
+local dialect = use "core/dialect"
 local alarm, copied = use("core/basics", "alarm", "copied")
 local hooks, state, switches, systems, words =
-  use "core/hooks", use "core/state", use "rs274ngc/overrides", use "rs274ngc/frames", use "core/words"
+  use "core/hooks", use "core/state", dialect.use "overrides", dialect.use "frames", use "core/words"
 
 local word = words.word
 

@@ -1,10 +1,11 @@
 -- RS274/NGC: named parameters #<name> as p.name. A name that begins with _ is global, any other is local to
 -- the subroutine; some global parameters belong to the controller and are read-only.
 
+local dialect = use "core/dialect"
 local alarm, code_number = use("core/basics", "alarm", "code_number")
 local axes, compensation, hooks, modes, parameters =
-  use "core/axes", use "common/compensation", use "core/hooks", use "rs274ngc/modal_state", use "rs274ngc/variables"
-local state, switches, systems, tools = use "core/state", use "rs274ngc/overrides", use "rs274ngc/frames", use "common/tools"
+  use "core/axes", use "common/compensation", use "core/hooks", dialect.use "modal_state", dialect.use "variables"
+local state, switches, systems, tools = use "core/state", dialect.use "overrides", dialect.use "frames", use "common/tools"
 
 local predefined = {}   -- functions by name
 

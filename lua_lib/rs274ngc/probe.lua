@@ -1,8 +1,9 @@
 -- RS274/NGC: G38.2 to G38.5, straight probing. The results are #5061 to #5069 (the point) and #5070 (found or not).
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local axes, motion, move_until_signal, parameters, path, polar =
-  use "core/axes", use "common/motion", use "common/probe", use "rs274ngc/variables", use "core/path", use "common/polar"
+  use "core/axes", use "common/motion", use "common/probe", dialect.use "variables", use "core/path", use "common/polar"
 
 local FIRST_RESULT, PROBE_FOUND = 5061, 5070
 

@@ -1,8 +1,9 @@
 -- RS274/NGC: O-word subroutines. `sub(100, function() ... end)` defines one when the file is loaded,
 -- `call(100, 1.5, 2)` calls it with #1 = 1.5 and #2 = 2.
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
-local calls, parameters, programs, state = use "core/calls", use "rs274ngc/variables", use "core/programs", use "core/state"
+local calls, parameters, programs, state = use "core/calls", dialect.use "variables", use "core/programs", use "core/state"
 
 local MAX_ARGUMENTS = 30
 

@@ -1,8 +1,9 @@
 -- G33, G33.1 and G76 of RS274/NGC, as LinuxCNC 2.9 executes them.
 
+local dialect = use "core/dialect"
 local alarm = use("core/basics", "alarm")
 local axes, cycles, motion, ngc_modes, path, spindle, state =
-  use "core/axes", use "common/cycles", use "common/motion", use "rs274ngc/modes", use "core/path", use "common/spindle", use "core/state"
+  use "core/axes", use "common/cycles", use "common/motion", dialect.use "modes", use "core/path", use "common/spindle", use "core/state"
 
 local function required_word(words, letter, name)
   local value = cycles.word(words, letter, name)

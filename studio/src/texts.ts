@@ -45,7 +45,6 @@ export const texts = {
     line: (line: number) => `line ${line}`,
     controlOfRobots: "Robots have the controls of their own machine files",
     controlOfCell: "Another control needs a machine that is chosen: the cell's keeps its own",
-    dialects: { ab9: "Allen-Bradley 9/Series", rs274ngc: "RS274/NGC (LinuxCNC)", klipper: "Klipper" } as Record<string, string>,
     kinds: {
       rapid: "rapid",
       linear: "line",

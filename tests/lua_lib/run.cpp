@@ -85,7 +85,8 @@ Outcome run_script(Script script, Conditions setup) {
     if (!setup.overrides.changes().empty()) simulator.motion().set_overrides(setup.overrides);
     const std::string name = script.file_name;
     {
-        setup.options.codes = engine::word_table(*grammar::find_dialect(setup.options.dialect));
+        if (setup.options.codes.empty())
+            setup.options.codes = engine::word_table(*grammar::find_dialect(setup.options.dialect));
         Engine engine(simulator, std::move(setup.options));
         engine.run(std::move(script));
         result.report = simulator.finish(name);

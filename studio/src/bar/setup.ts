@@ -4,6 +4,7 @@
 import { Debounced } from "../core/debounced";
 import type { Documents } from "../core/documents";
 import { choice, element, offer } from "../core/dom";
+import { dialectTitles } from "../core/dialects";
 import { dialectOfName, namesOfKind, shortName, type FileKind } from "../core/kinds";
 import { controllerNames } from "../core/controller_override";
 import type { Session } from "../core/session";
@@ -53,9 +54,9 @@ function fileChoice(label: string, key: FileKind & keyof Setup, none: string | n
 }
 
 function createDialectChoice(session: Session): Choice {
-  const options: [string, string][] = [["", t.asTheMachineSays], ...Object.entries(texts.run.dialects)];
+  const options: [string, string][] = [["", t.asTheMachineSays], ...Object.entries(dialectTitles)];
   const select = choice(t.language, options, "", (dialect) =>
-    choose(session, t.chosen(t.language, texts.run.dialects[dialect] ?? t.asTheMachineSays), { dialect }),
+    choose(session, t.chosen(t.language, dialectTitles[dialect] ?? t.asTheMachineSays), { dialect }),
   );
   return { element: createLabelled(t.language, select), refresh: () => offer(select, options, session.setup.dialect) };
 }

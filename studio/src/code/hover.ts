@@ -49,7 +49,7 @@ export function codeCard(code: Code, dialect: Dialect): HTMLElement {
 const said = (title: string, text: string) => element("div", { class: "code-card" }, element("b", {}, title), ` ${text}`);
 
 function gcodeWordCard(line: string, column: number, dialect: Dialect): HTMLElement | null {
-  const word = parseWords(line, dialect.isNgc).find(({ from, to }) => from <= column && column <= to);
+  const word = parseWords(line, dialect.properties.semicolonComments).find(({ from, to }) => from <= column && column <= to);
   if (!word) return null;
   if (isCode(word)) {
     const name = codeName(word.letter, word.number);

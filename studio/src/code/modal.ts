@@ -65,7 +65,7 @@ export class ModalIndex {
 
   // The number of the program itself is not a jump.
   private isJump(text: string): boolean {
-    const bare = withoutComments(text, this.dialect.isNgc);
+    const bare = withoutComments(text, this.dialect.properties.semicolonComments);
     return jump.test(bare) && !/^\s*O\s*\d+\s*$/i.test(bare);
   }
 
@@ -91,7 +91,7 @@ export class ModalIndex {
   }
 
   private readLine(state: ModalState, text: string): void {
-    for (const word of parseWords(text, this.dialect.isNgc)) {
+    for (const word of parseWords(text, this.dialect.properties.semicolonComments)) {
       if (isCode(word)) this.applyCode(state, codeName(word.letter, word.number));
       else if ("FST".includes(word.letter)) state.words.set(word.letter, word.number || "[..]");
     }

@@ -4,6 +4,7 @@ import { isolateHistory, toggleComment } from "@codemirror/commands";
 import { Transaction, type ChangeDesc, type Extension, type Text } from "@codemirror/state";
 import { keymap, type ViewUpdate } from "@codemirror/view";
 import { Debounced } from "../core/debounced";
+import { defaultDialect } from "../core/dialects";
 import { MAX_DOCUMENT_BYTES, UNTITLED } from "../core/documents";
 import type { Change } from "../core/history";
 import type { ActiveSettings } from "../core/active_modals";
@@ -70,7 +71,7 @@ export class SourcePane {
     private readonly events: SourceEvents,
   ) {
     this.editor = new Editor(host, this.editorEvents());
-    this.dialect = new Dialect("ab9", null);
+    this.dialect = new Dialect(defaultDialect, null);
     this.modal = new ModalIndex(this.dialect);
     this.sheet = this.sheetOf(UNTITLED);
     session.documents.on((name) => this.replaced(name));
@@ -197,7 +198,7 @@ export class SourcePane {
   private ofProgram(name: string): Extension {
     const isLua = isScript(name);
     const language = isLua ? luaLanguage(this.dialect) : gcodeLanguage(this.dialect);
-    const toggle = isLua ? toggleComment : toggleLineComment(this.dialect.isNgc);
+    const toggle = isLua ? toggleComment : toggleLineComment(this.dialect.properties.semicolonComments);
     return [
       language,
       completion(this.dialect, isLua),

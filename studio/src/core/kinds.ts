@@ -1,5 +1,6 @@
 // Kind of a file, by its name and content.
 
+import { dialectOfExtension } from "./dialects";
 import type { FileContent } from "./file_content";
 
 export type FileKind = "program" | "machine" | "cell" | "robots" | "machine_data" | "path" | "drawing" | "variants" | "other";
@@ -48,7 +49,7 @@ export function kindOfFile(name: string, content: FileContent | undefined): File
 export const isProgram = (name: string, content: FileContent): boolean => kindOfFile(name, content) === "program";
 
 /** Returns the language of a program by its name, if it is not set elsewhere. */
-export const dialectOfName = (name: string): string => (fileExtension(name) === "ngc" ? "rs274ngc" : "");
+export const dialectOfName = (name: string): string => dialectOfExtension(`.${fileExtension(name)}`);
 
 /** Files by name (Documents). */
 interface NamedFiles {

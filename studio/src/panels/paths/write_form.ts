@@ -2,6 +2,7 @@
 // of the run and the given path.
 
 import { check, element } from "../../core/dom";
+import { dialectProperties } from "../../core/dialects";
 import type { DisplayedPath } from "../../core/displayed_path";
 import { baseName, shortName } from "../../core/kinds";
 import type { Session } from "../../core/session";
@@ -114,7 +115,7 @@ export class WriteForm {
   }
 
   private get programName(): string {
-    const extension = this.dialectOf(this.choice.post) === "rs274ngc" ? ".ngc" : ".nc";
+    const { extension } = dialectProperties(this.dialectOf(this.choice.post));
     return this.name || `${pathStem(this.path)}${extension}`;
   }
 

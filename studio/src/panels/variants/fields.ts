@@ -1,6 +1,7 @@
 // Parts of a variant: a field for each part of its setup.
 
 import { check, choice, element, offer } from "../../core/dom";
+import { dialectTitles } from "../../core/dialects";
 import { dialectOfName, namesOfKind, shortName } from "../../core/kinds";
 import { controllerNames } from "../../core/controller_override";
 import type { Session } from "../../core/session";
@@ -54,7 +55,7 @@ export class Fields {
     const rare = [
       ...overrides.map((key) => this.override(key)),
       ...files.map((key) => this.file(key)),
-      this.choice("dialect", () => [["", words.asTheMachineSays], ...Object.entries(texts.run.dialects)]),
+      this.choice("dialect", () => [["", words.asTheMachineSays], ...Object.entries(dialectTitles)]),
       this.collisions(),
     ];
     this.fields = [...main, ...rare];

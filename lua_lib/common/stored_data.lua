@@ -1,19 +1,11 @@
 -- The current contents of the controller's tables, for gsim-run --save-machine-data: in the form of
 -- core.offsets, core.tools and core.variables.
 
--- Klipper has none of these tables and leaves them unchanged.
-if core.dialect == "klipper" then
-  return {
-    stored_data = function() return { offsets = core.offsets, tools = core.tools, variables = core.variables } end,
-    permanent_variables = function() return {} end,
-  }
-end
-
 local copied = use("core/basics", "copied")
-local tools = use "common/tools"
+local dialect, tools = use "core/dialect", use "common/tools"
 
-local is_ngc = core.dialect == "rs274ngc"
-local variables, systems = use(is_ngc and "rs274ngc/variables" or "ab9/variables"), is_ngc and use "rs274ngc/frames"
+local variables = dialect.use "variables"
+local systems = dialect.offset_variables and dialect.use "frames"
 
 local function stored_tools()
   local stored = {}
