@@ -56,7 +56,7 @@ Engine::Engine(std::vector<Robot> robots, std::vector<process::Conveyor> conveyo
       controllers_(make_controllers(std::move(robots), source_locator_)),
       lua_(options_.limits),
       processes_(lua_, source_locator_, pointers(controllers_), std::move(conveyors)) {
-    processes_.set_zones(options_.zones);
+    processes_.zones().set_zones(options_.zones);
     if (options_.multi_robot_monitor != nullptr)
         processes_.set_multi_robot_monitor(*options_.multi_robot_monitor);
     lua_.on_last_step([this](lua_State* state) { last_step_location_ = source_locator_.current(state, 0); });
@@ -177,12 +177,12 @@ void Engine::read_permanent() {
 void Engine::report(simulation::Report& report) const {
     if (!processes_.several() && controllers_.size() == 1) return;
     report.processes = processes_.summaries();
-    report.signals = processes_.signals().changes();
-    if (const std::uint64_t dropped = processes_.signals().dropped(); dropped > 0)
+    report.signals = processes_.signals().board().changes();
+    if (const std::uint64_t dropped = processes_.signals().board().dropped(); dropped > 0)
         report.warnings.push_back(
             fmt::format("{} more changes of signals than the report lists were left out", dropped));
-    report.zone_uses = processes_.zones().uses();
-    if (const std::uint64_t dropped = processes_.zones().dropped(); dropped > 0)
+    report.zone_uses = processes_.zones().shared_zones().uses();
+    if (const std::uint64_t dropped = processes_.zones().shared_zones().dropped(); dropped > 0)
         report.warnings.push_back(
             fmt::format("{} more uses of zones than the report lists were left out", dropped));
 }
