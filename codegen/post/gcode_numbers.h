@@ -10,6 +10,12 @@
 
 namespace gsim::codegen {
 
+/// Printed units of a number that is not known.
+inline constexpr std::int64_t kUnknownUnits = INT64_MIN;
+
+/// Decimals of numbers that are no positions.
+inline constexpr int kValueDecimals = 6;
+
 /// Format of numbers with so many decimals. The written value is an integer count of units of the last
 /// decimal, so two values are the same word if their units are equal.
 class DecimalFormat {

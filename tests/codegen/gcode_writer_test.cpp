@@ -17,7 +17,7 @@ struct Text {
         : post(find_post(post_name).value()),
           writer(post, kAxes, options, [this](std::string_view chunk) { text += chunk; }) {}
     std::string all() {
-        writer.flush();
+        writer.text().flush();
         return text;
     }
     void to(double x, double y, double z, double b) { writer.move(std::array{x, y, z, b}, kFeed); }
@@ -106,8 +106,8 @@ TEST(GcodeWriter, ArcsOfEachPlane) {
 TEST(GcodeWriter, AfterACallNothingIsKnown) {
     Text ab9("ab9");
     ab9.to(1, 2, 3, 4);
-    ab9.writer.placeholders()["number"] = "0007";
-    ab9.writer.lines(ab9.post.subprogram->call);
+    ab9.writer.text().placeholders()["number"] = "0007";
+    ab9.writer.text().lines(ab9.post.subprogram->call);
     ab9.writer.forget();
     ab9.to(1, 2, 3, 4);
     EXPECT_EQ(ab9.all(),
@@ -136,11 +136,11 @@ TEST(GcodeWriter, BlockNumbersBeginAnewBeforeTheyGrowTooLong) {
 TEST(GcodeWriter, OffsetsAreSetAndTheToolGoesUp) {
     Text ngc("rs274ngc", {.inch = true}), ab9("ab9");
     for (Text* each : {&ngc, &ab9}) {
-        each->writer.set_work_offset("59.1", {25.4, -50.8, 0});
+        each->writer.offsets().set_origin("59.1", {25.4, -50.8, 0});
         each->to(25.4, 0, 0, 0);
-        each->writer.retract(127);
+        each->writer.machine().retract(127);
         each->to(25.4, 0, 0, 0);
-        each->writer.work_offset("59.1");
+        each->writer.offsets().select("59.1");
         each->to(25.4, 0, 0, 0);
     }
     EXPECT_EQ(

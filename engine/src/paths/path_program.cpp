@@ -61,18 +61,18 @@ class PathProgram::Sink : public path::MoveSink {
         const codegen::Post& post = *program_.post_;
         const Offsets offsets = program_.offsets();
         const bool has_frames = program_.frames_.any();
-        if (offsets != Offsets::as_path || has_frames) writer_.lines(post.offsets.begin);
+        if (offsets != Offsets::as_path || has_frames) writer_.text().lines(post.offsets.begin);
         // With frames, the controller's frame data count, regardless of the coordinates set for the tool's
         // position.
         const std::string& preset = has_frames                    ? std::string()
                                     : offsets == Offsets::as_path ? post.start_position
                                                                   : post.offsets.preset;
         if (!preset.empty() && (offsets == Offsets::as_path || offsets == Offsets::none))
-            writer_.preset(preset, written_values(program_.space_.home()));
+            writer_.offsets().preset(preset, written_values(program_.space_.home()));
         for (const auto& [name, position_mm] : program_.frames_.positions_mm()) {
-            if (position_mm) writer_.set_work_offset(name, *position_mm);
+            if (position_mm) writer_.offsets().set_origin(name, *position_mm);
         }
-        if (!post.offsets.systems.empty()) writer_.set_active_offset(post.offsets.systems.front());
+        if (!post.offsets.systems.empty()) writer_.offsets().set_active(post.offsets.systems.front());
         program_.frames_.emit_touches(*this);
     }
     /// Writes the lines before those of the program's end.
@@ -80,9 +80,9 @@ class PathProgram::Sink : public path::MoveSink {
         constexpr std::string_view kCancelToolLength = "tool_length_off";
         if (program_.frames_.tools() && program_.post_->actions.contains(kCancelToolLength))
             writer_.action(kCancelToolLength);
-        if (program_.frames_.any()) writer_.work_offset(program_.post_->offsets.systems.front());
-        if (program_.offsets() == Offsets::none) writer_.lines(program_.post_->offsets.end);
-        if (program_.has_accelerations_) writer_.lines(program_.post_->end_acceleration);
+        if (program_.frames_.any()) writer_.offsets().select(program_.post_->offsets.systems.front());
+        if (program_.offsets() == Offsets::none) writer_.text().lines(program_.post_->offsets.end);
+        if (program_.has_accelerations_) writer_.text().lines(program_.post_->end_acceleration);
     }
 
     void move(const path::AxisMove& move) override {
@@ -99,32 +99,34 @@ class PathProgram::Sink : public path::MoveSink {
                      move.arc->center_offset_mm, move.arc->turn_rad, move.arc->turns},
                     feed);
     }
-    void set_position(const path::AxisValues& axes) override { writer_.set_position(written_values(axes)); }
-    void retract() override { writer_.retract(program_.retract_mm()); }
+    void set_position(const path::AxisValues& axes) override {
+        writer_.axes().set_position(written_values(axes));
+    }
+    void retract() override { writer_.machine().retract(program_.retract_mm()); }
     void touch(const std::string& frame, const path::Touch& touch) override {
-        writer_.touch(frame,
-                      {touch.axis, touch.from_mm, touch.to_mm, path::contact_mm(touch), touch.feed_mm_min});
+        writer_.offsets().touch(
+            frame, {touch.axis, touch.from_mm, touch.to_mm, path::contact_mm(touch), touch.feed_mm_min});
     }
     void go_to(const path::MachineApproach& machine_path) override {
         if (machine_path.reference > 0)
-            return writer_.move_to_reference(machine_path.reference, machine_path.steps);
-        writer_.machine_rapids(machine_path.steps);
+            return writer_.machine().move_to_reference(machine_path.reference, machine_path.steps);
+        writer_.machine().move(machine_path.steps);
     }
     // The numbers of a recorded path are relative to the system's origin in the machine data.
     void work_offset(const std::string& name) override {
-        if (program_.offsets() == Offsets::as_path) return writer_.work_offset(name);
+        if (program_.offsets() == Offsets::as_path) return writer_.offsets().select(name);
         if (program_.offsets() != Offsets::keep) return;
         const auto& origin = program_.file_->program.work_offsets.find(name)->second.origin;
         for (std::size_t i = 0; i < axes_.size(); ++i) {
             const auto value = origin.find(axes_[i].letter);
             origin_[i] = value == origin.end() ? 0 : value->second;
         }
-        writer_.work_offset(name);
+        writer_.offsets().select(name);
     }
     void dwell(double seconds) override { writer_.dwell(seconds); }
     void acceleration(double mm_s2) override { writer_.acceleration(mm_s2); }
     void action(const std::string& name) override { writer_.action(name); }
-    void note(const path::TargetId&, std::string_view message) override { writer_.comment(message); }
+    void note(const path::TargetId&, std::string_view message) override { writer_.text().comment(message); }
 
     void call(const path::SubPath& sub_path) override {
         if (program_.is_inlined()) {
@@ -133,14 +135,14 @@ class PathProgram::Sink : public path::MoveSink {
         }
         const std::vector<std::size_t>& order = program_.states_.topological_order();
         const auto at = std::find(order.begin(), order.end(), sub_path.path) - order.begin();
-        const PlaceholderValues saved_state = writer_.placeholders();
-        writer_.placeholders() = program_.make_placeholders(static_cast<std::size_t>(at));
-        writer_.placeholders()["repeats"] = fmt::format("{}", sub_path.repeats);
-        writer_.placeholders()["label"] = fmt::format("{}", next_label_);
+        const PlaceholderValues saved_state = writer_.text().placeholders();
+        writer_.text().placeholders() = program_.make_placeholders(static_cast<std::size_t>(at));
+        writer_.text().placeholders()["repeats"] = fmt::format("{}", sub_path.repeats);
+        writer_.text().placeholders()["label"] = fmt::format("{}", next_label_);
         const codegen::SubprogramLines& lines = *program_.post_->subprogram;
         if (sub_path.repeats > 1) ++next_label_;
-        writer_.lines(sub_path.repeats > 1 ? lines.call_repeated : lines.call);
-        writer_.placeholders() = saved_state;
+        writer_.text().lines(sub_path.repeats > 1 ? lines.call_repeated : lines.call);
+        writer_.text().placeholders() = saved_state;
         writer_.forget();
     }
 
@@ -357,13 +359,13 @@ std::vector<std::string> PathProgram::file_names() const {
 
 void PathProgram::write_path(std::size_t order, Sink& sink) const {
     GcodeWriter& writer = sink.writer();
-    writer.placeholders() = make_placeholders(order);
+    writer.text().placeholders() = make_placeholders(order);
     writer.forget();
-    writer.lines(order == 0 ? post_->begin : post_->subprogram->begin);
+    writer.text().lines(order == 0 ? post_->begin : post_->subprogram->begin);
     if (order == 0) sink.begin();
     sink.run(states_.topological_order()[order]);
     if (order == 0) sink.end();
-    writer.lines(order == 0 ? post_->end : post_->subprogram->end);
+    writer.text().lines(order == 0 ? post_->end : post_->subprogram->end);
 }
 
 void PathProgram::write(const std::function<GcodeWriter::Sink(const std::string& file)>& open_sink) const {
@@ -380,10 +382,10 @@ void PathProgram::write(const std::function<GcodeWriter::Sink(const std::string&
         } else {
             Sink file_sink(*this, moves, open_sink(file));
             write_path(order, file_sink);
-            file_sink.writer().flush();
+            file_sink.writer().text().flush();
         }
     }
-    main.writer().flush();
+    main.writer().text().flush();
 }
 
 }  // namespace gsim::engine
