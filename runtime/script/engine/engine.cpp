@@ -236,7 +236,7 @@ bool Engine::process_result(int status, lua_State* state, RobotController& contr
     if (status == LUA_OK) return !simulator.alarm();
     const SourceLocation location = controller.interpreter().location();
     if (status == LUA_ERRMEM || lua_.ended() == LuaState::StopReason::memory) {
-        return simulator.stop(DiagnosticKind::run_limit, lua_.memory_error(), location);
+        return simulator.stop(DiagnosticKind::run_limit, lua_.memory().error(), location);
     }
     if (lua_.ended() == LuaState::StopReason::steps) {
         return simulator.stop(

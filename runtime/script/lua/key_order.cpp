@@ -68,7 +68,7 @@ Key key_at(lua_State* state, int index) {
         }
         case LUA_TBOOLEAN: key.rank = lua_toboolean(state, index) != 0 ? Rank::yes : Rank::no; break;
         case LUA_TTABLE:
-            key.serial = LuaState::of(state).table_serial(lua_topointer(state, index));
+            key.serial = LuaState::of(state).table_serials().of(lua_topointer(state, index));
             key.rank = key.serial > 0 ? Rank::table : Rank::other;
             break;
         default: break;

@@ -90,7 +90,7 @@ int run_contour_task(lua_State* state) {
 
 std::string stop_error(const LuaState& lua, const ContourTask& task) {
     std::string reason = "the script takes more steps than it may";
-    if (lua.ended() == LuaState::StopReason::memory) reason = lua.memory_error();
+    if (lua.ended() == LuaState::StopReason::memory) reason = lua.memory().error();
     if (lua.ended() == LuaState::StopReason::cpu)
         reason = fmt::format("the limit of {:.10g} s of processor time is reached (--max-cpu-seconds)",
                              task.cpu->seconds());
