@@ -219,8 +219,8 @@ Scene make_scene(const simulation::Simulator& simulator, const rrs::CartPos& bas
         json["clearance_mm"] = cell->cell().clearance_mm;
         json["frames"] = frames(cell->cell().frames);
         json["bodies"] = bodies(cell->cell(), scene);
-        json["drifts"] = drifts_json(cell->history());
-        json["drifts_whole"] = cell->history_is_complete();
+        json["drifts"] = drifts_json(cell->history().entries());
+        json["drifts_whole"] = cell->history().is_complete();
         Json near = Json::array();
         for (const std::optional<double>& t_s : cell->clearance_times_s())
             near.push_back(t_s ? Json(*t_s) : Json(nullptr));
