@@ -21,7 +21,6 @@ using lexer::Word;
 
 namespace {
 
-constexpr std::size_t kMaxCalledPrograms = 10000;
 constexpr std::uint64_t kInstructionsPerCase = 4;  // an upper bound of what Lua's compiler makes of one
 
 }  // namespace
@@ -77,8 +76,7 @@ void LuaWriter::record_call(const Block& block, const Call& call) {
         }
         std::uint32_t value = 0;
         std::from_chars(number.data(), number.data() + number.size(), value);
-        if (word.address == 'P' && called_.size() < kMaxCalledPrograms)
-            called_.try_emplace(value, block.text->at(word.column));
+        if (word.address == 'P') names_.add_call(value, block.text->at(word.column));
     }
 }
 

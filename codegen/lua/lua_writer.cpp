@@ -119,7 +119,7 @@ void LuaWriter::open_program(const Block& block) {
     main_ended_ = false;
     const std::string_view name = block.text->view(block.text->program);
     const std::string lua_name = lua_program_name(name, lexer_.is_ngc());
-    if (!defined_.insert(lua_name).second) report_duplicate_program(block, name);
+    if (!names_.define(lua_name)) report_duplicate_program(block, name);
     flow_.begin_program(scan_.program(next_ordinal_++));
     parts_.begin_program(lua_name, code_);
     declare_jump(code_);
@@ -142,11 +142,10 @@ void LuaWriter::begin_function(const Block& block) {
 void LuaWriter::open_sub(const Block& block) {
     if (parts_.open()) parts_.end(code_);
     const std::string name = oword_name(block);
-    const auto [first, is_new] = subs_.try_emplace(name, block.text->at(block.flow_column));
-    if (!is_new) {
+    if (const lexer::Location* first = names_.define_sub(name, block.text->at(block.flow_column))) {
         lexer_.fail(block.flow_column, DiagnosticKind::program_twice,
                     fmt::format("the subroutine o{} stands twice in this file, first in line {}",
-                                block.text->view(block.text->program), first->second.line));
+                                block.text->view(block.text->program), first->line));
     }
     parts_.begin_sub(name, code_);
 }
@@ -321,14 +320,7 @@ void LuaWriter::end_file() {
     unknown_.report(diagnostics_, plan_.dialect().title(), "it is left out, a G code with all of its block");
     deferred_codes_.report(diagnostics_, plan_.dialect().title(),
                            "a call of the subroutine around it would end in an alarm");
-    for (const auto& [number, location] : called_) {
-        if (!defined_.contains(std::to_string(number))) {
-            diagnostics_.warning(
-                location, DiagnosticKind::program_missing,
-                fmt::format("program O{} is not in this file; it is looked for beside it when it is called",
-                            number));
-        }
-    }
+    names_.report_missing(diagnostics_);
 }
 
 }  // namespace gsim::codegen

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +11,7 @@
 #include "codegen/flow/control_flow.h"
 #include "codegen/flow/jump_scan.h"
 #include "codegen/flow/oword_flow.h"
+#include "codegen/flow/program_names.h"
 #include "codegen/lua/lua_spool.h"
 #include "codegen/lua/part_writer.h"
 #include "grammar/parser.h"
@@ -93,9 +92,7 @@ class LuaWriter : public grammar::BlockSink {
     std::size_t next_ordinal_ = 0;
     bool main_ended_ = false;  ///< By M2 or M30: only subroutines may follow.
     int bare_labels_ = 0;      ///< Labels since the last statement.
-    std::set<std::string> defined_;
-    std::map<std::string, lexer::Location> subs_;  ///< By name as Lua has it.
-    std::map<std::uint32_t, lexer::Location> called_;
+    ProgramNames names_;
 };
 
 }  // namespace gsim::codegen
