@@ -16,10 +16,8 @@ namespace {
 
 constexpr double kMinCutoff_mm = 2 * kContactTolerance_mm;
 constexpr int kMaxDepthChecks = 24;
-// Number of motions like this one for which a separation budget is sought,
+// Number of motions like this one for which a separation budget is sought.
 constexpr double kMotionsAhead = 64;
-// and the max number of checks until it is sought again.
-constexpr int kMaxPause = 64;
 
 }  // namespace
 
@@ -142,10 +140,7 @@ void ClearanceMonitor::add_budget_travel() {
 /// No separation budget exists next to something, which is checked the more seldom the longer it lasts.
 /// Independent motion is not counted.
 bool ClearanceMonitor::should_search_budget() {
-    if (!cell_.moving_frames.empty() || budget_pause_-- > 0) return false;
-    budget_pause_ = next_pause_;
-    next_pause_ = std::min(2 * next_pause_, kMaxPause);
-    return true;
+    return cell_.moving_frames.empty() && budget_backoff_.is_due();
 }
 
 /// Sets how far all may move after a stretch before one of the pairs is due.
@@ -166,8 +161,7 @@ void ClearanceMonitor::update_budget(const MotionPart& motion_part, bool process
     }
     budget_.set(budget_mm, reach_mm, travel_mm);
     budget_with_jet_ = process_on;
-    budget_pause_ = 0;
-    next_pause_ = 1;
+    budget_backoff_.reset();
 }
 
 void ClearanceMonitor::check_stretch(const SegmentMotion& motion, const MotionPart& motion_part,

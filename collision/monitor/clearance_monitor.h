@@ -8,6 +8,7 @@
 
 #include "base/os/cpu_limit.h"
 #include "collision/cell/cell.h"
+#include "collision/monitor/search_backoff.h"
 #include "collision/pairs/candidate_pairs.h"
 #include "collision/pairs/segment_motion.h"
 #include "collision/pairs/separation_budget.h"
@@ -63,6 +64,9 @@ class ClearanceMonitor {
     const std::optional<Clearance>& nearest() const { return nearest_; }
 
   private:
+    /// Max number of checks until a separation budget is sought again.
+    static constexpr int kMaxPause = 64;
+
     /// Contact that a probe was to make.
     struct ProbeContact {
         Eigen::Vector3d normal;              ///< Out of the second body, in its frame.
@@ -138,8 +142,7 @@ class ClearanceMonitor {
     std::size_t stretch_ = 0;             ///< Counted from 1.
     SeparationBudget budget_;             ///< For all pairs that count while the jet state is unchanged.
     bool budget_with_jet_ = false;
-    int budget_pause_ = 0;  ///< Checks until the next search for it,
-    int next_pause_ = 1;    ///< and the next such count, if no budget was found.
+    SearchBackoff budget_backoff_{kMaxPause};
     double margin_mm_ = 0;  ///< Pairs that are due within that much more are looked at in this stretch.
     std::vector<Contact> contacts_;
     std::optional<Clearance> nearest_;
