@@ -98,7 +98,7 @@ void FollowingMotion::change_tcp(std::uint16_t tcp) {
     tcp_ = std::move(changed);
     settling_ = true;
     if (program_ != nullptr) program_->mark_lost();
-    const rrs::JointPos at = servos_.set_points(servos_.now_s());
+    const rrs::JointPos at = servos_.history().set_points(servos_.now_s());
     tcp_.set_position(at);
     set_point_path_.begin(tcp_.at(at));
 }
@@ -150,9 +150,9 @@ std::optional<double> FollowingMotion::program_distance_mm(const FollowingInstan
 }
 
 FollowingInstant FollowingMotion::at(double t_s) {
-    const rrs::JointPos positions = servos_.positions(t_s);
+    const rrs::JointPos positions = servos_.history().positions(t_s);
     FollowingInstant instant{.t_s = t_s,
-                             .errors = servos_.set_points(t_s) - positions,
+                             .errors = servos_.history().set_points(t_s) - positions,
                              .tcp_mm = tcp_.at(positions),
                              .contour_error_mm = std::nullopt,
                              .program_deviation_mm = std::nullopt};
@@ -163,7 +163,7 @@ FollowingInstant FollowingMotion::at(double t_s) {
 }
 
 rrs::JointPos FollowingMotion::errors(double t_s) const {
-    return servos_.set_points(t_s) - servos_.positions(t_s);
+    return servos_.history().set_points(t_s) - servos_.history().positions(t_s);
 }
 
 }  // namespace gsim::simulation
