@@ -31,7 +31,8 @@ tl::expected<void, Error> Run::State::open_single_robot() {
     auto input = read_machine_input(request.host, request.machine, found_.machine_named_by);
     if (!input) return tl::unexpected(make_error(DiagnosticKind::input_file, input.error(), request.machine));
     for (const std::string& note : input->notes)
-        on_diagnostic_({.severity = text::Severity::note, .kind = DiagnosticKind::machine, .text = note});
+        diagnostics_.handler()(
+            {.severity = text::Severity::note, .kind = DiagnosticKind::machine, .text = note});
     machine_ = *std::move(input);
     auto cell = read_cell_contents(make_cell_source(found_), machine_->machine);
     if (!cell) return tl::unexpected(make_error(DiagnosticKind::input_file, cell.error(), request.cell));
@@ -120,7 +121,7 @@ void Run::State::add(simulation::Simulator& simulator) {
 
 simulation::Report Run::State::run_single_robot() {
     simulation::Report report = program_run_->run();
-    report.diagnostics = diagnostics_;
+    report.diagnostics = diagnostics_.diagnostics();
     output_sets_.front()->complete(report);
     errors_ = output_sets_.front()->finish(report);
     return report;
@@ -183,7 +184,7 @@ Report Run::State::make_report(const Error& error) const {
         report.files.push_back(error.first_error->file);
         report.alarm->location = {0, error.first_error->line};
     }
-    report.diagnostics = diagnostics_;
+    report.diagnostics = diagnostics_.diagnostics();
     return engine::make_report(std::move(report));
 }
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "engine/run.h"
-#include "engine/src/conversions.h"
 #include "engine/src/machine/machine_parts.h"
+#include "engine/src/run/diagnostic_log.h"
 #include "engine/src/run/output_set.h"
 #include "engine/src/run/program_run.h"
 #include "engine/src/run/robots_run.h"
@@ -24,7 +24,7 @@ class Run::State {
     State(ResolvedRequest found, DiagnosticHandler on_diagnostic)
         : found_(std::move(found)),
           cpu_(found_.request.limits.cpu_s),
-          user_handler_(std::move(on_diagnostic)) {
+          diagnostics_(std::move(on_diagnostic)) {
         cpu_.cancel_when(found_.request.cancel.flag());
     }
     State(const State&) = delete;
@@ -69,13 +69,8 @@ class Run::State {
 
     ResolvedRequest found_;
     os::CpuLimit cpu_;
-    DiagnosticHandler user_handler_;
-    std::vector<text::Diagnostic> diagnostics_;
-    TextDiagnosticHandler on_diagnostic_ = [this](const text::Diagnostic& diagnostic) {
-        diagnostics_.push_back(diagnostic);
-        if (user_handler_) user_handler_(to_diagnostic(diagnostic));
-    };
-    RunContext run_context_{cpu_, on_diagnostic_};
+    DiagnosticLog diagnostics_;
+    RunContext run_context_{cpu_, diagnostics_.handler()};
     std::optional<MachineInput> machine_;
     std::shared_ptr<const cell::Cell> cell_;
     std::shared_ptr<const dynamics::Dynamics> dynamics_;
