@@ -20,9 +20,9 @@ LimitedBy limit_cause(const SubSegment& sub_segment, double share, const Law& la
                       bool ends_at_standstill, LimitKind slowed_by) {
     if (law.top_speed() >= target_speed(sub_segment, share) * (1 - 1e-6)) {
         return sub_segment.rapid && share < 1 ? LimitedBy{LimitKind::rapid_override, -1}
-                                              : sub_segment.speed_limit;
+                                              : sub_segment.limits.speed_limit;
     }
-    if (starts_at_standstill && ends_at_standstill) return sub_segment.acceleration_limit;
+    if (starts_at_standstill && ends_at_standstill) return sub_segment.limits.acceleration_limit;
     if (starts_at_standstill || ends_at_standstill) return {LimitKind::stop, -1};
     return {slowed_by, -1};
 }
@@ -33,8 +33,8 @@ constexpr double kMinLengthFactor = 1000;     // times that: shorter distances r
 // LinuxCNC ends an S-curve in the first period in which almost no distance remains. The returned law ends
 // with that period; `before_s` is the time before the law.
 Law trim_creep(const Law& law, const SubSegment& sub_segment, double before_s, double period_s) {
-    const double negligible = kRemainderTolerance * (sub_segment.path_limited ? 1 : kRadPerDeg);
-    if (std::isinf(sub_segment.jerk) || law.length() < kMinLengthFactor * negligible) return law;
+    const double negligible = kRemainderTolerance * (sub_segment.limits.path_limited ? 1 : kRadPerDeg);
+    if (std::isinf(sub_segment.limits.jerk) || law.length() < kMinLengthFactor * negligible) return law;
     const double min_s = before_s + law.time_at(law.length() - negligible);
     const double end_s = std::ceil(min_s / period_s - kPeriodTolerance) * period_s - before_s;
     return end_s < law.duration_s() ? law.shortened(law.duration_s() - end_s) : law;
@@ -69,7 +69,7 @@ void VelocityPlanner::clear() {
 void VelocityPlanner::find_run_end(const SubSegmentQueue& queue) {
     tangent_end_ = std::max(tangent_end_, next_);
     const auto tangent = [&](std::size_t index) {
-        return queue[index].sub_segment.end_condition == EndCondition::tangent &&
+        return queue[index].sub_segment.junctions.end_condition == EndCondition::tangent &&
                !(ended_ && index + 1 == final_count_);
     };
     while (tangent_end_ < final_count_ && tangent(tangent_end_)) ++tangent_end_;
@@ -80,7 +80,7 @@ void VelocityPlanner::find_run_end(const SubSegmentQueue& queue) {
 bool VelocityPlanner::can_plan_next(const SubSegmentQueue& queue) const {
     if (!is_end_known_) return next_ + depth_ < final_count_;
     const bool blends =
-        tangent_end_ == next_ && queue[next_].sub_segment.end_condition == EndCondition::parabola;
+        tangent_end_ == next_ && queue[next_].sub_segment.junctions.end_condition == EndCondition::parabola;
     return !blends || ended_ || next_ + 1 < final_count_;
 }
 
@@ -164,7 +164,7 @@ void VelocityPlanner::end_group(SubSegmentQueue& queue, const Profile& profile) 
     double overlap = 0;
     const bool has_late_overlap = overlaps_late(queue, next_ - 1);
     overlap_acceleration_ = 0;
-    if (last.sub_segment.end_condition == EndCondition::parabola && next_ < queue.size()) {
+    if (last.sub_segment.junctions.end_condition == EndCondition::parabola && next_ < queue.size()) {
         overlap = has_late_overlap ? profile.braking_time_s : overlap_s(queue, profile);
         if (has_late_overlap) overlap_acceleration_ = overlap_acceleration(queue);
         overlap = std::clamp(overlap, 0.0, std::max(0.0, group_.duration_s - overlap_before_s_));
@@ -182,7 +182,7 @@ double VelocityPlanner::overlap_s(const SubSegmentQueue& queue, const Profile& p
     const double before = parabola_between(last, next, override_share(last), override_share(next)).before;
     const double braking_time_s = profile.braking_time_s;
     const double slowing_s =
-        std::isfinite(last.jerk) ? time_below_speed_s(profile, before) : before / acceleration(last);
+        std::isfinite(last.limits.jerk) ? time_below_speed_s(profile, before) : before / acceleration(last);
     if (!clock_.counts) return std::min(slowing_s, braking_time_s);
     const double slow = slowing_s / clock_.period_s, brake = braking_time_s / clock_.period_s;
     const double periods = std::ceil(brake - kPeriodTolerance);

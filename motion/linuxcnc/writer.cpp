@@ -19,8 +19,8 @@ bool done(const QueuedSubSegment& queued) {
 
 // Returns the end time of the part of the path on which the sub-segment is at `from_s`.
 double path_part_end_s(const QueuedSubSegment& queued, double from_s) {
-    if (queued.sub_segment.lead_in > 0) {
-        const double lead_in_s = queued.law.time_at(queued.sub_segment.lead_in);
+    if (queued.sub_segment.lead_in.length > 0) {
+        const double lead_in_s = queued.law.time_at(queued.sub_segment.lead_in.length);
         if (from_s < lead_in_s - kTimeRounding_s) return lead_in_s;
     }
     return queued.law.duration_s();
@@ -32,9 +32,9 @@ double distance_at(const QueuedSubSegment& queued, double t_s) {
     const double end_s = queued.law.duration_s();
     if (t_s <= 0) return 0;
     if (t_s >= end_s - kTimeRounding_s) return queued.sub_segment.length;
-    if (queued.sub_segment.lead_in > 0 &&
-        std::abs(t_s - queued.law.time_at(queued.sub_segment.lead_in)) <= kTimeRounding_s) {
-        return queued.sub_segment.lead_in;
+    if (queued.sub_segment.lead_in.length > 0 &&
+        std::abs(t_s - queued.law.time_at(queued.sub_segment.lead_in.length)) <= kTimeRounding_s) {
+        return queued.sub_segment.lead_in.length;
     }
     return std::min(queued.law.at(t_s), queued.sub_segment.length);
 }
@@ -58,22 +58,23 @@ OverlapPartner find_overlap_partner(SubSegmentQueue& queue, std::size_t ready) {
 }
 
 bool is_on_lead_in(const QueuedSubSegment& queued, double to_s) {
-    return queued.sub_segment.lead_in > 0 && distance_at(queued, to_s) <= queued.sub_segment.lead_in;
+    return queued.sub_segment.lead_in.length > 0 &&
+           distance_at(queued, to_s) <= queued.sub_segment.lead_in.length;
 }
 
 // A blend arc belongs to the later move; the line on which it begins belongs to the earlier one.
 rrs::TargetId target_id_at(const QueuedSubSegment& queued, double to_s) {
-    return is_on_lead_in(queued, to_s) ? queued.sub_segment.lead_in_id : queued.sub_segment.target_id;
+    return is_on_lead_in(queued, to_s) ? queued.sub_segment.lead_in.target_id : queued.sub_segment.target_id;
 }
 
 // True if a sub-segment's target is reached at an instant: at its end or at the start of the next move,
 // unless a blend arc leads in on its line.
 bool reaches_target_at(const QueuedSubSegment& queued, double to_s, const QueuedSubSegment* next) {
-    if (is_on_lead_in(queued, to_s)) return distance_at(queued, to_s) >= queued.sub_segment.lead_in;
+    if (is_on_lead_in(queued, to_s)) return distance_at(queued, to_s) >= queued.sub_segment.lead_in.length;
     if (to_s < queued.law.duration_s() - queued.overlap_time_s - kTimeRounding_s) return false;
     if (next == nullptr) return true;
     const SubSegment& following = next->sub_segment;
-    return (following.lead_in > 0 ? following.lead_in_id : following.target_id) !=
+    return (following.lead_in.length > 0 ? following.lead_in.target_id : following.target_id) !=
            queued.sub_segment.target_id;
 }
 
@@ -224,7 +225,7 @@ void Writer::fill(const Span& span, Segment& segment) const {
     segment.master_limits.max_speed = target_speed(queued.sub_segment) * part.scale;
     segment.master_limits.acceleration = acceleration(queued.sub_segment) * part.scale;
     segment.master_limits.deceleration = segment.master_limits.acceleration;
-    segment.master_limits.jerk = queued.sub_segment.jerk * part.scale;
+    segment.master_limits.jerk = queued.sub_segment.limits.jerk * part.scale;
     segment.limited_by = queued.limited_by;
     segment.path_deviation = queued.sub_segment.path_deviation;
     segment.deviation_mm =
