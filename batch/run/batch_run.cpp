@@ -124,13 +124,13 @@ class BatchRun {
         pending_jobs_.erase(pending);
         if (!run) return Unexpected(run.error());
         ++tally_.ran;
-        if (!row.picture_error.empty() && tally_.missing_pictures++ == 0)
-            tally_.first_picture_error = row.picture_error;
+        if (!row.documents.picture_error.empty() && tally_.missing_pictures++ == 0)
+            tally_.first_picture_error = row.documents.picture_error;
         for (const std::uint64_t other : others) {
             ++tally_.reused;
-            if (auto recorded = record(other, *run, row.is_clean(), true); !recorded) return recorded;
+            if (auto recorded = record(other, *run, row.outcome.is_clean(), true); !recorded) return recorded;
         }
-        return record(row.number, *run, row.is_clean(), false);
+        return record(row.number, *run, row.outcome.is_clean(), false);
     }
 
     SqlResult record(std::uint64_t job, std::int64_t run, bool is_clean, bool reused) {

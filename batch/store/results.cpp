@@ -238,22 +238,24 @@ tl::expected<std::int64_t, std::string> Results::add(const Job& job, const RunKe
     for (const std::string& text :
          {key.key, job.program, key.program_sha256, job.machine, key.machine_sha256, row.machine,
           row.controller, job.options.dump(), settings_json(job.settings).dump(), version, now_utc(),
-          row.status, row.cause, row.message, row.file})
+          row.outcome.status, row.outcome.cause, row.outcome.message, row.outcome.file})
         bind_next(std::string_view(text));
-    bind_next(std::int64_t{row.line});
+    bind_next(std::int64_t{row.outcome.line});
     for (const std::optional<double> metric :
-         {std::optional(row.cycle_time_s), row.min_s, row.max_s, std::optional(row.rapid_s),
-          std::optional(row.feed_s), std::optional(row.dwell_s), std::optional(row.rapid_mm),
-          std::optional(row.feed_mm), std::optional(row.process_on_mm)})
+         {std::optional(row.times.cycle_s), row.times.min_s, row.times.max_s,
+          std::optional(row.times.rapid_s), std::optional(row.times.feed_s), std::optional(row.times.dwell_s),
+          std::optional(row.distances.rapid_mm), std::optional(row.distances.feed_mm),
+          std::optional(row.distances.process_on_mm)})
         bind_next(metric);
     for (const std::uint64_t count :
-         {row.blocks, row.moves, row.violations, row.collisions, row.process_findings, row.warnings})
+         {row.counts.blocks, row.counts.moves, row.counts.violations, row.counts.collisions,
+          row.counts.process_findings, row.counts.warnings})
         bind_next(as_int64(count));
     bind_next(row.energy_j);
     bind_next(std::string_view(row.extents));
     bind_next(std::string_view(row.findings));
     for (const std::optional<double> metric : {std::optional(row.cpu_s), row.clearance_mm, row.deviation_mm,
-                                               row.joint_speed_share, row.lower_bound_s})
+                                               row.joint_speed_share, row.times.lower_bound_s})
         bind_next(metric);
     auto run = read_integer(add);
     if (!run) return run;
@@ -268,12 +270,12 @@ tl::expected<std::int64_t, std::string> Results::add(const Job& job, const RunKe
         if (const auto done = statements_->setting.run(); !done) return Unexpected(done.error());
     }
     if (const auto done = add_inputs(*run, row); !done) return Unexpected(done.error());
-    if (!row.report.empty()) {
-        statements_->report.bind(1, *run).bind(2, row.report);
+    if (!row.documents.report.empty()) {
+        statements_->report.bind(1, *run).bind(2, row.documents.report);
         if (const auto done = statements_->report.run(); !done) return Unexpected(done.error());
     }
-    if (!row.picture.empty()) {
-        statements_->picture.bind(1, *run).bind(2, row.picture);
+    if (!row.documents.picture.empty()) {
+        statements_->picture.bind(1, *run).bind(2, row.documents.picture);
         if (const auto done = statements_->picture.run(); !done) return Unexpected(done.error());
     }
     return run;

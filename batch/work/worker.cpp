@@ -71,7 +71,7 @@ int run_worker(std::uint64_t memory_mb) {
         }
         const RunRow row = runner.run(*job);
         // The engine catches std::bad_alloc: here it is caused by the worker's limit.
-        if (row.status == "refused" && row.message.find("out of memory") != std::string::npos)
+        if (row.outcome.status == "refused" && row.outcome.message.find("out of memory") != std::string::npos)
             exit_out_of_memory();
         if (!write_row(row)) return 2;  // no reader left
     }

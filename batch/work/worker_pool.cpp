@@ -48,26 +48,26 @@ bool was_killed_externally(int status) {
 /// Returns the row of a job during which its worker ended.
 RunRow failure_row(const Job& job, int status, bool timed_out, double timeout_s) {
     RunRow row{.number = job.number};
-    row.file = job.program;
+    row.outcome.file = job.program;
     if (timed_out) {
-        row.status = row.cause = "timeout";
-        row.message = fmt::format("it was ended after {} s", timeout_s);
+        row.outcome.status = row.outcome.cause = "timeout";
+        row.outcome.message = fmt::format("it was ended after {} s", timeout_s);
     } else if (WIFEXITED(status) && WEXITSTATUS(status) == kOutOfMemory) {
-        row.status = row.cause = "memory";
-        row.message = "it needs more memory than it may have";
+        row.outcome.status = row.outcome.cause = "memory";
+        row.outcome.message = "it needs more memory than it may have";
     } else {
-        row.status = row.cause = "crashed";
-        row.message = WIFSIGNALED(status)
-                          ? fmt::format("its process was ended by signal {}", WTERMSIG(status))
-                          : fmt::format("its process ended with status {}", WEXITSTATUS(status));
+        row.outcome.status = row.outcome.cause = "crashed";
+        row.outcome.message = WIFSIGNALED(status)
+                                  ? fmt::format("its process was ended by signal {}", WTERMSIG(status))
+                                  : fmt::format("its process ended with status {}", WEXITSTATUS(status));
     }
     row.findings = nlohmann::json::array({{{"severity", "error"},
-                                           {"code", row.cause},
+                                           {"code", row.outcome.cause},
                                            {"file", job.program},
                                            {"line", nullptr},
                                            {"column", nullptr},
                                            {"end_column", nullptr},
-                                           {"text", row.message},
+                                           {"text", row.outcome.message},
                                            {"hint", nullptr}}})
                        .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
     row.extents = "{}";

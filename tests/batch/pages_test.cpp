@@ -47,20 +47,19 @@ struct Told {
 };
 
 RunRow run_row(const Told& reported) {
-    RunRow row{.status = reported.status,
-               .cause = reported.cause,
+    RunRow row{.outcome = {.status = reported.status, .cause = reported.cause},
                .machine = "M",
                .controller = "exact-stop",
-               .cycle_time_s = reported.time_s,
+               .times = {.cycle_s = reported.time_s},
                .extents = R"({"X":[0,10]})",
                .findings = "[]",
                .files = reported.files};
-    if (row.status.empty()) row.status = reported.cause.empty() ? "completed" : "violations";
+    if (row.outcome.status.empty()) row.outcome.status = reported.cause.empty() ? "completed" : "violations";
     if (reported.cause.empty()) return row;
-    row.message = reported.text;
-    row.file = reported.program;
-    row.line = 7;
-    row.violations = 1;
+    row.outcome.message = reported.text;
+    row.outcome.file = reported.program;
+    row.outcome.line = 7;
+    row.counts.violations = 1;
     row.findings = nlohmann::json::array({{{"severity", "error"},
                                            {"code", reported.cause},
                                            {"file", reported.program},

@@ -46,12 +46,12 @@ Job job_of(std::size_t number, const std::string& program) {
 RunRow run_row(std::size_t number, const std::string& cause = {}) {
     return {
         .number = number,
-        .status = cause.empty() ? "completed" : "alarm",
-        .cause = cause,
-        .message = cause.empty() ? "" : "it says \"no\", <twice>",
-        .file = "a.nc",
-        .line = 3,
-        .cycle_time_s = 0.1 + 0.2,
+        .outcome = {.status = cause.empty() ? "completed" : "alarm",
+                    .cause = cause,
+                    .message = cause.empty() ? "" : "it says \"no\", <twice>",
+                    .file = "a.nc",
+                    .line = 3},
+        .times = {.cycle_s = 0.1 + 0.2},
         .extents = "{}",
         .findings =
             R"([{"code":"axis-limit","column":null,"end_column":null,"file":"a.nc","hint":null,"line":3,"severity":"error","text":"too far"}])",
@@ -95,7 +95,7 @@ TEST_F(ResultsFile, WhatCrashedIsRunAgainWhereThatIsWanted) {
     ASSERT_TRUE(results);
     ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
     RunRow row = run_row(0);
-    row.status = row.cause = "crashed";
+    row.outcome.status = row.outcome.cause = "crashed";
     ASSERT_TRUE(results->add(job_of(0, "a.nc"), {"k", "1", ""}, row, "v"));
     const auto found = results->find("k", file_hash(), {}, false).value();
     ASSERT_TRUE(found);
@@ -110,7 +110,7 @@ TEST_F(ResultsFile, ATrueRunGoesBeforeOneThatWasLostLater) {
     ASSERT_TRUE(results->begin_batch("plan.toml", 1, "v"));
     const auto good = results->add(job_of(0, "a.nc"), {"k", "1", ""}, run_row(0), "v");
     RunRow lost = run_row(0);
-    lost.status = lost.cause = "timeout";
+    lost.outcome.status = lost.outcome.cause = "timeout";
     lost.files = {};
     ASSERT_TRUE(results->add(job_of(0, "a.nc"), {"k", "1", ""}, lost, "v"));
     EXPECT_EQ(results->find("k", file_hash(), {}, false).value()->run, *good);
@@ -199,7 +199,7 @@ TEST_F(ResultsFile, TakesOverWhatOthersHaveOnce) {
         EXPECT_TRUE(results->begin_batch("plan", end - first, "v"));
         for (std::size_t i = first; i < end; ++i) {
             RunRow row = run_row(i);
-            row.report = "{}";
+            row.documents.report = "{}";
             const auto run =
                 results->add(job_of(i, "p" + std::to_string(i)), {std::to_string(i), "1", ""}, row, "v");
             EXPECT_TRUE(results->record(i, run.value(), false));
@@ -266,7 +266,7 @@ TEST_F(ResultsFile, PicturesAreKeptWhereTheyAreWanted) {
     RunRow row = run_row(0);
     const auto bare = results->add(job_of(0, "a.nc"), {"k", "1", ""}, row, "v");
     EXPECT_FALSE(results->find("k", file_hash(), {.picture = true}, false).value());
-    row.picture = "<svg/>";
+    row.documents.picture = "<svg/>";
     const auto drawn = results->add(job_of(0, "a.nc"), {"k", "1", ""}, row, "v");
     EXPECT_EQ(results->find("k", file_hash(), {.picture = true}, false).value()->run, *drawn);
     EXPECT_EQ(results->find("k", file_hash(), {}, false).value()->run, *drawn) << "the newest";

@@ -93,7 +93,8 @@ double setting(const Job& job, std::size_t place) {
 }
 
 RunRow is_clean(double time_s) {
-    return {.status = "completed", .cycle_time_s = time_s, .extents = "{}", .findings = "[]"};
+    return {
+        .outcome = {.status = "completed"}, .times = {.cycle_s = time_s}, .extents = "{}", .findings = "[]"};
 }
 
 /// Returns a run with its minimum, 10, at 1, -2.
@@ -153,8 +154,8 @@ TEST_F(SearchFile, KeepsToWhatIsAllowed) {
         RunRow row = bowl(job);
         row.clearance_mm = 2 - setting(job, 0);  // a is at most 1
         if (setting(job, 1) < -1) {
-            row.cause = "collision";
-            row.collisions = 3;
+            row.outcome.cause = "collision";
+            row.counts.collisions = 3;
         }
         return row;
     };
@@ -180,15 +181,15 @@ TEST_F(SearchFile, WhatIsNotAllowedIsOrderedByHowFarItIs) {
     };
     RunRow touching = is_clean(1), past = is_clean(1), far = is_clean(1), findings = is_clean(1), alarm,
            early, rejected;
-    touching.cause = "collision";
-    touching.collisions = 1;
-    past.status = "violations";
-    past.violations = 12;
-    findings.process_findings = 2;
-    alarm.status = early.status = "alarm";
-    alarm.blocks = 1000;
-    early.blocks = 10;
-    rejected.status = "refused";
+    touching.outcome.cause = "collision";
+    touching.counts.collisions = 1;
+    past.outcome.status = "violations";
+    past.counts.violations = 12;
+    findings.counts.process_findings = 2;
+    alarm.outcome.status = early.outcome.status = "alarm";
+    alarm.counts.blocks = 1000;
+    early.counts.blocks = 10;
+    rejected.outcome.status = "refused";
     EXPECT_EQ(violation(is_clean(1)), 0);
     EXPECT_EQ(violation(findings), 1) << "one more than the start has";
     EXPECT_EQ(violation(touching), 1);
@@ -203,7 +204,7 @@ TEST_F(SearchFile, WhatIsNotRunHasNoValue) {
     const auto plan = read(kPlan);
     const auto state = search(*plan, [](const Job& job) {
         RunRow row = bowl(job);
-        if (setting(job, 0) < 0) row.status = "refused";
+        if (setting(job, 0) < 0) row.outcome.status = "refused";
         return row;
     });
     ASSERT_TRUE(state) << state.error();
@@ -217,8 +218,8 @@ TEST_F(SearchFile, ASettingThatNoRunCanHaveIsToldEarly) {
     const auto state = search(*plan, [](const Job& job) {
         RunRow row = bowl(job);
         if (!job.settings.empty()) {
-            row.status = "refused";
-            row.message = "there is no 'Q'";
+            row.outcome.status = "refused";
+            row.outcome.message = "there is no 'Q'";
         }
         return row;
     });

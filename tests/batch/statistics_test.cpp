@@ -118,8 +118,8 @@ class ClosedForm : public testing::Test {
             const double expected_s = time_s(job.settings[0].value);
             if (seed <= kSeedsRun) {
                 const RunRow row = runner_.run(job);
-                EXPECT_EQ(row.status, "completed") << row.message;
-                EXPECT_NEAR(row.cycle_time_s, expected_s, 1e-9);
+                EXPECT_EQ(row.outcome.status, "completed") << row.outcome.message;
+                EXPECT_NEAR(row.times.cycle_s, expected_s, 1e-9);
             }
             found.push_back(expected_s);
         }
@@ -178,7 +178,7 @@ TEST_F(ClosedForm, StudiesAndComparisonsComeFromResults) {
         for (std::uint64_t number = 0; number < jobs.size(); ++number) {
             const Job job = jobs.job(number);
             RunRow row = runner_.run(job);
-            if (number == 3) row.status = row.cause = "timeout";
+            if (number == 3) row.outcome.status = row.outcome.cause = "timeout";
             ASSERT_TRUE(results->record(
                 number, results->add(job, {std::to_string(number), "", ""}, row, "v").value(), false));
         }
