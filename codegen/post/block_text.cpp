@@ -29,12 +29,12 @@ std::string comment_text(std::string_view text) {
 void BlockText::begin() {
     ++begun_;
     first_word_ = true;
-    if (post_.number_step == 0) return;
-    number_ += static_cast<std::uint64_t>(post_.number_step);
-    if (number_ > kMaxNumber) number_ = static_cast<std::uint64_t>(post_.number_step);
+    if (post_.blocks.number_step == 0) return;
+    number_ += static_cast<std::uint64_t>(post_.blocks.number_step);
+    if (number_ > kMaxNumber) number_ = static_cast<std::uint64_t>(post_.blocks.number_step);
     text_.push_back('N');
     const fmt::format_int digits(number_);
-    for (auto digit_count = static_cast<int>(digits.size()); digit_count < post_.number_digits;
+    for (auto digit_count = static_cast<int>(digits.size()); digit_count < post_.blocks.number_digits;
          ++digit_count) {
         text_.push_back('0');
     }

@@ -21,7 +21,10 @@ void write_inverse_time(BlockText& block, double per_min) {
 }  // namespace
 
 FeedWords::FeedWords(const Post& post, const Options& options)
-    : post_(post), options_(options), format_(post.decimals_feed, post.zeros), mode_(initial_mode()) {}
+    : post_(post),
+      options_(options),
+      format_(post.numbers.decimals_feed, post.numbers.zeros),
+      mode_(initial_mode()) {}
 
 double FeedWords::in_unit(double mm) const {
     return options_.inch ? mm / kMmPerInch : mm;
@@ -76,14 +79,14 @@ std::string FeedWords::text(double mm_min) const {
 }
 
 void FeedWords::write_acceleration(BlockText& text, double mm_s2) {
-    if (post_.acceleration.empty()) return;
+    if (post_.acceleration.set.empty()) return;
     const std::int64_t next = positive_units(in_unit(mm_s2));
     if (next == acceleration_units_ && !options_.verbose) return;
     acceleration_units_ = next;
     fmt::memory_buffer number;
     format_.append(number, next);
     text.placeholders()["acceleration"] = fmt::to_string(number);
-    text.lines(post_.acceleration);
+    text.lines(post_.acceleration.set);
 }
 
 void FeedWords::forget() {

@@ -24,7 +24,9 @@ char letter_of(std::size_t direction) {
 }
 
 DecimalFormat length_format(const Post& post, const WriterOptions& options) {
-    return {options.inch ? post.decimals_inch : options.decimals_mm.value_or(post.decimals_mm), post.zeros};
+    return {
+        options.inch ? post.numbers.decimals_inch : options.decimals_mm.value_or(post.numbers.decimals_mm),
+        post.numbers.zeros};
 }
 
 }  // namespace
@@ -35,7 +37,7 @@ GcodeWriter::GcodeWriter(const Post& post, std::span<const WrittenAxis> axes, co
       actions_(post.actions),
       options_(options),
       text_(post, std::move(sink)),
-      axes_(axes, length_format(post, options), {post.decimals_deg, post.zeros}, options.inch,
+      axes_(axes, length_format(post, options), {post.numbers.decimals_deg, post.numbers.zeros}, options.inch,
             options.verbose_words),
       modal_(options.verbose_words),
       feed_(post, {.inch = options.inch, .verbose = options.verbose_words, .feed_modes = options.feed_modes}),
@@ -72,11 +74,11 @@ void GcodeWriter::move(std::span<const double> values, const std::optional<Writt
 
 void GcodeWriter::thread(std::span<const double> values, const WrittenFeed& feed) {
     begin_motion();
-    text_.code(post_.thread);
+    text_.code(post_.thread.code);
     modal_.forget_motion();
     axes_.write(text_, values);
-    if (post_.thread_lead == "F") feed_.forget_value();
-    text_.code(post_.thread_lead + trimmed(axes_.in_unit(*feed.lead_mm), kValueDecimals));
+    if (post_.thread.lead == "F") feed_.forget_value();
+    text_.code(post_.thread.lead + trimmed(axes_.in_unit(*feed.lead_mm), kValueDecimals));
     text_.end();
 }
 
@@ -107,7 +109,7 @@ void GcodeWriter::arc(std::span<const double> values, const ArcWords& words, con
     axes_.write(text_, values);
     for (const std::size_t direction : in_plane(words.plane))
         text_.word(kCenterLetters[direction], offsets[direction], axes_.length());
-    if (words.turns > 1) text_.code(fmt::format("{}{}", post_.arc_turns_letter, words.turns));
+    if (words.turns > 1) text_.code(fmt::format("{}{}", post_.arcs.turns_letter, words.turns));
     feed_.write(text_, feed, words.turn_rad);
     text_.end();
 }
@@ -115,7 +117,7 @@ void GcodeWriter::arc(std::span<const double> values, const ArcWords& words, con
 // The point is written in full, because it distinguishes the circle from all others through the ends.
 void GcodeWriter::arc_through(std::span<const double> values, const std::array<double, 3>& via_mm,
                               const WrittenFeed& feed, double turn_rad) {
-    const ThroughPoint& words = *post_.through_point;
+    const ThroughPoint& words = *post_.arcs.through_point;
     begin_motion();
     feed_.write_mode(text_, feed);
     modal_.forget_motion();
@@ -135,7 +137,7 @@ void GcodeWriter::dwell(double seconds) {
     PlaceholderValues placeholders = text_.placeholders();
     placeholders["seconds"] = fmt::format("{:.{}f}", seconds, is_exact ? 6 : 3);
     placeholders["milliseconds"] = fmt::format("{:.{}f}", seconds * 1000, is_exact ? 3 : 0);
-    text_.block(post_.dwell, placeholders);
+    text_.block(post_.blocks.dwell, placeholders);
 }
 
 void GcodeWriter::action(std::string_view name) {

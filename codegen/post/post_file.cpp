@@ -94,8 +94,8 @@ class PostReader {
         if (const auto* subprogram = section.table("subprogram")) read_subprogram(*subprogram);
         if (const auto* acceleration = section.table("acceleration")) {
             TomlSection of(error_, *acceleration, "[acceleration]", kAccelerationKeys);
-            post_.acceleration = lines(of, "set", kAccelerationPlaceholders);
-            post_.end_acceleration = lines(of, "end", {});
+            post_.acceleration.set = lines(of, "set", kAccelerationPlaceholders);
+            post_.acceleration.end = lines(of, "end", {});
         }
         if (const auto* modes = section.table("feed_modes")) read_feed_modes(*modes);
         if (const auto* offsets = section.table("offsets")) read_offsets(*offsets);
@@ -120,27 +120,27 @@ class PostReader {
 
     void read_numbers(const toml::table& table) {
         TomlSection section(error_, table, "[numbers]", kNumberKeys);
-        post_.decimals_mm = read_integer(section, "decimals_mm", kMaxDecimals);
-        post_.decimals_inch = read_integer(section, "decimals_inch", kMaxDecimals);
-        post_.decimals_deg = read_integer(section, "decimals_deg", kMaxDecimals);
-        post_.decimals_feed = read_integer(section, "decimals_feed", kMaxDecimals);
+        post_.numbers.decimals_mm = read_integer(section, "decimals_mm", kMaxDecimals);
+        post_.numbers.decimals_inch = read_integer(section, "decimals_inch", kMaxDecimals);
+        post_.numbers.decimals_deg = read_integer(section, "decimals_deg", kMaxDecimals);
+        post_.numbers.decimals_feed = read_integer(section, "decimals_feed", kMaxDecimals);
         if (section.has("decimals_recorded_mm"))
-            post_.decimals_recorded_mm = read_integer(section, "decimals_recorded_mm", kMaxDecimals);
+            post_.numbers.decimals_recorded_mm = read_integer(section, "decimals_recorded_mm", kMaxDecimals);
         section.require("zeros");
-        post_.zeros = static_cast<TrailingZeros>(section.choice("zeros", 0, kZeros));
+        post_.numbers.zeros = static_cast<TrailingZeros>(section.choice("zeros", 0, kZeros));
     }
 
     void read_blocks(const toml::table& table) {
         TomlSection section(error_, table, "[blocks]", kBlockKeys);
-        post_.number_step = read_integer(section, "number_step", 1000);
-        post_.number_digits = read_integer(section, "number_digits", kMaxDigits);
-        if (section.has("axes")) post_.axes = section.text("axes");
-        post_.dwell = section.text("dwell");
-        check_line(section, "dwell", post_.dwell, kDwellPlaceholders);
-        post_.start_position = word(section, "start_position");
-        post_.thread = word(section, "thread");
-        post_.thread_lead = word(section, "thread_lead");
-        if (post_.thread.empty() != post_.thread_lead.empty())
+        post_.blocks.number_step = read_integer(section, "number_step", 1000);
+        post_.blocks.number_digits = read_integer(section, "number_digits", kMaxDigits);
+        if (section.has("axes")) post_.blocks.axes = section.text("axes");
+        post_.blocks.dwell = section.text("dwell");
+        check_line(section, "dwell", post_.blocks.dwell, kDwellPlaceholders);
+        post_.blocks.start_position = word(section, "start_position");
+        post_.thread.code = word(section, "thread");
+        post_.thread.lead = word(section, "thread_lead");
+        if (post_.thread.code.empty() != post_.thread.lead.empty())
             section.fail("thread", "'thread' and 'thread_lead' go together");
     }
 
@@ -220,8 +220,8 @@ class PostReader {
 
     void read_arcs(const toml::table& table) {
         TomlSection section(error_, table, "[arcs]", kArcKeys);
-        post_.rejects_oblique_arcs = section.choice("oblique", 0, kOblique) == 1;
-        post_.arc_turns_letter = word(section, "turns");
+        post_.arcs.rejects_oblique = section.choice("oblique", 0, kOblique) == 1;
+        post_.arcs.turns_letter = word(section, "turns");
         if (!section.has("through_point")) return;
         std::vector<std::string> words = lines(section, "through_point", {});
         if (words.size() != 4) {
@@ -230,8 +230,8 @@ class PostReader {
                          "point");
             return;
         }
-        post_.through_point = {std::move(words[0]),
-                               {std::move(words[1]), std::move(words[2]), std::move(words[3])}};
+        post_.arcs.through_point = {std::move(words[0]),
+                                    {std::move(words[1]), std::move(words[2]), std::move(words[3])}};
     }
 
     void read_subprogram(const toml::table& table) {

@@ -37,7 +37,7 @@ tl::expected<path::Vector, std::string> program_origin(const path::Program& prog
     if (frame.set_offset_mm) return *frame.set_offset_mm;
     const std::vector<std::string>& systems = context.post.offsets.systems;
     // At the beginning, the machine's position gets its own coordinates.
-    if (frame.name.empty() && !context.post.start_position.empty()) return path::Vector{};
+    if (frame.name.empty() && !context.post.blocks.start_position.empty()) return path::Vector{};
     const std::string name = !frame.name.empty() || systems.empty() ? frame.name : systems.front();
     path::Vector origin_mm{};
     if (context.data == nullptr) return origin_mm;

@@ -29,7 +29,7 @@ bool is_message_action(std::string_view action) {
 void PathCheck::move(const path::AxisMove& move) {
     if (move.duration_s) post_.feed_modes.inverse_time.empty() ? ++mean_feeds_ : ++feed_modes_;
     if (move.feed_mm_rev) post_.feed_modes.per_revolution.empty() ? ++per_minute_ : ++feed_modes_;
-    if (move.lead_mm && post_.thread.empty()) ++unsupported_actions_["a line in step with the spindle"];
+    if (move.lead_mm && post_.thread.code.empty()) ++unsupported_actions_["a line in step with the spindle"];
     if (move.lead_mm && uses_machine_coordinates_)
         ++unsupported_actions_["a line in step with the spindle, in machine coordinates"];
 }
@@ -45,7 +45,7 @@ void PathCheck::note(const path::TargetId& where, std::string_view message) {
 
 tl::expected<PathCheck::PathSummary, std::string> PathCheck::finish() {
     if (count_ > kMaxNotes) notes_.push_back(fmt::format("{} more notes of this kind", count_ - kMaxNotes));
-    if (accelerations_ > 0 && post_.acceleration.empty()) {
+    if (accelerations_ > 0 && post_.acceleration.set.empty()) {
         notes_.push_back(
             fmt::format("'acceleration_mm_s2' of {} points is not written: the post '{}' has no words for it",
                         accelerations_, post_.name));

@@ -65,7 +65,7 @@ class PathProgram::Sink : public path::MoveSink {
         // With frames, the controller's frame data count, regardless of the coordinates set for the tool's
         // position.
         const std::string& preset = has_frames                    ? std::string()
-                                    : offsets == Offsets::as_path ? post.start_position
+                                    : offsets == Offsets::as_path ? post.blocks.start_position
                                                                   : post.offsets.preset;
         if (!preset.empty() && (offsets == Offsets::as_path || offsets == Offsets::none))
             writer_.offsets().preset(preset, written_values(program_.space_.home()));
@@ -82,7 +82,7 @@ class PathProgram::Sink : public path::MoveSink {
             writer_.action(kCancelToolLength);
         if (program_.frames_.any()) writer_.offsets().select(program_.post_->offsets.systems.front());
         if (program_.offsets() == Offsets::none) writer_.text().lines(program_.post_->offsets.end);
-        if (program_.has_accelerations_) writer_.text().lines(program_.post_->end_acceleration);
+        if (program_.has_accelerations_) writer_.text().lines(program_.post_->acceleration.end);
     }
 
     void move(const path::AxisMove& move) override {
@@ -174,14 +174,14 @@ tl::expected<PathProgram, std::string> PathProgram::plan(const path::PathFile& f
     if (!space) return tl::unexpected(space.error());
     PathProgram program(file, std::move(*space), post, options);
     for (const codegen::WrittenAxis& axis : program.written_axes()) {
-        if (post.axes.empty() || post.axes.find(axis.letter) != std::string::npos) continue;
+        if (post.blocks.axes.empty() || post.blocks.axes.find(axis.letter) != std::string::npos) continue;
         return tl::unexpected(
             fmt::format("the post '{}' is for the axes {}, and the machine '{}' has {}; name another machine "
                         "by --machine",
-                        post.name, post.axes, machine.name, axis.letter));
+                        post.name, post.blocks.axes, machine.name, axis.letter));
     }
     if (!program.options_.words.decimals_mm && file.program.is_recorded())
-        program.options_.words.decimals_mm = post.decimals_recorded_mm;
+        program.options_.words.decimals_mm = post.numbers.decimals_recorded_mm;
     program.options_.words.machine_coordinates = program.offsets() == Offsets::machine;
     if (auto checked = program.check_offsets(); !checked) return tl::unexpected(checked.error());
     auto turns = path::plan_rotary(file.program, program.space_, program.states_, options.rotary);
@@ -263,22 +263,23 @@ tl::expected<void, std::string> PathProgram::check_retract() const {
 
 // A thread is a line at its feed if the controller has no threads, but the user wants the program anyway.
 std::optional<double> PathProgram::thread_lead(const path::AxisMove& move) const {
-    const bool has_word = !post_->thread.empty() && offsets() != Offsets::machine;
+    const bool has_word = !post_->thread.code.empty() && offsets() != Offsets::machine;
     return has_word ? move.lead_mm : std::nullopt;
 }
 
 path::MoveOptions PathProgram::move_options() const {
     const double resolution_mm =
-        options_.words.inch ? kMmPerInch * std::pow(10.0, -post_->decimals_inch)
-                            : std::pow(10.0, -options_.words.decimals_mm.value_or(post_->decimals_mm));
-    const auto oblique = post_->through_point          ? path::ObliqueArcs::through_points
-                         : post_->rejects_oblique_arcs ? path::ObliqueArcs::rejected
+        options_.words.inch
+            ? kMmPerInch * std::pow(10.0, -post_->numbers.decimals_inch)
+            : std::pow(10.0, -options_.words.decimals_mm.value_or(post_->numbers.decimals_mm));
+    const auto oblique = post_->arcs.through_point     ? path::ObliqueArcs::through_points
+                         : post_->arcs.rejects_oblique ? path::ObliqueArcs::rejected
                                                        : path::ObliqueArcs::lines;
     return {options_.tolerance_mm,
             resolution_mm,
             oblique,
             offsets() != Offsets::machine,
-            !post_->arc_turns_letter.empty(),
+            !post_->arcs.turns_letter.empty(),
             {post_->tool_change.stops_spindle, post_->tool_change.stops_coolant},
             frames_.positions_mm(),
             options_.retract_mm ? options_.retract_mm : space_.max_z_mm()};
