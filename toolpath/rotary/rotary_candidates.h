@@ -9,6 +9,9 @@
 
 namespace gsim::path {
 
+/// Rounding of a turn.
+inline constexpr double kTurnTolerance_deg = 1e-6;
+
 /// Returns the cost between two rotary positions: how far all axes turn from one to the other, deg.
 double turn_between(const AxisValues& from, const AxisValues& to);
 /// Returns the same modulo full turns of each axis.
