@@ -44,7 +44,7 @@ std::int64_t AxisWords::round(std::size_t axis, double value) {
     return printed_units;
 }
 
-void AxisWords::write(BlockText& block, std::span<const double> values) {
+void AxisWords::write(ProgramText& block, std::span<const double> values) {
     for (std::size_t i = 0; i < axes_.size(); ++i) {
         const std::int64_t next = round(i, values[i]);
         if (next == printed_[i] && !verbose_) continue;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "codegen/post/block_text.h"
 #include "codegen/post/gcode_numbers.h"
+#include "codegen/post/program_text.h"
 
 namespace gsim::codegen {
 
@@ -39,7 +39,7 @@ class AxisWords {
     std::string length_text(double mm) const;
 
     /// Writes the words of the axes that have changed.
-    void write(BlockText& block, std::span<const double> values);
+    void write(ProgramText& block, std::span<const double> values);
     /// Returns true if a word would change; keeps the remainders of these values.
     bool would_change(std::span<const double> values);
     /// Sets the position of the axes, though no block has moved them there.

@@ -13,7 +13,7 @@ constexpr int kSignificantDigits = 7;
 constexpr double kUnitsPerMm = 1e6;
 
 // F is written in each block, with the digits that short and long times need.
-void write_inverse_time(BlockText& block, double per_min) {
+void write_inverse_time(ProgramText& block, double per_min) {
     const int integer_digits = static_cast<int>(std::ceil(std::log10(per_min)));
     block.code("F" + trimmed(per_min, std::clamp(kSignificantDigits - integer_digits, 3, 12)));
 }
@@ -40,7 +40,7 @@ FeedWords::FeedMode FeedWords::mode_for(const WrittenFeed& feed) const {
     return FeedMode::per_minute;
 }
 
-void FeedWords::write_mode(BlockText& block, const WrittenFeed& feed) {
+void FeedWords::write_mode(ProgramText& block, const WrittenFeed& feed) {
     const FeedMode mode = mode_for(feed);
     if (mode == mode_) return;
     mode_ = mode;
@@ -53,7 +53,7 @@ void FeedWords::write_mode(BlockText& block, const WrittenFeed& feed) {
     }
 }
 
-void FeedWords::write(BlockText& block, const WrittenFeed& feed, double turn_rad) {
+void FeedWords::write(ProgramText& block, const WrittenFeed& feed, double turn_rad) {
     const FeedMode mode = mode_for(feed);
     if (mode == FeedMode::inverse_time) {
         const bool by_angle = post_.feed_modes.inverse_time_by_angle && turn_rad > 0;
@@ -78,7 +78,7 @@ std::string FeedWords::text(double mm_min) const {
     return fmt::to_string(number);
 }
 
-void FeedWords::write_acceleration(BlockText& text, double mm_s2) {
+void FeedWords::write_acceleration(ProgramText& text, double mm_s2) {
     if (post_.acceleration.set.empty()) return;
     const std::int64_t next = positive_units(in_unit(mm_s2));
     if (next == acceleration_units_ && !options_.verbose) return;

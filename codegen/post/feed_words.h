@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "codegen/post/block_text.h"
 #include "codegen/post/gcode_numbers.h"
 #include "codegen/post/post.h"
+#include "codegen/post/program_text.h"
 
 namespace gsim::codegen {
 
@@ -33,12 +33,12 @@ class FeedWords {
     FeedWords(const Post& post, const Options& options);
 
     /// Writes the word of the feed's mode.
-    void write_mode(BlockText& block, const WrittenFeed& feed);
+    void write_mode(ProgramText& block, const WrittenFeed& feed);
     /// Writes F. `turn_rad` is the angle of an arc, else 0.
-    void write(BlockText& block, const WrittenFeed& feed, double turn_rad);
+    void write(ProgramText& block, const WrittenFeed& feed, double turn_rad);
     /// Writes the post's blocks for an acceleration; no block if it has no such words, or if the same one is
     /// active.
-    void write_acceleration(BlockText& text, double mm_s2);
+    void write_acceleration(ProgramText& text, double mm_s2);
     /// Returns a feed as printed.
     std::string text(double mm_min) const;
     /// Makes F be written again.

@@ -10,12 +10,12 @@
 #include "base/plane.h"
 #include "codegen/post/action_words.h"
 #include "codegen/post/axis_words.h"
-#include "codegen/post/block_text.h"
 #include "codegen/post/feed_words.h"
 #include "codegen/post/machine_blocks.h"
 #include "codegen/post/modal_words.h"
 #include "codegen/post/offset_blocks.h"
 #include "codegen/post/post.h"
+#include "codegen/post/program_text.h"
 
 namespace gsim::codegen {
 
@@ -40,7 +40,7 @@ struct WriterOptions {
 /// text, not the exact values. It receives values of axes and computes no kinematics.
 class GcodeWriter {
   public:
-    using Sink = BlockText::Sink;
+    using Sink = ProgramText::Sink;
 
     /// Makes a writer; `post` must outlive it. One of the axes must be X, one Y and one Z for arcs.
     GcodeWriter(const Post& post, std::span<const WrittenAxis> axes, const WriterOptions& options, Sink sink);
@@ -48,7 +48,7 @@ class GcodeWriter {
     GcodeWriter& operator=(const GcodeWriter&) = delete;
 
     /// Returns the text: the post's lines, comments, and what has not been passed on yet.
-    BlockText& text() { return text_; }
+    ProgramText& text() { return text_; }
     AxisWords& axes() { return axes_; }
     OffsetBlocks& offsets() { return offsets_; }
     /// Returns the blocks that move to positions of the machine.
@@ -79,7 +79,7 @@ class GcodeWriter {
     const Post& post_;
     ActionWords actions_;
     WriterOptions options_;
-    BlockText text_;
+    ProgramText text_;
     AxisWords axes_;
     ModalWords modal_;
     FeedWords feed_;

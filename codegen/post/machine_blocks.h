@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "codegen/post/axis_words.h"
-#include "codegen/post/block_text.h"
 #include "codegen/post/modal_words.h"
 #include "codegen/post/post.h"
+#include "codegen/post/program_text.h"
 
 namespace gsim::codegen {
 
@@ -15,7 +15,7 @@ namespace gsim::codegen {
 class MachineBlocks {
   public:
     /// All must outlive this.
-    MachineBlocks(const Post& post, BlockText& text, AxisWords& axes, ModalWords& modal)
+    MachineBlocks(const Post& post, ProgramText& text, AxisWords& axes, ModalWords& modal)
         : post_(post), text_(text), axes_(axes), modal_(modal) {}
 
     /// Writes a rapid of Z alone to a machine coordinate, if the post has a word for it and the block before
@@ -35,7 +35,7 @@ class MachineBlocks {
     std::int64_t z_units() const { return text_.begun() == z_block_ ? z_units_ : kUnknownUnits; }
 
     const Post& post_;
-    BlockText& text_;
+    ProgramText& text_;
     AxisWords& axes_;
     ModalWords& modal_;
     std::int64_t z_units_ = kUnknownUnits;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/plane.h"
-#include "codegen/post/block_text.h"
+#include "codegen/post/program_text.h"
 
 namespace gsim::codegen {
 
@@ -14,8 +14,8 @@ class ModalWords {
     /// `verbose`: words are written though they are active.
     explicit ModalWords(bool verbose) : verbose_(verbose) {}
 
-    void write_motion(BlockText& block, MotionWord motion);
-    void write_plane(BlockText& block, Plane plane);
+    void write_motion(ProgramText& block, MotionWord motion);
+    void write_plane(ProgramText& block, Plane plane);
     /// Clears the motion, because another word of its group is active or it shall be written.
     void forget_motion() { motion_ = kUnknown; }
     void forget() { motion_ = plane_ = kUnknown; }

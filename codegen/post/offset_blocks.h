@@ -6,10 +6,10 @@
 #include <string_view>
 
 #include "codegen/post/axis_words.h"
-#include "codegen/post/block_text.h"
 #include "codegen/post/feed_words.h"
 #include "codegen/post/modal_words.h"
 #include "codegen/post/post.h"
+#include "codegen/post/program_text.h"
 
 namespace gsim::codegen {
 
@@ -26,7 +26,7 @@ struct WrittenTouch {
 class OffsetBlocks {
   public:
     /// All must outlive this.
-    OffsetBlocks(const Post& post, BlockText& text, AxisWords& axes, ModalWords& modal, FeedWords& feed)
+    OffsetBlocks(const Post& post, ProgramText& text, AxisWords& axes, ModalWords& modal, FeedWords& feed)
         : post_(post), text_(text), axes_(axes), modal_(modal), feed_(feed) {}
 
     /// Writes a block that assigns these coordinates to the present position of the machine, by a word such
@@ -49,7 +49,7 @@ class OffsetBlocks {
     std::string system_index(const std::string& system) const;
 
     const Post& post_;
-    BlockText& text_;
+    ProgramText& text_;
     AxisWords& axes_;
     ModalWords& modal_;
     FeedWords& feed_;

@@ -1,4 +1,4 @@
-#include "codegen/post/block_text.h"
+#include "codegen/post/program_text.h"
 
 #include "base/text/format.h"
 
@@ -26,7 +26,7 @@ std::string comment_text(std::string_view text) {
     return out;
 }
 
-void BlockText::begin() {
+void ProgramText::begin() {
     ++begun_;
     first_word_ = true;
     if (post_.blocks.number_step == 0) return;
@@ -42,28 +42,28 @@ void BlockText::begin() {
     first_word_ = false;
 }
 
-void BlockText::end() {
+void ProgramText::end() {
     text_.push_back('\n');
     if (text_.size() >= kEnough) flush();
 }
 
-void BlockText::flush() {
+void ProgramText::flush() {
     sink_({text_.data(), text_.size()});
     text_.clear();
 }
 
-void BlockText::code(std::string_view text) {
+void ProgramText::code(std::string_view text) {
     if (!first_word_) text_.push_back(' ');
     first_word_ = false;
     text_.append(text.data(), text.data() + text.size());
 }
 
-void BlockText::word(std::string_view letter, std::int64_t units, const DecimalFormat& format) {
+void ProgramText::word(std::string_view letter, std::int64_t units, const DecimalFormat& format) {
     code(letter);
     format.append(text_, units);
 }
 
-void BlockText::lines(const std::vector<std::string>& templates) {
+void ProgramText::lines(const std::vector<std::string>& templates) {
     for (const std::string& each : templates) {
         const std::string line = fill_template(each, placeholders_);
         if (is_numbered(line))
@@ -75,13 +75,13 @@ void BlockText::lines(const std::vector<std::string>& templates) {
     }
 }
 
-void BlockText::block(std::string_view line, const PlaceholderValues& values) {
+void ProgramText::block(std::string_view line, const PlaceholderValues& values) {
     begin();
     code(fill_template(line, values));
     end();
 }
 
-void BlockText::comment(std::string_view text) {
+void ProgramText::comment(std::string_view text) {
     text::append_format(text_, "({})", comment_text(text));
     end();
 }

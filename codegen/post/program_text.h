@@ -14,13 +14,13 @@
 namespace gsim::codegen {
 
 /// Text of a program, block by block: numbers of blocks, spaces between words, and the lines of a post.
-class BlockText {
+class ProgramText {
   public:
     /// Consumer of the text in parts of some 64 KB.
     using Sink = std::function<void(std::string_view)>;
 
     /// `post` must outlive this.
-    BlockText(const Post& post, Sink sink) : post_(post), sink_(std::move(sink)) {}
+    ProgramText(const Post& post, Sink sink) : post_(post), sink_(std::move(sink)) {}
 
     /// Returns the values of {number}, {title} and the other placeholders of the templates.
     PlaceholderValues& placeholders() { return placeholders_; }
