@@ -304,7 +304,7 @@ TEST(PathRecorder, RestIsSaidWhereNothingElseSaysIt) {
     run.simulator.events().add("jet_on", "", {});
     run.simulator.clock().wait();
     run.line(run.axes({30, 0, 0, 0, 0}));
-    run.simulator.events().add("message", "hello", {}, EventTiming::in_passing);
+    run.simulator.events().add("message", "hello", {}, simulation::EventTiming::in_passing);
     run.simulator.clock().wait();
     run.line(run.axes({40, 0, 0, 0, 0}));
     const std::vector<Point> points = run.points();
@@ -321,7 +321,7 @@ TEST(PathRecorder, RestIsSaidBehindADwellAndAtTheEnd) {
     run.simulator.clock().wait();
     run.simulator.dwells().enqueue(0.5, {});
     run.simulator.clock().wait();
-    run.simulator.events().add("message", "hello", {}, EventTiming::in_passing);
+    run.simulator.events().add("message", "hello", {}, simulation::EventTiming::in_passing);
     run.line(run.axes({20, 0, 0, 0, 0}));
     run.simulator.clock().wait();
     const std::vector<Point> points = run.points();
