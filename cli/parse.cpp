@@ -92,8 +92,7 @@ std::string argument_error(const CLI::App& app, const CommandLine& line, const s
 
 }  // namespace
 
-tl::expected<std::optional<int>, std::string> parse(const CommandLine& line,
-                                                    std::span<const std::string> arguments) {
+Result<std::optional<int>> parse(const CommandLine& line, std::span<const std::string> arguments) {
     CLI::App app(line.description(), line.program());
     add_all_options(app, line);
     app.set_version_flag("--version", "");

@@ -126,7 +126,7 @@ struct TrialPoint {
     bool feasible;
 };
 
-tl::expected<std::vector<TrialPoint>, std::string> read_trial_points(Database& results, std::int64_t search) {
+Result<std::vector<TrialPoint>> read_trial_points(Database& results, std::int64_t search) {
     auto rows = results.prepare(
         "SELECT DISTINCT number, value, violation FROM search_run WHERE search = ? AND value IS NOT NULL "
         "ORDER BY number");
@@ -226,9 +226,8 @@ std::string to_json(const SearchPlan& search, const SearchState& state,
     return text.dump(1, ' ', false, ordered_json::error_handler_t::replace) + '\n';
 }
 
-tl::expected<std::string, std::string> to_html(const SearchPlan& search, const SearchState& state,
-                                               const std::optional<VerificationRun>& verification_run,
-                                               Database& results) {
+Result<std::string> to_html(const SearchPlan& search, const SearchState& state,
+                            const std::optional<VerificationRun>& verification_run, Database& results) {
     return read_trial_points(results, state.search).map([&](const std::vector<TrialPoint>& trial_points) {
         return fmt::format(fmt::runtime(kSearchPage), text::xml_text(search.plan.name), picture(trial_points),
                            text::xml_text(to_text(search, state, verification_run)));

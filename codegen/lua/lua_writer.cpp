@@ -238,8 +238,8 @@ void LuaWriter::write_comment_action(const Block& block, std::string& out) {
     const std::vector<lexer::Slice>& comments = block.text->comments;
     const std::size_t count = comments.size() - (block.text->remark ? 1 : 0);
     if (count == 0 || block.has_program) return;
-    if (const auto error = write_active_comment(block.text->view(comments[count - 1]), out))
-        lexer_.fail(1, DiagnosticKind::syntax, *error);
+    if (const auto done = write_active_comment(block.text->view(comments[count - 1]), out); !done)
+        lexer_.fail(1, DiagnosticKind::syntax, done.error().message);
 }
 
 void LuaWriter::write_body(const Block& block) {
@@ -276,7 +276,8 @@ void LuaWriter::write_body(const Block& block) {
             code_ += "end ";
             return;
         case BlockKind::print:
-            if (const auto error = write_print(block, code_)) lexer_.fail(1, DiagnosticKind::syntax, *error);
+            if (const auto done = write_print(block, code_); !done)
+                lexer_.fail(1, DiagnosticKind::syntax, done.error().message);
             return;
         case BlockKind::flow: write_flow(block); return;
         case BlockKind::tape: return;

@@ -118,7 +118,7 @@ class RobotsReader {
 
 }  // namespace
 
-tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, std::string_view file_name) {
+Result<RobotsFile> read_robots(std::string_view toml_text, std::string_view file_name) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     if (error.text()) return tl::unexpected(*error.text());
@@ -127,8 +127,7 @@ tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, st
     return file;
 }
 
-tl::expected<RobotsFile, std::string> load_robots(const std::filesystem::path& path,
-                                                  os::NameSource name_source) {
+Result<RobotsFile> load_robots(const std::filesystem::path& path, os::NameSource name_source) {
     return os::read_text_file(path, name_source).and_then([&](const std::string& text) {
         return read_robots(text, path.string());
     });

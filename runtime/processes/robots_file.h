@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/os/input_file.h"
 #include "controller/services/types.h"
 #include "runtime/processes/conveyor.h"
@@ -33,10 +32,10 @@ struct RobotsFile {
 
 /// Reads the tables [[robot]], [[conveyor]] and [[zone]] (docs/processes.md), strictly; those of cells are
 /// skipped. The error is "file:line:column: message". Files that it names are searched in its folder.
-tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, std::string_view file_name);
+Result<RobotsFile> read_robots(std::string_view toml_text, std::string_view file_name);
 
 /// Reads the same from a file on disk.
-tl::expected<RobotsFile, std::string> load_robots(const std::filesystem::path& path,
-                                                  os::NameSource name_source = os::NameSource::in_file);
+Result<RobotsFile> load_robots(const std::filesystem::path& path,
+                               os::NameSource name_source = os::NameSource::in_file);
 
 }  // namespace gsim::process

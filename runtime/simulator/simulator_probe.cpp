@@ -73,9 +73,9 @@ SignalOrError Simulator::make_cell_signal(bool away) {
         if (!frame) return tl::unexpected(frame.error());
         tcp_mm = frame->tcp_mm();
     }
-    return cell_->touch_search(tcp_mm, motion_->time_s()).map([away](cell::TouchSearch search) {
-        return std::unique_ptr<ProbeSignal>(std::make_unique<ContactSignal>(std::move(search), away));
-    });
+    auto search = cell_->touch_search(tcp_mm, motion_->time_s());
+    if (!search) return tl::unexpected(search.error().message);
+    return std::make_unique<ContactSignal>(*std::move(search), away);
 }
 
 bool Simulator::ends_at_target(const ProbeMove& move) const {

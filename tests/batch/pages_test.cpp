@@ -93,7 +93,7 @@ class Pages : public testing::Test {
 
     void batch(const std::vector<Told>& runs, bool complete = true, const std::string& plan = "plan.toml") {
         auto results = Results::open(file_);
-        ASSERT_TRUE(results) << results.error();
+        ASSERT_TRUE(results) << results.error().message;
         ASSERT_TRUE(results->begin_batch(plan, runs.size(), "v"));
         for (std::size_t i = 0; i < runs.size(); ++i) {
             const Job job{.number = i,
@@ -114,15 +114,15 @@ class Pages : public testing::Test {
         ASSERT_TRUE(results->end_batch(complete));
     }
 
-    tl::expected<void, std::string> write(std::int64_t since = 0) {
+    Result<void> write(std::int64_t since = 0) {
         auto results = Database::open(file_, true);
-        EXPECT_TRUE(results) << results.error();
+        EXPECT_TRUE(results) << results.error().message;
         return write_pages(*results, {.folder = site_.string(), .since = since, .views = views_});
     }
 
     void write_and_read(std::int64_t since = 0) {
         const auto written = write(since);
-        ASSERT_TRUE(written) << written.error();
+        ASSERT_TRUE(written) << written.error().message;
         pages_.clear();
         for (const auto& entry : fs::directory_iterator(site_)) {
             if (entry.is_directory()) continue;
@@ -276,8 +276,8 @@ TEST_F(Pages, CompareWithTheBatchThatIsAskedFor) {
     EXPECT_THAT(rows_below("times"), ElementsAre());
     write_and_read(1);
     EXPECT_THAT(rows_below("times"), ElementsAre(testing::Contains("+10 s (+100 %)")));
-    EXPECT_THAT(write(3).error(), HasSubstr("there is no batch 3 before the latest one"));
-    EXPECT_THAT(write(-1).error(), HasSubstr("no batch -1"));
+    EXPECT_THAT(write(3).error().message, HasSubstr("there is no batch 3 before the latest one"));
+    EXPECT_THAT(write(-1).error().message, HasSubstr("no batch -1"));
 }
 
 TEST_F(Pages, HaveTheHistoryOfAProgram) {
@@ -387,22 +387,23 @@ TEST_F(Pages, AreNotWrittenOverFilesOfOthers) {
     std::ofstream(site_ / "index.html") << "my front page";
     const auto written = write();
     ASSERT_FALSE(written);
-    EXPECT_THAT(written.error(), HasSubstr("index.html' is no page that was written here before"));
+    EXPECT_THAT(written.error().message, HasSubstr("index.html' is no page that was written here before"));
     EXPECT_EQ(text_in(site_ / "index.html"), "my front page");
     fs::remove(site_ / "index.html");
     fs::create_directory(site_ / "index.html");
-    EXPECT_THAT(write().error(), HasSubstr("cannot write"));
+    EXPECT_THAT(write().error().message, HasSubstr("cannot write"));
 }
 
 TEST_F(Pages, NeedAFolderAndABatch) {
     auto results = Results::open(file_);
     auto empty = Database::open(file_, true);
-    EXPECT_THAT(write_pages(*empty, {.folder = site_.string()}).error(), HasSubstr("there is no batch"));
+    EXPECT_THAT(write_pages(*empty, {.folder = site_.string()}).error().message,
+                HasSubstr("there is no batch"));
     EXPECT_FALSE(fs::exists(site_));
     batch({{.program = "a.nc"}});
     const auto written = write_pages(*empty, {.folder = file_ + "/site"});
     ASSERT_FALSE(written);
-    EXPECT_THAT(written.error(), HasSubstr("r.sqlite/site"));
+    EXPECT_THAT(written.error().message, HasSubstr("r.sqlite/site"));
 }
 
 // In a file of results that machines share, a writer waits for readers that have not finished.

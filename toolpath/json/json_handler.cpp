@@ -40,8 +40,8 @@ bool JsonHandler::fail(const SourceLocation& source_location, std::string_view m
     return false;
 }
 
-bool JsonHandler::check(tl::expected<void, std::string> done) {
-    return done ? true : fail(done.error());
+bool JsonHandler::check(Result<void> done) {
+    return done ? true : fail(done.error().message);
 }
 
 bool JsonHandler::type_error(std::string_view found) {
@@ -58,8 +58,8 @@ bool JsonHandler::number(double value) {
     if (level() == Level::touch) return touch_value(value);
     if (level() == Level::path) return path_number(value);
     if (level() == Level::program && key_ == "format") {
-        const auto error = text::format_error(value);
-        return error ? fail(*error) : true;
+        const auto error = text::find_format_error(value);
+        return error ? fail(error->message) : true;
     }
     if (level() == Level::rotary) return check(draft_.set_rotary(key_, value));
     const bool expects_number =
@@ -240,7 +240,7 @@ bool JsonHandler::touch_value(std::string_view value) {
 // Adds the touch to a path, or to the use of one.
 bool JsonHandler::end_touch() {
     const auto touch = touch_draft_.finish();
-    if (!touch) return fail(touch_location_, touch.error());
+    if (!touch) return fail(touch_location_, touch.error().message);
     if (levels_[levels_.size() - 2] == Level::path) {
         path_draft_.add_touch(*touch);
     } else {
@@ -322,7 +322,7 @@ bool JsonHandler::end_path() {
         }
     }
     if (auto done = path_draft_.finish(file_.program.paths.back()); !done)
-        return fail(source_location, done.error());
+        return fail(source_location, done.error().message);
     const std::size_t index = file_.program.paths.size() - 1;
     const std::string& name = file_.program.paths.back().name;
     if (by_name_.emplace(name, index).second) return true;
@@ -330,8 +330,8 @@ bool JsonHandler::end_path() {
 }
 
 bool JsonHandler::end_target() {
-    tl::expected<Target, std::string> target = draft_.finish();
-    if (!target) return fail(draft_location_, target.error());
+    Result<Target> target = draft_.finish();
+    if (!target) return fail(draft_location_, target.error().message);
     const std::size_t path = file_.program.paths.size() - 1;
     std::vector<Target>& targets = file_.program.paths.back().targets;
     if (draft_.is_sub_path()) references_.push_back({{path, targets.size()}, draft_.path_name()});
@@ -372,7 +372,7 @@ bool JsonHandler::resolve() {
     return true;
 }
 
-tl::expected<PathFile, std::string> JsonHandler::finish() {
+Result<PathFile> JsonHandler::finish() {
     if (!resolve()) return tl::unexpected(error_);
     return std::move(file_);
 }

@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/text/json.h"
 #include "toolpath/json/json_bytes.h"
 #include "toolpath/json/path_draft.h"
@@ -43,7 +42,7 @@ class JsonHandler {
                      const nlohmann::json::exception& exception);
 
     /// Returns the program after the last event; the error is "file:line:column: message".
-    tl::expected<PathFile, std::string> finish();
+    Result<PathFile> finish();
     const std::string& error() const { return error_; }
 
   private:
@@ -90,7 +89,7 @@ class JsonHandler {
     bool end_path();
     bool end_target();
     bool end_vector();
-    bool check(tl::expected<void, std::string> done);
+    bool check(Result<void> done);
     bool fail(const SourceLocation& source_location, std::string_view message);
     bool fail(std::string_view message) { return fail(bytes_.token(), message); }
     bool type_error(std::string_view found);

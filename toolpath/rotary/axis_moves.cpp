@@ -37,10 +37,10 @@ class MoveGenerator {
           sink_(sink),
           rotary_(rotary.value_or(AxisValues())) {}
 
-    std::optional<Error> go_to(const Point& point, std::size_t target, const State& before);
-    std::optional<Error> go_to(const MachinePoint& point, std::size_t target, const State& before);
+    std::optional<TargetError> go_to(const Point& point, std::size_t target, const State& before);
+    std::optional<TargetError> go_to(const MachinePoint& point, std::size_t target, const State& before);
     /// Turns about the TCP, if `to` is not null.
-    std::optional<Error> unwind(std::size_t target, const AxisValues* to, const State& at);
+    std::optional<TargetError> unwind(std::size_t target, const AxisValues* to, const State& at);
     void set_rotary(const AxisValues& rotary) { rotary_ = rotary; }
     /// Updates the state after the call of a sub-path.
     void return_from(std::size_t target) {
@@ -57,25 +57,25 @@ class MoveGenerator {
     };
 
     TargetId target_id() const { return {path_, target_}; }
-    Error error(std::string message) const { return {target_id(), std::move(message)}; }
-    std::optional<Error> check_range(const AxisValues& axes) const {
+    TargetError error(std::string message) const { return {target_id(), std::move(message)}; }
+    std::optional<TargetError> check_range(const AxisValues& axes) const {
         for (const std::string& frame : set_up_.frames()) {
             const auto named = options_.frames_mm.find(frame);
-            std::string message = named == options_.frames_mm.end()
-                                      ? space_.axis_range_error(axes)
-                                      : space_.axis_range_error(axes, named->second);
-            if (!message.empty()) return error(std::move(message));
+            auto range_error = named == options_.frames_mm.end()
+                                   ? space_.find_axis_range_error(axes)
+                                   : space_.find_axis_range_error(axes, named->second);
+            if (range_error) return error(std::move(range_error->message));
         }
         return std::nullopt;
     }
-    std::optional<Error> run(const TcpMotion& motion, const Point& point, const State& before);
+    std::optional<TargetError> run(const TcpMotion& motion, const Point& point, const State& before);
     std::optional<Feed> motion_feed(const TcpMotion& motion, const Point& point, const State& before,
                                     bool is_rotary_only) const;
     Feed axis_feed(const TcpMotion& motion, double from, double to, const Feed& feed) const;
     bool is_printed_equal(const Vector3d& a, const Vector3d& b) const;
     bool is_one_line(const TcpMotion& motion, bool is_start_known);
-    std::optional<Error> report_work_offset(const Point& point, const State& before);
-    std::optional<Error> set_position(const Point& point, const AxisValues& axes, const State& before);
+    std::optional<TargetError> report_work_offset(const Point& point, const State& before);
+    std::optional<TargetError> set_position(const Point& point, const AxisValues& axes, const State& before);
     AxisMove feed_move(const AxisValues& axes, const Feed& feed, double share) const;
     void lines(const TcpMotion& motion, const Feed& feed, double tolerance_mm);
     using ArcPartFunction = std::optional<AxisArc> (TcpMotion::*)(double from, double to,
@@ -83,7 +83,8 @@ class MoveGenerator {
     bool arcs(const TcpMotion& motion, const Feed& feed);
     bool arcs(const TcpMotion& motion, const Feed& feed, int parts, ArcPartFunction part_of_arc,
               int turns = 1);
-    std::optional<Error> arrive(double dwell_s, const std::vector<std::string>& actions, const State& before);
+    std::optional<TargetError> arrive(double dwell_s, const std::vector<std::string>& actions,
+                                      const State& before);
 
     const MachineSpace& space_;
     const RotarySchedule& turns_;
@@ -98,7 +99,7 @@ class MoveGenerator {
     std::string work_offset_;  // that the sink knows
 };
 
-std::optional<Error> MoveGenerator::go_to(const Point& point, std::size_t target, const State& before) {
+std::optional<TargetError> MoveGenerator::go_to(const Point& point, std::size_t target, const State& before) {
     target_ = target;
     const AxisValues rotary = turns_.at(target);
     const Vector3d end = to_eigen(point.position_mm);
@@ -107,7 +108,7 @@ std::optional<Error> MoveGenerator::go_to(const Point& point, std::size_t target
     if (before.at_machine_point.value() != false) sink_.retract();
     if (point.acceleration_mm_s2) sink_.acceleration(*point.acceleration_mm_s2);
     if (auto differs = report_work_offset(point, before)) return differs;
-    std::optional<Error> failed;
+    std::optional<TargetError> failed;
     if (point.motion == MotionType::rapid) {
         sink_.move({axes, true, std::nullopt, 0, false});
     } else if (point.motion == MotionType::none) {
@@ -130,14 +131,14 @@ std::optional<Error> MoveGenerator::go_to(const Point& point, std::size_t target
     return failed ? failed : arrive(point.dwell_s, point.actions, before);
 }
 
-std::optional<Error> MoveGenerator::go_to(const MachinePoint& point, std::size_t target,
-                                          const State& before) {
+std::optional<TargetError> MoveGenerator::go_to(const MachinePoint& point, std::size_t target,
+                                                const State& before) {
     target_ = target;
     if (jet_ && before.process_on.value() != false)
         return error(fmt::format("the jet may be on where the machine goes to {}; turn it off before",
                                  point_title(point)));
-    if (std::string range_error = space_.axis_range_error(point.axes); !range_error.empty())
-        return error(std::move(range_error));
+    if (auto range_error = space_.find_axis_range_error(point.axes))
+        return error(std::move(range_error->message));
     const MachineApproach travel = plan_approach(point, options_.retract_mm);
     if (travel.retract_first) sink_.retract();
     sink_.go_to(travel);
@@ -145,16 +146,16 @@ std::optional<Error> MoveGenerator::go_to(const MachinePoint& point, std::size_t
     return arrive(point.dwell_s, point.actions, before);
 }
 
-std::optional<Error> MoveGenerator::arrive(double dwell_s, const std::vector<std::string>& actions,
-                                           const State& before) {
+std::optional<TargetError> MoveGenerator::arrive(double dwell_s, const std::vector<std::string>& actions,
+                                                 const State& before) {
     if (dwell_s > 0) sink_.dwell(dwell_s);
     const auto all = insert_restore_actions(actions, before.active_modes, options_.tool_change_stops);
-    if (!all) return error(all.error());
+    if (!all) return error(all.error().message);
     for (const std::string& each : *all) sink_.action(each);
     return std::nullopt;
 }
 
-std::optional<Error> MoveGenerator::report_work_offset(const Point& point, const State& before) {
+std::optional<TargetError> MoveGenerator::report_work_offset(const Point& point, const State& before) {
     if (point.work_offset.empty() && before.work_offset.differs())
         return error("the point needs 'work_offset': the places that lead here hand over different ones");
     const std::string name =
@@ -165,8 +166,8 @@ std::optional<Error> MoveGenerator::report_work_offset(const Point& point, const
 }
 
 // Handles a point at which the tool already is.
-std::optional<Error> MoveGenerator::set_position(const Point& point, const AxisValues& axes,
-                                                 const State& before) {
+std::optional<TargetError> MoveGenerator::set_position(const Point& point, const AxisValues& axes,
+                                                       const State& before) {
     const std::optional<Vector>& at = before.position_mm.value();
     if (at && (to_eigen(*at) - to_eigen(point.position_mm)).norm() > kPositionTolerance_mm)
         return error("a point of motion \"none\" stands where the point before it does");
@@ -194,7 +195,8 @@ std::optional<MoveGenerator::Feed> MoveGenerator::motion_feed(const TcpMotion& m
     return Feed{*feed, false, std::nullopt, per_rev > 0 ? std::optional(per_rev) : std::nullopt};
 }
 
-std::optional<Error> MoveGenerator::run(const TcpMotion& motion, const Point& point, const State& before) {
+std::optional<TargetError> MoveGenerator::run(const TcpMotion& motion, const Point& point,
+                                              const State& before) {
     // An unknown path to the point is taken for a line of some length.
     const bool is_start_known = before.position_mm.value().has_value();
     const bool is_rotary_only = is_start_known && motion.length_mm() < options_.resolution_mm / 2;
@@ -337,7 +339,7 @@ bool MoveGenerator::arcs(const TcpMotion& motion, const Feed& feed, int parts, A
 }
 
 // Turns the jet off, so that it does not cut a hole at standstill.
-std::optional<Error> MoveGenerator::unwind(std::size_t target, const AxisValues* to, const State& at) {
+std::optional<TargetError> MoveGenerator::unwind(std::size_t target, const AxisValues* to, const State& at) {
     if (to == nullptr) return std::nullopt;
     target_ = target;
     const bool jet = jet_ && at.process_on.value() != false;
@@ -348,7 +350,7 @@ std::optional<Error> MoveGenerator::unwind(std::size_t target, const AxisValues*
     // A TCP off the axes would otherwise swing about them, through the work.
     const Vector3d tcp = to_eigen(*at.position_mm.value());
     const TcpMotion turn(space_, tcp, tcp, rotary_, *to, std::nullopt);
-    std::optional<Error> range_error;
+    std::optional<TargetError> range_error;
     turn.cut(options_.tolerance_mm, [&](double share) {
         const AxisValues axes = turn.at(share);
         if (!range_error) range_error = check_range(axes);
@@ -361,8 +363,8 @@ std::optional<Error> MoveGenerator::unwind(std::size_t target, const AxisValues*
 }
 
 // Writes one call, or one for each repeat if the axes unwind in between.
-std::optional<Error> call(const SubPath& sub_path, std::size_t target, const RotarySchedule& turns,
-                          const State& exit_state, MoveGenerator& move_generator, MoveSink& sink) {
+std::optional<TargetError> call(const SubPath& sub_path, std::size_t target, const RotarySchedule& turns,
+                                const State& exit_state, MoveGenerator& move_generator, MoveSink& sink) {
     const AxisValues* to = turns.between_repeats(target);
     if (to == nullptr) {
         sink.call(sub_path);
@@ -380,7 +382,7 @@ std::optional<Error> call(const SubPath& sub_path, std::size_t target, const Rot
 
 }  // namespace
 
-tl::expected<void, Error> AxisMoves::run(std::size_t path, MoveSink& sink) const {
+tl::expected<void, TargetError> AxisMoves::run(std::size_t path, MoveSink& sink) const {
     PathSetup set_up(program_, states_, path, options_.tool_change_stops, jet_, sink);
     MoveGenerator move_generator(space_, turns_[path], options_, jet_, path, path != program_.root,
                                  entries_[path], set_up, sink);

@@ -43,7 +43,7 @@ void PathCheck::note(const path::TargetId& where, std::string_view message) {
     if (++count_ <= kMaxNotes) notes_.push_back(file_.with_location(where, std::string(message)));
 }
 
-tl::expected<PathCheck::PathSummary, std::string> PathCheck::finish() {
+Result<PathCheck::PathSummary> PathCheck::finish() {
     if (count_ > kMaxNotes) notes_.push_back(fmt::format("{} more notes of this kind", count_ - kMaxNotes));
     if (accelerations_ > 0 && post_.acceleration.empty()) {
         notes_.push_back(

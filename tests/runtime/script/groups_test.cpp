@@ -237,7 +237,7 @@ TEST(Groups, TheInverseHoldsThem) {
         near[kTrack] = joints[kTrack];
         near[kTable] = joints[kTable];
         const auto found = kinematics->inverse(kinematics->forward(joints), near);
-        ASSERT_TRUE(found) << found.error();
+        ASSERT_TRUE(found) << found.error().message;
         EXPECT_EQ((*found)[kTrack], joints[kTrack]);
         EXPECT_EQ((*found)[kTable], joints[kTable]);
         EXPECT_TRUE(kinematics->forward(*found).isApprox(kinematics->forward(joints), 1e-8));

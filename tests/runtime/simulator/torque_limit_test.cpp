@@ -58,13 +58,13 @@ mass_kg = 20
 
 machine::Machine read(const std::string& text) {
     auto machine = machine::read_machine(text, "m.toml");
-    EXPECT_TRUE(machine) << machine.error();
+    EXPECT_TRUE(machine) << machine.error().message;
     return *std::move(machine);
 }
 
 std::string rejection(const std::string& text) {
     const auto machine = machine::read_machine(text, "m.toml");
-    return machine ? "" : machine.error();
+    return machine ? "" : machine.error().message;
 }
 
 std::unique_ptr<Simulator> simulator_of(const machine::Machine& machine) {
@@ -168,7 +168,7 @@ TEST(TorqueLimit, RefusesByName) {
     const auto without_mass = read(slides().substr(0, slides().find("[[mass]]")));
     const auto dynamics_result = make_dynamics(without_mass);
     ASSERT_FALSE(dynamics_result);
-    EXPECT_THAT(dynamics_result.error(), HasSubstr("needs a mass that axis X moves"));
+    EXPECT_THAT(dynamics_result.error().message, HasSubstr("needs a mass that axis X moves"));
 }
 
 // An arm of two links in a vertical plane, 400 and 300 mm, with speeds at which the one throws the other.
@@ -283,7 +283,7 @@ TEST(TorqueLimit, RandomProgramsKeepThePeaks) {
         constexpr std::array kModels{"exact-stop", "ab9", "blend"};
         std::mt19937 random(program);
         const machine::Machine machine = heavy(random, kModels[program % kModels.size()]);
-        if (const auto error = machine::find_torque_limit_error(machine)) FAIL() << *error;
+        if (const auto error = machine::find_torque_limit_error(machine)) FAIL() << error->message;
         const auto simulator = simulator_of(machine);
         RandomMoves(random, *simulator).make(12);
         const Report report = simulator->finish("random");

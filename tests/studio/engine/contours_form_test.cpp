@@ -41,7 +41,7 @@ Asked ask(const json& request) {
     host.read_contours = [&](const std::string& file, const engine::ContourSelection& selection) {
         request_json.file = file;
         request_json.selection = selection;
-        return tl::expected<engine::Contours, std::string>(tent());
+        return Result<engine::Contours>(tent());
     };
     handle_request(request.dump(), host,
                    [&](const std::string& bytes) { request_json.frames.push_back(read_frame(bytes)); });
