@@ -258,7 +258,7 @@ engine::DrawingRequest make_request(const AutopathArguments& arguments) {
     return request;
 }
 
-tl::expected<void, std::string> write_path(const engine::DrawingPath& path, const std::string& name) {
+Result<void> write_path(const engine::DrawingPath& path, const std::string& name) {
     auto file = os::OutputFile::open(name);
     if (!file) return tl::unexpected(file.error());
     path.write([&](std::string_view text) { return file->write(text); });
@@ -275,8 +275,7 @@ void report_summary(const std::string& message, apps::Findings& findings) {
 
 /// From here on only the drawing and the outputs are needed. A separate program reads solids, and it needs
 /// its libraries.
-tl::expected<void, std::string> confine_reading(const AutopathArguments& arguments,
-                                                const engine::DrawingPath& path) {
+Result<void> confine_reading(const AutopathArguments& arguments, const engine::DrawingPath& path) {
     if (arguments.no_confine || path.is_solid()) return {};
     return apps::confine_to(std::array{path.drawing_file()},
                             std::array{arguments.output, arguments.findings.sarif});
@@ -293,20 +292,20 @@ int make_path(const AutopathArguments& arguments, apps::Findings& findings) {
     const apps::CpuBackstop cpu(arguments.max_cpu_s);
     if (const auto conflict =
             apps::sarif_conflict(findings.options(), apps::product_destination(arguments.output)))
-        return findings.fail(Kind::usage, *conflict);
+        return findings.fail(Kind::usage, conflict->message);
     if (const std::string orphan_option = option_without_contours(arguments); !orphan_option.empty())
         return findings.fail(Kind::usage, orphan_option + " needs --contours");
     auto path = engine::DrawingPath::open(make_request(arguments));
     if (!path) return findings.fail(path.error());
     if (auto confined = confine_reading(arguments, *path); !confined)
-        return findings.fail(Kind::usage, confined.error());
+        return findings.fail(Kind::usage, confined.error().message);
     if (const auto read = path->read(); !read) return report_failure(findings, read.error());
     if (arguments.report && arguments.request.cutting.material.empty())
         return findings.fail(Kind::usage, "--report needs --material and --thickness");
     const auto result = path->make([&](const engine::Diagnostic& diagnostic) { findings.add(diagnostic); });
     if (!result) return report_failure(findings, result.error());
     const auto written = write_path(*path, apps::product_destination(arguments.output));
-    if (!written) return findings.fail(Kind::output, written.error());
+    if (!written) return findings.fail(Kind::output, written.error().message);
     report_summary(path->summary(), findings);
     if (arguments.report) apps::print_to_standard_error(text::printable(path->job_report()));
     return apps::kSuccess;

@@ -56,11 +56,11 @@ void add_system_programs(os::SandboxPolicy& policy) {
     }
 }
 
-tl::expected<void, std::string> restrict_access(os::SandboxPolicy policy) {
+Result<void> restrict_access(os::SandboxPolicy policy) {
     if (kReadsOwnProcess) policy.read.emplace_back("/proc/self");
     if (kCoverageFolder != nullptr) policy.changed.emplace_back(kCoverageFolder);
-    return os::confine(policy).map([](bool) {}).map_error([](const std::string& message) {
-        return message + "; --no-confine runs without";
+    return os::confine(policy).map([](bool) {}).map_error([](const Error& error) {
+        return Error(error.message + "; --no-confine runs without");
     });
 }
 
@@ -83,15 +83,14 @@ os::SandboxPolicy run_sandbox_policy(const RunArguments& arguments, const engine
     return policy;
 }
 
-tl::expected<void, std::string> confine_run(const RunArguments& arguments, const engine::Request& request,
-                                            std::span<const std::string> programs) {
+Result<void> confine_run(const RunArguments& arguments, const engine::Request& request,
+                         std::span<const std::string> programs) {
     // A module in a separate process was started before this, and is not confined.
     if (arguments.no_confine || (arguments.module_in_process && !request.module.empty())) return {};
     return restrict_access(run_sandbox_policy(arguments, request, programs));
 }
 
-tl::expected<void, std::string> confine_to(std::span<const std::string> files,
-                                           std::span<const std::string> outputs) {
+Result<void> confine_to(std::span<const std::string> files, std::span<const std::string> outputs) {
     os::SandboxPolicy policy;
     for (const std::string& file : files) {
         if (!file.empty() && file != os::kStandardStream) policy.read.emplace_back(file);
@@ -100,7 +99,7 @@ tl::expected<void, std::string> confine_to(std::span<const std::string> files,
     return restrict_access(std::move(policy));
 }
 
-tl::expected<void, std::string> confine_to_folders(std::span<const fs::path> folders) {
+Result<void> confine_to_folders(std::span<const fs::path> folders) {
     os::SandboxPolicy policy;
     policy.read.assign(folders.begin(), folders.end());
     add_system_programs(policy);

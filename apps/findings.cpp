@@ -20,7 +20,7 @@ int print_error(const std::string& text) {
 int write_output_file(const std::string& name, const std::string& text) {
     const auto written = os::write_file(name, text);
     if (written) return kSuccess;
-    print_error(written.error() + '\n');
+    print_error(written.error().message + '\n');
     return kUsageError;
 }
 
@@ -42,7 +42,7 @@ std::string product_destination(const std::string& output) {
     return output.empty() ? os::kStandardStream : output;
 }
 
-std::optional<std::string> sarif_conflict(const FindingOptions& options, const std::string& product) {
+std::optional<Error> sarif_conflict(const FindingOptions& options, const std::string& product) {
     if (options.sarif != os::kStandardStream || product != os::kStandardStream) return std::nullopt;
     return "--sarif - and the product both want standard output; give one of them a file";
 }

@@ -96,10 +96,11 @@ int report_error_of(const ProgramEntry& entry, Arguments arguments, text::Diagno
 int run_program(const ProgramEntry& entry, Arguments arguments) {
     const std::unique_ptr<Program> program = entry.make();
     const auto parsed = parse(program->command_line(), arguments);
-    if (!parsed) return report_error_of(entry, arguments, text::DiagnosticKind::usage, parsed.error());
+    if (!parsed)
+        return report_error_of(entry, arguments, text::DiagnosticKind::usage, parsed.error().message);
     if (*parsed) return **parsed;
     if (const auto conflict = find_file_conflict(program->command_line()))
-        return report_error_of(entry, arguments, text::DiagnosticKind::usage, *conflict);
+        return report_error_of(entry, arguments, text::DiagnosticKind::usage, conflict->message);
     return program->run();
 }
 

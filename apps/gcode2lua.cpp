@@ -68,8 +68,8 @@ void add_translate_options(apps::CommandLine& line, TranslateArguments& argument
     line.add_example("gcode2lua --dialect rs274ngc part.ngc | gsim-run -", "translate and run");
 }
 
-tl::expected<void, std::string> write_lua(const engine::Translation& translation, const std::string& path) {
-    tl::expected<os::OutputFile, std::string> file = os::OutputFile::open(path);
+Result<void> write_lua(const engine::Translation& translation, const std::string& path) {
+    Result<os::OutputFile> file = os::OutputFile::open(path);
     if (!file) return tl::unexpected(file.error());
     return translation.write([&](std::string_view part) { return file->write(part); })
         .map_error([](const engine::Error& error) { return error.message; })
@@ -77,8 +77,7 @@ tl::expected<void, std::string> write_lua(const engine::Translation& translation
 }
 
 /// Confines the process after the program was opened, because from here on it needs only the outputs.
-tl::expected<void, std::string> confine_translation(const TranslateArguments& arguments,
-                                                    engine::Translation& translation) {
+Result<void> confine_translation(const TranslateArguments& arguments, engine::Translation& translation) {
     if (arguments.no_confine) return {};
     translation.reserve_space();
     return apps::confine_to({}, std::array{arguments.output, arguments.findings.sarif});
@@ -104,18 +103,18 @@ int translate_program(const TranslateArguments& arguments, apps::Findings& findi
     if (!arguments.check) {
         if (const auto conflict =
                 apps::sarif_conflict(findings.options(), apps::product_destination(arguments.output)))
-            return findings.fail(Kind::usage, *conflict);
+            return findings.fail(Kind::usage, conflict->message);
     }
     auto translation = open_translation(arguments);
     if (!translation) return findings.fail(translation.error());
     if (auto confined = confine_translation(arguments, *translation); !confined)
-        return findings.fail(Kind::usage, confined.error());
+        return findings.fail(Kind::usage, confined.error().message);
     const auto result =
         translation->make([&](const engine::Diagnostic& diagnostic) { findings.add(diagnostic); });
     if (!result) return result.error().in_program ? apps::kProgramError : findings.fail(result.error());
     if (arguments.check) return apps::kSuccess;
     const auto written = write_lua(*translation, apps::product_destination(arguments.output));
-    return written ? apps::kSuccess : findings.fail(Kind::output, written.error());
+    return written ? apps::kSuccess : findings.fail(Kind::output, written.error().message);
 }
 
 int run_translate(const TranslateArguments& arguments) {

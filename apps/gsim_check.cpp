@@ -81,7 +81,7 @@ int check_programs(const CheckArguments& arguments, Findings& findings) {
         programs.push_back(request.host.find(engine::NameKind::sample, program).value_or(program));
     request.machine_data = machine->machine_data_file();
     if (auto confined = confine_run(arguments.run, request, programs); !confined)
-        return findings.fail(text::DiagnosticKind::usage, confined.error());
+        return findings.fail(text::DiagnosticKind::usage, confined.error().message);
     backstop.reset();
     int status = kSuccess;
     for (const std::string& program : programs) {

@@ -122,7 +122,8 @@ int run_data(const DataArguments& arguments) {
     const bool command_reported =
         status && arguments.command != DataCommand::check;  // prints its own JSON, or none
     const int code =
-        status ? *status : findings.fail(text::DiagnosticKind::input_file, status.error(), arguments.file);
+        status ? *status
+               : findings.fail(text::DiagnosticKind::input_file, status.error().message, arguments.file);
     return command_reported ? findings.finish_reported(code)
                             : findings.finish(code, apps::Findings::Stream::standard_output);
 }

@@ -15,16 +15,16 @@ void add_wait_option(CommandLine& line, double& wait_s) {
         .show_default();
 }
 
-tl::expected<os::FileLock, std::string> lock_for_change(const std::string& path, double wait_s) {
+Result<os::FileLock> lock_for_change(const std::string& path, double wait_s) {
     const std::chrono::duration<double> wait(wait_s);
     return os::FileLock::get(path, std::chrono::duration_cast<std::chrono::milliseconds>(wait));
 }
 
-tl::expected<void, std::string> save_text(const std::string& path, std::string_view text) {
+Result<void> save_text(const std::string& path, std::string_view text) {
     return os::write_file(path, text, os::Durability::disk);
 }
 
-tl::expected<void, std::string> replace_text(const std::string& path, std::string_view text, double wait_s) {
+Result<void> replace_text(const std::string& path, std::string_view text, double wait_s) {
     const auto lock = lock_for_change(path, wait_s);
     if (!lock) return tl::unexpected(lock.error());
     return save_text(path, text);

@@ -167,13 +167,13 @@ int write_program(const engine::PathTranslation& program, const WriteArguments& 
                                                     {"the post", a.post},
                                                     {"what --sarif names", a.findings.sarif}};
     auto files = apps::ProgramFiles::open(output, program.file_names(), used_files, a.product.overwrite);
-    if (!files) return findings.fail(Kind::output, files.error());
+    if (!files) return findings.fail(Kind::output, files.error().message);
     const auto written = program.write([&](const std::string& name) {
         return [&file = files->file(name)](std::string_view text) { return file.write(text); };
     });
     if (!written) return findings.fail(written.error());
     const auto committed = files->commit();
-    return committed ? apps::kSuccess : findings.fail(Kind::output, committed.error());
+    return committed ? apps::kSuccess : findings.fail(Kind::output, committed.error().message);
 }
 
 /// A path with an error, or one that the machine or the controller cannot execute, is not a usage error.
@@ -185,7 +185,7 @@ int report_path_failure(apps::Findings& findings, const engine::Error& error) {
 
 /// Confines the process, because from here on it needs only the path and the outputs, including additional
 /// ones.
-tl::expected<void, std::string> confine_writing(const WriteArguments& a, const std::string& path) {
+Result<void> confine_writing(const WriteArguments& a, const std::string& path) {
     if (a.limits.no_confine) return {};
     const std::string& read = a.input == os::kStandardStream ? a.input : path;
     return apps::confine_to(std::array{read}, std::array{a.product.file, a.findings.sarif});
@@ -232,7 +232,7 @@ int write_path_program(const WriteArguments& a, apps::Findings& findings) {
     const bool to_standard_output = apps::product_destination(a.product.file) == os::kStandardStream;
     if (const auto conflict =
             apps::sarif_conflict(findings.options(), apps::product_destination(a.product.file)))
-        return findings.fail(Kind::usage, *conflict);
+        return findings.fail(Kind::usage, conflict->message);
     if (a.product.overwrite && !a.product.separate_files)
         return findings.fail(Kind::usage,
                              "--overwrite is for the files of --separate-files; --output replaces");
@@ -243,7 +243,7 @@ int write_path_program(const WriteArguments& a, apps::Findings& findings) {
     auto program = engine::PathTranslation::open(make_request(a, to_standard_output));
     if (!program) return findings.fail(program.error());
     if (auto confined = confine_writing(a, program->path_file()); !confined)
-        return findings.fail(Kind::usage, confined.error());
+        return findings.fail(Kind::usage, confined.error().message);
     if (const auto read = program->read(); !read) return report_path_failure(findings, read.error());
     const apps::CpuBackstop planning_backstop(program->cpu_left_s());
     if (const auto planned = program->plan(); !planned) return report_path_failure(findings, planned.error());

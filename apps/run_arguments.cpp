@@ -10,7 +10,7 @@ namespace gsim::apps {
 
 namespace {
 
-std::string studies_contradiction(const RunArguments& arguments) {
+std::optional<Error> studies_contradiction(const RunArguments& arguments) {
     if (!arguments.studies.any()) return {};
     if (!arguments.request.robots.empty())
         return "--robots does not go with --check-machine, --envelope or --draw-axes";
@@ -27,7 +27,7 @@ std::string studies_contradiction(const RunArguments& arguments) {
     return {};
 }
 
-std::string robots_contradiction(const RunArguments& arguments) {
+std::optional<Error> robots_contradiction(const RunArguments& arguments) {
     if (arguments.request.robots.empty()) return {};
     if (!arguments.save_machine_data.empty()) return "--save-machine-data does not go with --robots";
     if (arguments.outputs.on_standard_output())
@@ -216,12 +216,10 @@ void add_run_options(CommandLine& line, RunArguments& a) {
                      "the same motion for another control");
 }
 
-std::string find_contradiction(const RunArguments& arguments) {
-    if (std::string contradiction = studies_contradiction(arguments); !contradiction.empty())
-        return contradiction;
-    if (std::string contradiction = robots_contradiction(arguments); !contradiction.empty())
-        return contradiction;
-    if (const auto conflict = arguments.outputs.conflict()) return *conflict;
+std::optional<Error> find_contradiction(const RunArguments& arguments) {
+    if (auto contradiction = studies_contradiction(arguments)) return contradiction;
+    if (auto contradiction = robots_contradiction(arguments)) return contradiction;
+    if (auto conflict = arguments.outputs.conflict()) return conflict;
     if (arguments.findings.json && arguments.outputs.on_standard_output())
         return "--json and a file '-' both want standard output; give one of them a file";
     return {};

@@ -31,9 +31,6 @@ namespace gsim::batch {
 
 namespace {
 
-using VoidResult = tl::expected<void, std::string>;
-using Unexpected = tl::unexpected<std::string>;
-
 // Other programs may use the same results during a search of hours.
 constexpr std::chrono::milliseconds kLockTimeout(600'000);
 
@@ -87,7 +84,7 @@ int report_search_error(const std::string& message) {
     return apps::usage_error(kOptimiseName, message);
 }
 
-tl::expected<SearchPlan, std::string> read_search_plan(const OptimiseArguments& a) {
+Result<SearchPlan> read_search_plan(const OptimiseArguments& a) {
     return os::read_text_file(a.plan, os::NameSource::command_line)
         .and_then([&](const std::string& text) { return read_search(text, a.plan); })
         .map([&](SearchPlan search) {
@@ -97,8 +94,7 @@ tl::expected<SearchPlan, std::string> read_search_plan(const OptimiseArguments& 
         });
 }
 
-tl::expected<EvaluatedBatch, std::string> evaluate_locally(const OptimiseArguments& a, const Plan& plan,
-                                                           bool rerun) {
+Result<EvaluatedBatch> evaluate_locally(const OptimiseArguments& a, const Plan& plan, bool rerun) {
     BatchOptions options = a.batch_options();
     options.rerun = rerun;
     options.lock_timeout = kLockTimeout;
@@ -108,8 +104,7 @@ tl::expected<EvaluatedBatch, std::string> evaluate_locally(const OptimiseArgumen
 }
 
 /// Evaluates a plan on a cluster. Lost jobs are submitted again.
-tl::expected<EvaluatedBatch, std::string> evaluate_on_cluster(const OptimiseArguments& a, const Plan& plan,
-                                                              bool rerun) {
+Result<EvaluatedBatch> evaluate_on_cluster(const OptimiseArguments& a, const Plan& plan, bool rerun) {
     constexpr int kMaxAttempts = 5;
     constexpr std::chrono::milliseconds kPollInterval(500);
     if (!cluster_in_use_error(a.results).empty()) {
@@ -140,11 +135,12 @@ void print_search_progress(const SearchPlan& search, const SearchState& state, b
                     format_value(state.start.score.value), is_terminal ? "   " : "\n"));
 }
 
-VoidResult write_search_result(const OptimiseArguments& a, const SearchPlan& search, const SearchState& state,
-                               const std::optional<VerificationRun>& verification_run) {
+Result<void> write_search_result(const OptimiseArguments& a, const SearchPlan& search,
+                                 const SearchState& state,
+                                 const std::optional<VerificationRun>& verification_run) {
     const bool uses_standard_output = a.json == os::kStandardStream || a.page == os::kStandardStream;
     if (!uses_standard_output) apps::print(text::printable(to_text(search, state, verification_run)));
-    if (VoidResult done = write_text(a.json, to_json(search, state, verification_run)); !done) return done;
+    if (Result<void> done = write_text(a.json, to_json(search, state, verification_run)); !done) return done;
     if (a.page.empty()) return {};
     auto results = Database::open(a.results, true);
     if (!results) return Unexpected(results.error());
@@ -153,13 +149,13 @@ VoidResult write_search_result(const OptimiseArguments& a, const SearchPlan& sea
     });
 }
 
-/// Reports useless outputs before the search, because users must not wait hours for that error.
-std::string check_outputs(const OptimiseArguments& a, const Plan& plan) {
+/// Finds useless outputs before the search, because users must not wait hours for that error.
+std::optional<Error> find_output_error(const OptimiseArguments& a, const Plan& plan) {
     for (const std::string& file : {a.json, a.page}) {
         if (file.empty() || file == os::kStandardStream) continue;
         if (const auto writable = os::OutputFile::check(file); !writable) return writable.error();
     }
-    return a.best.empty() ? std::string() : check_output_folder(plan, a.best, a.overwrite);
+    return a.best.empty() ? std::nullopt : find_output_folder_error(plan, a.best, a.overwrite);
 }
 
 /// Reports the result of the search, even if its verification run fails.
@@ -170,13 +166,13 @@ int finish_search(const OptimiseArguments& a, const SearchPlan& search, const Se
     if (state.complete && state.best.score.is_feasible()) {
         auto verified = verify_best(search, state, a.results, a.best, evaluate);
         if (!verified) {
-            verification_error = verified.error();
+            verification_error = verified.error().message;
         } else {
             verification_run = *std::move(verified);
         }
     }
-    if (const VoidResult done = write_search_result(a, search, state, verification_run); !done)
-        return report_search_error(done.error());
+    if (const Result<void> done = write_search_result(a, search, state, verification_run); !done)
+        return report_search_error(done.error().message);
     if (!verification_error.empty()) apps::report_error(kOptimiseName, "not proven: " + verification_error);
     if (!state.complete) apps::report_error(kOptimiseName, "cut off; the same command goes on from here");
     return verification_run ? apps::kSuccess : apps::kProgramError;
@@ -184,13 +180,13 @@ int finish_search(const OptimiseArguments& a, const SearchPlan& search, const Se
 
 int run_search(const OptimiseArguments& a) {
     const auto search = read_search_plan(a);
-    if (!search) return report_search_error(search.error());
+    if (!search) return report_search_error(search.error().message);
     if (!a.slurm) {
         if (const std::string message = cluster_in_use_error(a.results); !message.empty())
             return report_search_error(message);
     }
-    if (const std::string output_error = check_outputs(a, search->plan); !output_error.empty())
-        return report_search_error(output_error);
+    if (const auto output_error = find_output_error(a, search->plan))
+        return report_search_error(output_error->message);
     stop_on_signals();
     const Evaluate evaluate = [&](const Plan& plan, bool rerun) {
         return a.slurm ? evaluate_on_cluster(a, plan, rerun) : evaluate_locally(a, plan, rerun);
@@ -200,7 +196,7 @@ int run_search(const OptimiseArguments& a) {
         if (!a.quiet) print_search_progress(*search, now, is_terminal);
     });
     if (is_terminal && !a.quiet) apps::print_to_standard_error("\n");
-    if (!state) return report_search_error(state.error());
+    if (!state) return report_search_error(state.error().message);
     if (state->trials == 0) {
         apps::report_error(kOptimiseName, "cut off before anything was run");
         return apps::kProgramError;
@@ -220,9 +216,9 @@ int optimise(const std::vector<std::string>& words) {
     const std::vector<std::string> others{"gsim", "gsim-batch", "gsim-run"};
     if (const auto printed = apps::print_standalone_pages(line, words, others)) return *printed;
     const auto parsed = apps::parse(line, words);
-    if (!parsed) return report_search_error(parsed.error());
+    if (!parsed) return report_search_error(parsed.error().message);
     if (*parsed) return **parsed;
-    if (const auto conflict = apps::find_file_conflict(line)) return report_search_error(*conflict);
+    if (const auto conflict = apps::find_file_conflict(line)) return report_search_error(conflict->message);
     if (arguments.plan.empty()) return report_search_error("name a plan (docs/optimise.md)");
     return run_search(arguments);
 }

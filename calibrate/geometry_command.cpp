@@ -114,19 +114,17 @@ void add_simulation_options(apps::CommandLine& line, GeometryArguments& argument
     line.add("--seed", &arguments.seed, "of noise and of what is hidden").with_value_name("N").show_default();
 }
 
-tl::expected<TcpList, std::string> load_tcps(const GeometryArguments& arguments,
-                                             const machine::Machine& machine) {
+Result<TcpList> load_tcps(const GeometryArguments& arguments, const machine::Machine& machine) {
     if (arguments.tcps.empty())
-        return tl::unexpected<std::string>(
-            "which tips? Name a list of them, or ask for poses with --suggest");
+        return Unexpected("which tips? Name a list of them, or ask for poses with --suggest");
     const auto text = os::read_text_file(arguments.tcps);
     if (!text) return tl::unexpected(text.error());
     auto list = read_tcps(*text, machine);
-    if (!list) return tl::unexpected(fmt::format("{}: {}", arguments.tcps, list.error()));
+    if (!list) return Unexpected(fmt::format("{}: {}", arguments.tcps, list.error().message));
     return list;
 }
 
-VoidResult suggest(const GeometryArguments& arguments, const machine::Machine& machine) {
+Result<void> suggest(const GeometryArguments& arguments, const machine::Machine& machine) {
     const auto poses = suggest_poses(machine, arguments.suggested_count, arguments.orientation,
                                      arguments.deviation_options());
     if (!poses) return tl::unexpected(poses.error());
@@ -142,7 +140,7 @@ std::string ground_truth_text(const GroundTruth& ground_truth) {
     return text + "\n" + machine::print_machine(ground_truth.geometry.machine);
 }
 
-VoidResult simulate(const GeometryArguments& arguments, const machine::Machine& machine) {
+Result<void> simulate(const GeometryArguments& arguments, const machine::Machine& machine) {
     const auto list = load_tcps(arguments, machine);
     if (!list) return tl::unexpected(list.error());
     std::vector<MeasuredTcp> poses = list->tcps;
@@ -165,11 +163,11 @@ VoidResult simulate(const GeometryArguments& arguments, const machine::Machine& 
     });
 }
 
-VoidResult write_compensation(const GeometryArguments& arguments, const GeometryFit& fit,
-                              const TcpList& list) {
+Result<void> write_compensation(const GeometryArguments& arguments, const GeometryFit& fit,
+                                const TcpList& list) {
     if (arguments.compensation.empty()) return {};
     const auto tables = compensation_tables(fit, list.tcps);
-    if (tables.empty()) return tl::unexpected<std::string>("no scale was found for a compensation table");
+    if (tables.empty()) return Unexpected("no scale was found for a compensation table");
     for (const CompensationTable& table : tables) {
         const std::string file = fmt::format("{}-{}.comp", arguments.compensation, table.letter);
         if (auto done = os::write_file(file, table.text); !done) return done;
@@ -177,15 +175,15 @@ VoidResult write_compensation(const GeometryArguments& arguments, const Geometry
     return {};
 }
 
-VoidResult write_g10(const GeometryArguments& arguments, const machine::Machine& machine,
-                     const GeometryFit& fit) {
+Result<void> write_g10(const GeometryArguments& arguments, const machine::Machine& machine,
+                       const GeometryFit& fit) {
     if (arguments.g10.empty()) return {};
     const auto line = work_offset_line(machine, fit);
     if (!line) return tl::unexpected(line.error());
     return os::write_file(arguments.g10, *line);
 }
 
-VoidResult fit_to_tcps(const GeometryArguments& arguments, const machine::Machine& machine) {
+Result<void> fit_to_tcps(const GeometryArguments& arguments, const machine::Machine& machine) {
     const auto list = load_tcps(arguments, machine);
     if (!list) return tl::unexpected(list.error());
     GeometryOptions options{.deviation_options = arguments.deviation_options()};
@@ -200,7 +198,7 @@ VoidResult fit_to_tcps(const GeometryArguments& arguments, const machine::Machin
         apps::print_to_standard_error(text::printable(geometry_table(*fit, squareness)));
     }
     const auto text = geometry_text(*fit);
-    if (!text) return tl::unexpected("the fitted machine is no machine file: " + text.error());
+    if (!text) return Unexpected("the fitted machine is no machine file: " + text.error().message);
     return write_or_print(arguments.output, *text)
         .and_then([&] { return write_if_named(arguments.json, geometry_json(*fit, squareness)); })
         .and_then([&] { return write_if_named(arguments.picture, tcps_svg(*fit)); })
@@ -208,11 +206,11 @@ VoidResult fit_to_tcps(const GeometryArguments& arguments, const machine::Machin
         .and_then([&] { return write_g10(arguments, machine, *fit); });
 }
 
-VoidResult run_geometry(const GeometryArguments& arguments) {
+Result<void> run_geometry(const GeometryArguments& arguments) {
     const auto machine = machine::load_machine(arguments.machine);
     if (!machine) return tl::unexpected(machine.error());
     if (const auto unknown = find_unknown_fixed(*machine, arguments.deviation_options()))
-        return tl::unexpected(fmt::format("--fix: nothing that may be off is called '{}'", *unknown));
+        return Unexpected(fmt::format("--fix: nothing that may be off is called '{}'", *unknown));
     if (arguments.suggested_count > 0) return suggest(arguments, *machine);
     if (!arguments.simulated_tcps.empty()) return simulate(arguments, *machine);
     return fit_to_tcps(arguments, *machine);

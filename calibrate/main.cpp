@@ -43,11 +43,11 @@ int run(const std::vector<std::string>& words) {
         return apps::kUsageError;
     }
     const auto parsed = apps::parse(line, words);
-    if (!parsed) return report_usage_error(parsed.error());
+    if (!parsed) return report_usage_error(parsed.error().message);
     if (*parsed) return **parsed;
-    if (const auto conflict = apps::find_file_conflict(line)) return report_usage_error(*conflict);
-    if (const VoidResult done = selected(); !done) {
-        apps::report_error(kName, done.error());
+    if (const auto conflict = apps::find_file_conflict(line)) return report_usage_error(conflict->message);
+    if (const Result<void> done = selected(); !done) {
+        apps::report_error(kName, done.error().message);
         return apps::kProgramError;
     }
     return apps::kSuccess;

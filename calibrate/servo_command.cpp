@@ -64,7 +64,7 @@ std::string report_text(const ServoFit& fit, const machine::Axis& axis) {
     return text;
 }
 
-VoidResult fit_all(const ServoArguments& arguments) {
+Result<void> fit_all(const ServoArguments& arguments) {
     auto machine = machine::load_machine(arguments.machine);
     if (!machine) return tl::unexpected(machine.error());
     const auto text = os::read_text_file(arguments.record);
@@ -72,25 +72,25 @@ VoidResult fit_all(const ServoArguments& arguments) {
     ServoFormat columns_format = arguments.columns_format;
     columns_format.period_s = arguments.sample_period_ms / 1000;
     const auto records = read_servo_record(*text, columns_format);
-    if (!records) return tl::unexpected(fmt::format("{}: {}", arguments.record, records.error()));
+    if (!records) return Unexpected(fmt::format("{}: {}", arguments.record, records.error().message));
     std::size_t fitted_count = 0;
     for (const AxisRecord& record : *records) {
         const auto axis =
             std::find_if(machine->axes.begin(), machine->axes.end(),
                          [&](const machine::Axis& each) { return each.letter == record.letter; });
         if (axis == machine->axes.end())
-            return tl::unexpected(fmt::format("{} has no axis {}", arguments.machine, record.letter));
+            return Unexpected(fmt::format("{} has no axis {}", arguments.machine, record.letter));
         const auto fit = fit_servo(record);
         if (!fit) {
             apps::print_to_standard_error(
-                fmt::format("{}: {}; it is left as it was\n", record.letter, fit.error()));
+                fmt::format("{}: {}; it is left as it was\n", record.letter, fit.error().message));
             continue;
         }
         apps::print_to_standard_error(text::printable(report_text(*fit, *axis)));
         axis->servo = fit->servo;
         ++fitted_count;
     }
-    if (fitted_count == 0) return tl::unexpected(fmt::format("{} tells of no loop", arguments.record));
+    if (fitted_count == 0) return Unexpected(fmt::format("{} tells of no loop", arguments.record));
     return write_or_print(arguments.output, machine::print_machine(*machine));
 }
 

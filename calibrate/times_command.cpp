@@ -101,22 +101,22 @@ bool has_positions(const RecordedRun& run) {
     return !run.samples.empty();
 }
 
-VoidResult add_records(const RecordFormat& record_format, std::vector<RecordedRun>& runs) {
+Result<void> add_records(const RecordFormat& record_format, std::vector<RecordedRun>& runs) {
     for (RecordedRun& run : runs) {
         if (run.record.empty()) continue;
         const auto text = os::read_text_file(run.record);
         if (!text) return tl::unexpected(text.error());
         if (const auto result = add_record(*text, record_format, run); !result)
-            return tl::unexpected(fmt::format("{}: {}", run.record, result.error()));
+            return Unexpected(fmt::format("{}: {}", run.record, result.error().message));
     }
     return {};
 }
 
-tl::expected<FitInputs, std::string> read_fit_inputs(const Arguments& arguments) {
+Result<FitInputs> read_fit_inputs(const Arguments& arguments) {
     auto machine = machine::load_machine(arguments.machine);
     if (!machine) return tl::unexpected(machine.error());
     if (machine::is_torque_limited(*machine))
-        return tl::unexpected(
+        return Unexpected(
             fmt::format("{}: accelerations of axes are not fitted where torques limit them "
                         "('limit = \"torque\"' of [dynamics])",
                         arguments.machine));
@@ -125,14 +125,14 @@ tl::expected<FitInputs, std::string> read_fit_inputs(const Arguments& arguments)
     const std::size_t slash = arguments.runs.rfind('/');
     const std::string folder = slash == std::string::npos ? "" : arguments.runs.substr(0, slash);
     auto runs = read_recorded_runs(*list, folder);
-    if (!runs) return tl::unexpected(fmt::format("{}: {}", arguments.runs, runs.error()));
+    if (!runs) return Unexpected(fmt::format("{}: {}", arguments.runs, runs.error().message));
     RecordFormat record_format = arguments.record_format;
     record_format.period_s = arguments.sample_period_ms / 1000;
     if (const auto result = add_records(record_format, *runs); !result) return tl::unexpected(result.error());
     const bool are_sufficient =
         arguments.keep_model && std::all_of(runs->begin(), runs->end(), has_positions);
     if (runs->size() < kMinRuns && !are_sufficient) {
-        return tl::unexpected(fmt::format(
+        return Unexpected(fmt::format(
             "{} has {} runs: a fit needs {} at least, and tells more of each figure with 10 or more; with "
             "positions over time and --keep-model one is enough",
             arguments.runs, runs->size(), kMinRuns));
@@ -140,8 +140,8 @@ tl::expected<FitInputs, std::string> read_fit_inputs(const Arguments& arguments)
     return FitInputs{*std::move(machine), *std::move(runs)};
 }
 
-VoidResult write_all(const Arguments& arguments, const FitInputs& inputs, const Fit& fit,
-                     const std::optional<ModelSelection>& selection) {
+Result<void> write_all(const Arguments& arguments, const FitInputs& inputs, const Fit& fit,
+                       const std::optional<ModelSelection>& selection) {
     const std::string machine = machine_text(fit, inputs.runs);
     const std::string program = test_program(fit);
     return write_or_print(arguments.output, machine)
@@ -150,7 +150,7 @@ VoidResult write_all(const Arguments& arguments, const FitInputs& inputs, const 
         .and_then([&] { return write_if_named(program.empty() ? "" : arguments.program, program); });
 }
 
-VoidResult fit_to_times(const Arguments& arguments) {
+Result<void> fit_to_times(const Arguments& arguments) {
     const auto print_to_standard_error = [&](const std::string& words) {
         if (!arguments.quiet) apps::print_to_standard_error(text::printable(words + '\n'));
     };

@@ -63,7 +63,7 @@ class NamedFiles {
         files_.push_back({nullptr, {}, os::open_file_identity(STDOUT_FILENO)});
     }
 
-    std::optional<std::string> find_conflict() const {
+    std::optional<Error> find_conflict() const {
         for (auto second = files_.begin(); second != files_.end(); ++second) {
             for (auto first = files_.begin(); first != second; ++first) {
                 if (auto message = conflict(*first, *second)) return message;
@@ -87,7 +87,7 @@ class NamedFiles {
         }
     }
 
-    static std::optional<std::string> conflict(const NamedFile& a, const NamedFile& b) {
+    static std::optional<Error> conflict(const NamedFile& a, const NamedFile& b) {
         if (!a.is_written() && !b.is_written()) return std::nullopt;
         if (a.option != nullptr && b.option != nullptr) {
             const bool allowed = a.option->shares_file_with == b.option->long_name() ||
@@ -118,7 +118,7 @@ class NamedFiles {
 
 }  // namespace
 
-std::optional<std::string> find_file_conflict(const CommandLine& line) {
+std::optional<Error> find_file_conflict(const CommandLine& line) {
     if (is_given(line, "--json") && is_given(line, "--sarif"))
         return "--json and --sarif - both want standard output; give --sarif a file";
     return NamedFiles(line).find_conflict();

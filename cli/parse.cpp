@@ -122,8 +122,7 @@ std::vector<std::string> renew_names(const CommandLine& line, std::span<const st
 
 }  // namespace
 
-tl::expected<std::optional<int>, std::string> parse(const CommandLine& line,
-                                                    std::span<const std::string> arguments) {
+Result<std::optional<int>> parse(const CommandLine& line, std::span<const std::string> arguments) {
     CLI::App app(line.description(), line.program());
     add_all_options(app, line);
     app.set_version_flag("--version", "");

@@ -82,7 +82,8 @@ Translation translate(lexer::Source& source, LuaSpool& spool, const TranslateOpt
         on_diagnostic(*result.first_error);
     }
     if (result.ok) {
-        if (const auto finished = spool.finish(); !finished) throw std::runtime_error(finished.error());
+        if (const auto finished = spool.finish(); !finished)
+            throw std::runtime_error(finished.error().message);
     }
     result.programs = std::move(written.programs);
     return result;
@@ -98,7 +99,7 @@ TextTranslation translate_text(std::string_view gcode, const TranslateOptions& o
     result.ok = translation.ok;
     if (!result.ok) return result;
     auto lua = spool.read(0, spool.size());
-    if (!lua) throw std::runtime_error(lua.error());
+    if (!lua) throw std::runtime_error(lua.error().message);
     result.lua = *std::move(lua);
     result.programs = std::move(translation.programs);
     return result;

@@ -69,15 +69,14 @@ Volume reached_volume(const TcpChain& chain, int nodes) {
     return volume;
 }
 
-tl::expected<TcpChain, std::string> envelope_chain(const machine::Machine& machine) {
+Result<TcpChain> envelope_chain(const machine::Machine& machine) {
     const machine::JointBox box = machine::joint_box(machine);
     TcpChain chain = tcp_chain(machine, box);
-    if (chain.joints.empty())
-        return tl::unexpected<std::string>("there is no envelope: no axis moves the tool's tip");
+    if (chain.joints.empty()) return Unexpected("there is no envelope: no axis moves the tool's tip");
     for (const TcpJoint& joint : chain.joints) {
         if (std::find(box.cut.begin(), box.cut.end(), joint.joint) == box.cut.end()) continue;
-        return tl::unexpected(fmt::format("there is no envelope: axis {} has a range without end",
-                                          machine.axes[static_cast<std::size_t>(joint.joint)].letter));
+        return Unexpected(fmt::format("there is no envelope: axis {} has a range without end",
+                                      machine.axes[static_cast<std::size_t>(joint.joint)].letter));
     }
     return chain;
 }

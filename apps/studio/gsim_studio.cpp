@@ -72,22 +72,21 @@ struct NamedPaths {
     std::string program, folder;
 };
 
-tl::expected<NamedPaths, std::string> classify_paths(const std::vector<std::string>& all) {
+Result<NamedPaths> classify_paths(const std::vector<std::string>& all) {
     NamedPaths paths;
     for (const std::string& name : all) {
         std::error_code ignored;
         std::string& target_path = fs::is_directory(name, ignored) ? paths.folder : paths.program;
         if (!target_path.empty())
-            return tl::unexpected(
+            return Unexpected(
                 fmt::format("'{}' and '{}': one program and one folder are enough", target_path, name));
         target_path = name;
     }
     return paths;
 }
 
-tl::expected<nlohmann::ordered_json, std::string> make_setup(const StudioArguments& arguments,
-                                                             const std::string& program,
-                                                             const fs::path& folder) {
+Result<nlohmann::ordered_json> make_setup(const StudioArguments& arguments, const std::string& program,
+                                          const fs::path& folder) {
     nlohmann::ordered_json setup{{"dialect", arguments.dialect}};
     struct File {
         const char* key;
@@ -107,16 +106,16 @@ tl::expected<nlohmann::ordered_json, std::string> make_setup(const StudioArgumen
     return setup;
 }
 
-tl::expected<fs::path, std::string> installed_page() {
+Result<fs::path> installed_page() {
     for (const fs::path& folder : os::data_folders(os::program_folder())) {
         std::error_code ignored;
         if (fs::exists(folder / kServedPage, ignored)) return folder / kServedPage;
     }
-    return tl::unexpected(std::string("this build has no page of the studio; make studio makes it"));
+    return Unexpected("this build has no page of the studio; make studio makes it");
 }
 
 /// Returns the command line of gsim-serve with its path.
-tl::expected<std::vector<std::string>, std::string> server_command(const StudioArguments& arguments) {
+Result<std::vector<std::string>> server_command(const StudioArguments& arguments) {
     if (!arguments.dialect.empty()) {
         if (const auto reason = engine::find_controller_error(arguments.dialect))
             return tl::unexpected(*reason);
@@ -125,7 +124,7 @@ tl::expected<std::vector<std::string>, std::string> server_command(const StudioA
     if (!paths) return tl::unexpected(paths.error());
     std::error_code error;
     const fs::path folder = fs::canonical(served_folder(paths->folder, paths->program), error);
-    if (error) return tl::unexpected(fmt::format("'{}' is no folder: {}", paths->folder, error.message()));
+    if (error) return Unexpected(fmt::format("'{}' is no folder: {}", paths->folder, error.message()));
     const auto setup = make_setup(arguments, paths->program, folder);
     if (!setup) return tl::unexpected(setup.error());
     const auto page = installed_page();
@@ -152,7 +151,7 @@ tl::expected<std::vector<std::string>, std::string> server_command(const StudioA
 
 int serve(const StudioArguments& arguments) {
     auto command = server_command(arguments);
-    if (!command) return usage_error(kStudio, command.error());
+    if (!command) return usage_error(kStudio, command.error().message);
     std::vector<char*> words;
     for (std::string& word : *command) words.push_back(word.data());
     words.push_back(nullptr);

@@ -10,21 +10,19 @@ class ViewPage::State {};
 ViewPage::ViewPage(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ViewPage::~ViewPage() = default;
 
-tl::expected<std::unique_ptr<ViewPage>, std::string> ViewPage::open(const std::string& /*file*/) {
-    return tl::unexpected(
-        std::string("this build makes no pages (--view); make build builds the program that does"));
+Result<std::unique_ptr<ViewPage>> ViewPage::open(const std::string& /*file*/) {
+    return Unexpected("this build makes no pages (--view); make build builds the program that does");
 }
 
-tl::expected<void, std::string> ViewPage::attach(engine::Run& /*run*/) {
+Result<void> ViewPage::attach(engine::Run& /*run*/) {
     return {};
 }
 
-tl::expected<void, std::string> ViewPage::finish(const engine::Run& /*run*/,
-                                                 const engine::Report& /*report*/) {
+Result<void> ViewPage::finish(const engine::Run& /*run*/, const engine::Report& /*report*/) {
     return {};
 }
 
-tl::expected<void, std::string> ViewPage::commit() {
+Result<void> ViewPage::commit() {
     return {};
 }
 

@@ -207,7 +207,7 @@ studio::Post message_sink(std::span<const std::string> arguments) {
 }
 
 /// Confines the process before anything that a page has sent is read.
-tl::expected<void, std::string> confine(const ServedFiles& files, const std::string& module) {
+Result<void> confine(const ServedFiles& files, const std::string& module) {
     if (!module.empty()) return {};  // its code may reach what it likes
     return confine_to_folders(files.folders());
 }
@@ -218,10 +218,11 @@ int handle_studio_request(std::span<const std::string> arguments) {
     std::signal(SIGPIPE, SIG_DFL);
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);  // the requester has exited
     auto folder = os::RootedDirectory::open(option_value(arguments, "--folder"));
-    if (!folder) return usage_error(kName, folder.error());
+    if (!folder) return usage_error(kName, folder.error().message);
     const std::string module = option_value(arguments, "--rcs");
     const auto files = std::make_shared<ServedFiles>(*std::move(folder));
-    if (auto confined = confine(*files, module); !confined) return usage_error(kName, confined.error());
+    if (auto confined = confine(*files, module); !confined)
+        return usage_error(kName, confined.error().message);
     const studio::Post post = message_sink(arguments);
     const auto input_json = text::try_parse_json<nlohmann::json>(read_all(stdin));
     if (!input_json.is_object() || !input_json.contains("request") || !add_files(input_json, *files)) {

@@ -65,8 +65,8 @@ std::size_t attributes_size(long version) {
     return version >= 4 ? 2 * sizeof(std::uint64_t) : sizeof(std::uint64_t);
 }
 
-tl::unexpected<std::string> confinement_error(const std::string& what) {
-    return tl::unexpected(
+Unexpected confinement_error(const std::string& what) {
+    return Unexpected(
         fmt::format("cannot {} to confine the run: {}", what, std::generic_category().message(errno)));
 }
 
@@ -77,8 +77,7 @@ class Ruleset {
 
     int number() const { return descriptor_.number(); }
 
-    tl::expected<void, std::string> allow(const std::vector<std::filesystem::path>& paths,
-                                          std::uint64_t rights) {
+    Result<void> allow(const std::vector<std::filesystem::path>& paths, std::uint64_t rights) {
         for (const std::filesystem::path& path : paths) {
             if (auto allowed = allow(path, rights); !allowed) return allowed;
         }
@@ -86,7 +85,7 @@ class Ruleset {
     }
 
   private:
-    tl::expected<void, std::string> allow(const std::filesystem::path& path, std::uint64_t rights) {
+    Result<void> allow(const std::filesystem::path& path, std::uint64_t rights) {
         const Descriptor opened(::open(path.c_str(), O_PATH | O_CLOEXEC));
         struct stat found {};
         if (opened.number() < 0 || ::fstat(opened.number(), &found) != 0) return {};
@@ -105,7 +104,7 @@ class Ruleset {
 
 }  // namespace
 
-tl::expected<bool, std::string> confine(const SandboxPolicy& policy) {
+Result<bool> confine(const SandboxPolicy& policy) {
     const long version = landlock_version();
     if (version < 1) return false;
     const RulesetAttributes all = all_rights(version);

@@ -4,7 +4,7 @@
 
 namespace gsim::os {
 
-tl::expected<bool, std::string> confine(const SandboxPolicy& /*allowed*/) {
+Result<bool> confine(const SandboxPolicy& /*allowed*/) {
     return false;
 }
 

@@ -31,7 +31,7 @@ std::string system_message(int error) {
 }
 
 tl::unexpected<DirectoryError> make_error(Kind kind, std::string message, ContentTag tag = {}) {
-    return tl::unexpected(DirectoryError{kind, std::move(message), std::move(tag)});
+    return tl::unexpected(DirectoryError{{std::move(message)}, kind, std::move(tag)});
 }
 
 /// Returns the error of an operation on the file `name`; `what` is its verb ("written").
@@ -68,7 +68,7 @@ struct ParentAndName {
 tl::expected<ParentAndName, DirectoryError> open_parent(int root, const std::string& name,
                                                         MissingFolders missing, const char* what) {
     auto parts = safe_name_parts(name);
-    if (!parts) return make_error(Kind::name, parts.error());
+    if (!parts) return make_error(Kind::name, parts.error().message);
     std::optional<Descriptor> folder;
     for (std::size_t i = 0; i < parts->size(); ++i) {
         const int above = folder ? folder->number() : root;
@@ -280,15 +280,14 @@ class DirectoryWalk {
 
 }  // namespace
 
-tl::expected<RootedDirectory, std::string> RootedDirectory::open(const fs::path& folder) {
+Result<RootedDirectory> RootedDirectory::open(const fs::path& folder) {
     Descriptor root(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (root.number() < 0)
-        return tl::unexpected(
+        return Unexpected(
             fmt::format("'{}' cannot be opened as a folder: {}", folder.string(), system_message(errno)));
     std::error_code error;
     fs::path canonical_path = fs::canonical(folder, error);
-    if (error)
-        return tl::unexpected(fmt::format("'{}' cannot be found: {}", folder.string(), error.message()));
+    if (error) return Unexpected(fmt::format("'{}' cannot be found: {}", folder.string(), error.message()));
     return RootedDirectory(std::make_shared<const Descriptor>(std::move(root)),
                            std::make_shared<const fs::path>(std::move(canonical_path)));
 }

@@ -22,9 +22,9 @@ const char* name_error(std::string_view part) {
 
 }  // namespace
 
-tl::expected<std::vector<std::string>, std::string> safe_name_parts(std::string_view name) {
-    if (name.size() > kMaxNameLength) return tl::unexpected(std::string("the name of the file is too long"));
-    if (!text::is_utf8(name)) return tl::unexpected(std::string("the name of the file is no UTF-8"));
+Result<std::vector<std::string>> safe_name_parts(std::string_view name) {
+    if (name.size() > kMaxNameLength) return Unexpected("the name of the file is too long");
+    if (!text::is_utf8(name)) return Unexpected("the name of the file is no UTF-8");
     std::vector<std::string> parts;
     for (;;) {
         const std::size_t end = std::min(name.find('/'), name.size());

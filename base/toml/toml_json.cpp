@@ -57,7 +57,7 @@ json as_json(const toml::node& node) {
     }
 }
 
-std::optional<std::string> find_nested_error(const ordered_json& value, std::size_t depth) {
+std::optional<Error> find_nested_error(const ordered_json& value, std::size_t depth) {
     if (value.is_structured()) {
         if (depth == kMaxTomlBrackets)
             return fmt::format("lists and objects are nested deeper than {}", kMaxTomlBrackets);
@@ -97,7 +97,7 @@ bool has_fraction(const ordered_json& value) {
 
 }  // namespace
 
-tl::expected<json, std::string> toml_json(std::string_view toml_text, std::string_view file_name) {
+Result<json> toml_json(std::string_view toml_text, std::string_view file_name) {
     FirstError error(file_name);
     const toml::table root = parse_toml(error, toml_text);
     if (error.text()) return tl::unexpected(*error.text());
@@ -121,7 +121,7 @@ std::string toml_value(const ordered_json& value, TomlNumbers numbers) {
     return value.dump();  // true, false, {}
 }
 
-std::optional<std::string> find_value_error(const ordered_json& value) {
+std::optional<Error> find_value_error(const ordered_json& value) {
     return find_nested_error(value, 0);
 }
 

@@ -36,7 +36,7 @@ std::map<std::string, int> count_findings(const std::string& findings) {
     return counts;
 }
 
-tl::expected<bool, std::string> has_different_findings(const Case& of, RunHistory& run_history) {
+Result<bool> has_different_findings(const Case& of, RunHistory& run_history) {
     if (has_different_counts(*of.before, *of.now)) return true;
     const auto before = run_history.read(of.before->id);
     if (!before) return tl::unexpected(before.error());
@@ -52,8 +52,7 @@ std::string describe_file_change(const std::string& file, const std::string& bef
 }
 
 /// Classifies a case that was run again.
-tl::expected<void, std::string> classify_case(Changes& changes, std::size_t position, const Case& of,
-                                              RunHistory& run_history) {
+Result<void> classify_case(Changes& changes, std::size_t position, const Case& of, RunHistory& run_history) {
     bool is_same = false;
     if (of.before->is_clean() != of.now->is_clean()) {
         (of.now->is_clean() ? changes.fixed : changes.newly_failing).push_back(position);
@@ -77,7 +76,7 @@ double time_difference_s(const Case& of) {
     return of.now->time_s - of.before->time_s;
 }
 
-tl::expected<Changes, std::string> find_changes(const NightlyReport& report, RunHistory& run_history) {
+Result<Changes> find_changes(const NightlyReport& report, RunHistory& run_history) {
     Changes changes;
     if (!report.before) return changes;
     for (std::size_t i = 0; i < report.cases.size(); ++i) {

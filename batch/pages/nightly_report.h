@@ -7,8 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/store/sqlite.h"
 
 namespace gsim::batch {
@@ -81,6 +80,6 @@ struct NightlyReport {
 
 /// Reads the nightly report; `since` is the number of the previous batch, 0: the last one before, if any. The
 /// error is a message: no batch, or none of that number before the latest.
-tl::expected<NightlyReport, std::string> read_nightly_report(Database& results, std::int64_t since);
+Result<NightlyReport> read_nightly_report(Database& results, std::int64_t since);
 
 }  // namespace gsim::batch

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "batch/store/sqlite.h"
 #include "batch/work/run_commands.h"
 #include "batch/work/run_row.h"
@@ -35,9 +34,9 @@ inline RunInputs run_inputs(const RunDetails& run) {
 /// Reader of complete runs, one by one. It must be destroyed before its database.
 class RunHistory {
   public:
-    static tl::expected<RunHistory, std::string> open(Database& results);
+    static Result<RunHistory> open(Database& results);
 
-    tl::expected<RunDetails, std::string> read(std::int64_t run);
+    Result<RunDetails> read(std::int64_t run);
 
   private:
     RunHistory(Statement run, Statement files, Statement picture)

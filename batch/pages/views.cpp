@@ -18,7 +18,6 @@ namespace gsim::batch {
 namespace {
 
 namespace fs = std::filesystem;
-using Unexpected = tl::unexpected<std::string>;
 
 constexpr const char* kFolder = "views";
 constexpr std::string_view kTitle = "<title>gsim studio</title>";
@@ -51,8 +50,7 @@ bool has_run(const RunFacts& facts) {
 Views::Views(const std::string& folder, ViewMaker maker)
     : folder_(fs::path(folder) / kFolder), maker_(std::move(maker)) {}
 
-tl::expected<std::vector<std::string>, std::string> Views::make_command(const RunFacts& facts,
-                                                                        const RunDetails& run) {
+Result<std::vector<std::string>> Views::make_command(const RunFacts& facts, const RunDetails& run) {
     if (!has_run(facts)) return Unexpected("the program was not run");
     if (run.moves > kMaxMoves) return Unexpected(fmt::format("it has more than {} moves", kMaxMoves));
     if (run.version != maker_.version) return Unexpected("it was run by another version of gsim");
@@ -68,7 +66,7 @@ tl::expected<std::vector<std::string>, std::string> Views::make_command(const Ru
     return std::move(command.words);
 }
 
-tl::expected<std::string, std::string> Views::make(const RunFacts& facts, const RunDetails& run) {
+Result<std::string> Views::make(const RunFacts& facts, const RunDetails& run) {
     const std::string name = view_name(run);
     const fs::path file = folder_ / name;
     const auto view_address = [&] {
@@ -86,10 +84,10 @@ tl::expected<std::string, std::string> Views::make(const RunFacts& facts, const 
     const auto ended = os::run_child(*words, null_device.get(), null_device.get());
     // If the program has an error, its page is written as well.
     if (fs::exists(file, error)) return view_address();
-    return Unexpected(ended ? "gsim run has written none" : ended.error());
+    return Unexpected(ended ? "gsim run has written none" : ended.error().message);
 }
 
-tl::expected<void, std::string> remove_views(const std::string& folder, const Views* current) {
+Result<void> remove_views(const std::string& folder, const Views* current) {
     return remove_files(fs::path(folder) / kFolder, [&](const std::string& name, std::string_view head) {
         return is_view_name(name) && head.find(kTitle) != std::string_view::npos &&
                (current == nullptr || !current->names_.contains(name));

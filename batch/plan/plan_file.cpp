@@ -39,7 +39,7 @@ class PlanReader {
         plan_.name = file;
     }
 
-    tl::expected<Plan, std::string> read() {
+    Result<Plan> read() {
         if (!error_.text()) read_plan();
         if (error_.text()) return tl::unexpected(*error_.text());
         return std::move(plan_);
@@ -97,7 +97,7 @@ class PlanReader {
         if (section.require("programs") == nullptr) return;
         for (const std::string& name : read_texts(section, table_, "programs")) {
             auto found = find_programs(name, folder_);
-            if (!found) return section.fail("programs", found.error());
+            if (!found) return section.fail("programs", found.error().message);
             add_programs(plan_, *found);
         }
     }
@@ -113,7 +113,7 @@ class PlanReader {
             const std::string name(key.str());
             auto value = scalar_value(node);
             if (const auto checked = check_option(name, value.value_or(json())); !checked) {
-                error_.report(key.source().begin, checked.error());
+                error_.report(key.source().begin, checked.error().message);
                 continue;
             }
             const bool is_file = find_option(name)->kind == RunOption::Kind::file;
@@ -206,8 +206,7 @@ class PlanReader {
 
 }  // namespace
 
-tl::expected<Plan, std::string> read_plan(std::string_view toml_text, const std::string& file_name,
-                                          PlanUse use) {
+Result<Plan> read_plan(std::string_view toml_text, const std::string& file_name, PlanUse use) {
     return PlanReader(toml_text, file_name, use).read();
 }
 

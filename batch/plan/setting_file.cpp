@@ -68,8 +68,7 @@ class SettingReader {
     }
 
     void check_key(const std::string& key) {
-        if (const std::string key_error = check_key_name(key); !key_error.empty())
-            return section_.fail("key", key_error);
+        if (const auto key_error = find_key_name_error(key)) return section_.fail("key", key_error->message);
         const bool is_file_setting =
             key.starts_with(kMachinePrefix) || key.starts_with(kCellPrefix) || key.starts_with(kRobotsPrefix);
         const bool is_feed = key.starts_with(kPathPrefix) && key.ends_with("feed_mm_min");
@@ -93,7 +92,7 @@ class SettingReader {
         for (const std::string& key : setting_.keys) {
             if (has_values || !key.starts_with(kOptionPrefix)) continue;
             if (const auto checked = check_option(key.substr(kOptionPrefix.size()), 1.5); !checked)
-                return section_.fail("key", checked.error());
+                return section_.fail("key", checked.error().message);
         }
         setting_.domain = has_values ? Domain(values()) : read_numbers(section_);
     }
@@ -156,7 +155,7 @@ class SettingReader {
             if (!key.starts_with(kOptionPrefix)) continue;
             const std::string name = key.substr(kOptionPrefix.size());
             if (const auto checked = check_option(name, *value); !checked) {
-                error_.report(node.source().begin, checked.error());
+                error_.report(node.source().begin, checked.error().message);
             } else if (find_option(name)->kind == RunOption::Kind::file) {
                 value = resolve_file_(value->get<std::string>());
             }

@@ -27,7 +27,7 @@ class SearchReader {
         search_.plan = std::move(plan);
     }
 
-    tl::expected<SearchPlan, std::string> read() {
+    Result<SearchPlan> read() {
         read_objective();
         read_limits();
         read_search();
@@ -120,7 +120,7 @@ class SearchReader {
 
 }  // namespace
 
-tl::expected<SearchPlan, std::string> read_search(std::string_view toml_text, const std::string& file_name) {
+Result<SearchPlan> read_search(std::string_view toml_text, const std::string& file_name) {
     return read_plan(toml_text, file_name, PlanUse::search).and_then([&](Plan plan) {
         return SearchReader(toml_text, file_name, std::move(plan)).read();
     });

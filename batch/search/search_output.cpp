@@ -126,7 +126,7 @@ struct TrialPoint {
     bool feasible;
 };
 
-tl::expected<std::vector<TrialPoint>, std::string> read_trial_points(Database& results, std::int64_t search) {
+Result<std::vector<TrialPoint>> read_trial_points(Database& results, std::int64_t search) {
     auto rows = results.prepare(
         "SELECT DISTINCT number, value, violation FROM search_run WHERE search = ? AND value IS NOT NULL "
         "ORDER BY number");
@@ -215,20 +215,20 @@ std::string to_text(const SearchPlan& search, const SearchState& state,
 std::string to_json(const SearchPlan& search, const SearchState& state,
                     const std::optional<VerificationRun>& verification_run) {
     ordered_json text{{"plan", search.plan.name},      {"search", state.search},
-                      {"complete", state.complete},       {"variants", state.trials},
+                      {"complete", state.complete},    {"variants", state.trials},
                       {"allowed", state.feasible},     {"best_number", state.best_number},
                       {"start", as_json(state.start)}, {"best", as_json(state.best)}};
     if (verification_run) {
         text["verification"] = {{"start", bound_json(verification_run->start)},
-                         {"best", bound_json(verification_run->best)}};
-        for (const Job& job : verification_run->files) text["verification"]["commands"].push_back(command_line(job));
+                                {"best", bound_json(verification_run->best)}};
+        for (const Job& job : verification_run->files)
+            text["verification"]["commands"].push_back(command_line(job));
     }
     return text.dump(1, ' ', false, ordered_json::error_handler_t::replace) + '\n';
 }
 
-tl::expected<std::string, std::string> to_html(const SearchPlan& search, const SearchState& state,
-                                               const std::optional<VerificationRun>& verification_run,
-                                               Database& results) {
+Result<std::string> to_html(const SearchPlan& search, const SearchState& state,
+                            const std::optional<VerificationRun>& verification_run, Database& results) {
     return read_trial_points(results, state.search).map([&](const std::vector<TrialPoint>& trial_points) {
         return fmt::format(fmt::runtime(kSearchPage), text::xml_text(search.plan.name), picture(trial_points),
                            text::xml_text(to_text(search, state, verification_run)));

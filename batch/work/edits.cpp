@@ -14,7 +14,6 @@ namespace gsim::batch {
 namespace {
 
 using nlohmann::json;
-using Unexpected = tl::unexpected<std::string>;
 
 constexpr std::array kPrefixes{kMachinePrefix, kCellPrefix, kRobotsPrefix,
                                kDataPrefix,    kPathPrefix, kOptionPrefix};
@@ -55,7 +54,7 @@ struct KeyMatch {
     const json* value = nullptr;  ///< Null: the key is new.
 };
 
-tl::expected<KeyMatch, std::string> find(const json& document, const std::string& key) {
+Result<KeyMatch> find(const json& document, const std::string& key) {
     KeyMatch found{.path = {}, .value = &document};
     for (const std::string& word : split_key(key)) {
         if (found.value != nullptr && found.value->is_array()) {
@@ -75,7 +74,7 @@ tl::expected<KeyMatch, std::string> find(const json& document, const std::string
     return found;
 }
 
-tl::expected<json, std::string> edited_value(const SettingValue& setting, const json* old) {
+Result<json> edited_value(const SettingValue& setting, const json* old) {
     if (setting.use == SettingUse::set) return setting.value;
     const auto value = setting.value.get<double>();
     if (setting.use == SettingUse::shift && old == nullptr) return value;  // what is not said is 0
@@ -104,7 +103,7 @@ std::vector<SettingValue> settings_with_prefix(std::span<const SettingValue> set
     return found;
 }
 
-std::string check_key_name(const std::string& key) {
+std::optional<Error> find_key_name_error(const std::string& key) {
     const auto prefix = std::find_if(kPrefixes.begin(), kPrefixes.end(),
                                      [&](std::string_view each) { return key.starts_with(each); });
     if (prefix == kPrefixes.end())
@@ -114,28 +113,28 @@ std::string check_key_name(const std::string& key) {
         return fmt::format("'{}' has an empty name between its dots", key);
     if (*prefix == kDataPrefix && words.size() != 3)
         return fmt::format("'{}' should be data.SECTION.ID.FIELD, as data.OFFSET.54.X", key);
-    if (*prefix == kPathPrefix) return check_path_key(key.substr(prefix->size()));
+    if (*prefix == kPathPrefix) return find_path_key_error(key.substr(prefix->size()));
     if (*prefix == kOptionPrefix && words.size() != 1) return fmt::format("'{}' is no option", key);
     return {};
 }
 
-tl::expected<std::string, std::string> edit_toml(std::string text, const std::string& file,
-                                                 std::span<const SettingValue> settings) {
+Result<std::string> edit_toml(std::string text, const std::string& file,
+                              std::span<const SettingValue> settings) {
     auto edit = base::TomlEditor::read(std::move(text), file);
     if (!edit) return Unexpected(edit.error());
     for (const SettingValue& setting : settings) {
         const auto found = find(edit->value(), setting.key);
-        if (!found) return Unexpected(fmt::format("{}: {}", file, found.error()));
+        if (!found) return Unexpected(fmt::format("{}: {}", file, found.error().message));
         const auto value = edited_value(setting, found->value);
-        if (!value) return Unexpected(fmt::format("{}: {}", file, value.error()));
+        if (!value) return Unexpected(fmt::format("{}: {}", file, value.error().message));
         if (const auto done = edit->set(found->path, *value); !done)
-            return Unexpected(fmt::format("{}: {}", file, done.error()));
+            return Unexpected(fmt::format("{}: {}", file, done.error().message));
     }
     return edit->text();
 }
 
-tl::expected<std::string, std::string> edit_data(std::string_view text, const std::string& file,
-                                                 std::span<const SettingValue> settings) {
+Result<std::string> edit_data(std::string_view text, const std::string& file,
+                              std::span<const SettingValue> settings) {
     auto data = engine::MachineData::read(text, file);
     if (!data) return Unexpected(data.error().message);
     for (const SettingValue& setting : settings) {

@@ -23,7 +23,6 @@ namespace {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
-using Unexpected = tl::unexpected<std::string>;
 
 constexpr std::size_t kMaxFindings = 20;  // of a row
 
@@ -153,7 +152,7 @@ void monitor_joint_speeds(RunRow& row, engine::Run& run) {
 void draw(RunRow& row, const std::string& script) {
     auto picture = engine::draw_picture(script);
     (picture ? row.documents.picture : row.documents.picture_error) =
-        picture ? *std::move(picture) : picture.error();
+        picture ? *std::move(picture) : picture.error().message;
 }
 
 void run_request(RunRow& row, JobRequest request, StoredDocuments stored_documents) {
@@ -201,9 +200,8 @@ tl::expected<JobRequest, engine::Error> JobRunner::prepare(const Job& job, RunFi
     request.run.host = host_with_replacements(system_, files);
     return set_options(job, request)
         .and_then([&] { return make_edits(job, request.run, files); })
-        .map_error([](std::string message) {
-            return engine::Error{.code = "setting", .message = std::move(message)};
-        })
+        .map_error(
+            [](const Error& error) { return engine::Error{.code = "setting", .message = error.message}; })
         .map([&] { return std::move(request); });
 }
 

@@ -109,7 +109,7 @@ const RunOption* find_option(std::string_view name) {
     return found == kOptions.end() ? nullptr : found;
 }
 
-tl::expected<void, std::string> check_option(std::string_view name, const json& value) {
+Result<void> check_option(std::string_view name, const json& value) {
     const RunOption* option = find_option(name);
     if (option == nullptr) {
         std::vector<std::string_view> names;
@@ -121,11 +121,10 @@ tl::expected<void, std::string> check_option(std::string_view name, const json& 
                     : fmt::format("there is no option '{}'; there are: {}", name, text::joined(names, ", ")));
     }
     if (has_kind(value, option->kind)) return {};
-    return tl::unexpected(
-        fmt::format("'{}' must be {}, not {}", name, kind_text(option->kind), value.dump()));
+    return Unexpected(fmt::format("'{}' must be {}, not {}", name, kind_text(option->kind), value.dump()));
 }
 
-tl::expected<void, std::string> set_option(JobRequest& request, std::string_view name, const json& value) {
+Result<void> set_option(JobRequest& request, std::string_view name, const json& value) {
     return check_option(name, value).map([&] { find_option(name)->set(request, value); });
 }
 

@@ -75,7 +75,7 @@ std::string print_row(const RunRow& row) {
     return line.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-tl::expected<RunRow, std::string> read_row(std::string_view line) {
+Result<RunRow> read_row(std::string_view line) {
     try {
         const json read = text::parse_json<json>(line);
         RunRow row;
@@ -86,7 +86,7 @@ tl::expected<RunRow, std::string> read_row(std::string_view line) {
         for (const json& file : read.at("files")) row.files.push_back({file.at(0), file.at(1)});
         return row;
     } catch (const json::exception& error) {
-        return tl::unexpected(fmt::format("no row of a run: {}", error.what()));
+        return Unexpected(fmt::format("no row of a run: {}", error.what()));
     }
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
+#include "base/error.h"
 
 namespace gsim::batch {
 
@@ -82,7 +82,7 @@ struct RunRow {
 
 /// Returns the row as a line of JSON, without a line feed.
 std::string print_row(const RunRow& row);
-/// Reads such a line. The error is a message.
-tl::expected<RunRow, std::string> read_row(std::string_view line);
+/// Reads such a line.
+Result<RunRow> read_row(std::string_view line);
 
 }  // namespace gsim::batch

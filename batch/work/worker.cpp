@@ -66,7 +66,7 @@ int run_worker(std::uint64_t memory_mb) {
     for (std::string line; std::getline(std::cin, line);) {
         const auto job = read_job(line);
         if (!job) {
-            std::fprintf(stderr, "gsim-batch: %s\n", job.error().c_str());
+            std::fprintf(stderr, "gsim-batch: %s\n", job.error().message.c_str());
             return 2;
         }
         const RunRow row = runner.run(*job);

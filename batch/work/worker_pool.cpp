@@ -21,8 +21,6 @@ namespace gsim::batch {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr std::size_t kQueueDepth = 2;  // one is run, the next one waits
 constexpr int kMaxAttempts = 3;
 constexpr std::size_t kChunkBytes = std::size_t{64} << 10U;
@@ -31,7 +29,7 @@ std::string system_message(int error) {
     return std::generic_category().message(error);
 }
 
-tl::expected<std::pair<os::Descriptor, os::Descriptor>, std::string> make_pipe() {
+Result<std::pair<os::Descriptor, os::Descriptor>> make_pipe() {
     std::array<int, 2> ends{};
     if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Unexpected("no pipe: " + system_message(errno));
     return std::pair(os::Descriptor(ends[0]), os::Descriptor(ends[1]));
@@ -107,10 +105,10 @@ std::size_t WorkerPool::pending_count() const {
     return count;
 }
 
-tl::expected<void, std::string> WorkerPool::start_worker() {
+Result<void> WorkerPool::start_worker() {
     auto jobs = make_pipe();
     auto rows = make_pipe();
-    if (!jobs || !rows) return Unexpected(jobs ? rows.error() : jobs.error());
+    if (!jobs || !rows) return Unexpected(jobs ? rows.error().message : jobs.error().message);
     os::SpawnActions actions;
     actions.redirect(jobs->first.number(), STDIN_FILENO);
     actions.redirect(rows->second.number(), STDOUT_FILENO);
@@ -125,11 +123,11 @@ tl::expected<void, std::string> WorkerPool::start_worker() {
     return {};
 }
 
-tl::expected<void, std::string> WorkerPool::submit(Job job) {
+Result<void> WorkerPool::submit(Job job) {
     return enqueue({.job = std::move(job)});
 }
 
-tl::expected<void, std::string> WorkerPool::enqueue(QueuedJob queued) {
+Result<void> WorkerPool::enqueue(QueuedJob queued) {
     const auto has_fewer_jobs = [](const Worker& a, const Worker& b) {
         return a.jobs.size() < b.jobs.size();
     };
@@ -176,8 +174,7 @@ bool WorkerPool::receive(Worker& worker, std::vector<RunRow>& rows) {
 }
 
 /// Handles a worker that has ended: its job gets a row, and pending jobs get another worker.
-tl::expected<void, std::string> WorkerPool::remove_ended_worker(std::list<Worker>::iterator worker,
-                                                                std::vector<RunRow>& rows) {
+Result<void> WorkerPool::remove_ended_worker(std::list<Worker>::iterator worker, std::vector<RunRow>& rows) {
     ::kill(worker->child, SIGKILL);
     const int status = os::wait_for(worker->child).value_or(0);
     std::deque<QueuedJob> jobs = std::move(worker->jobs);
@@ -216,7 +213,7 @@ std::chrono::milliseconds WorkerPool::time_until_timeout(std::chrono::millisecon
     return max_duration;
 }
 
-tl::expected<std::vector<RunRow>, std::string> WorkerPool::collect(std::chrono::milliseconds max_wait) {
+Result<std::vector<RunRow>> WorkerPool::collect(std::chrono::milliseconds max_wait) {
     std::vector<pollfd> descriptors;
     for (const Worker& worker : workers_) {
         descriptors.push_back({worker.output.number(), POLLIN, 0});

@@ -80,8 +80,7 @@ std::vector<CompensationTable> compensation_tables(const GeometryFit& fit,
     return tables;
 }
 
-tl::expected<std::string, std::string> work_offset_line(const machine::Machine& nominal,
-                                                        const GeometryFit& fit) {
+Result<std::string> work_offset_line(const machine::Machine& nominal, const GeometryFit& fit) {
     const auto slides = find_three_slides(nominal);
     Geometry geometry = fit.geometry;
     geometry.instrument = rrs::CartPos::Identity();
@@ -91,7 +90,7 @@ tl::expected<std::string, std::string> work_offset_line(const machine::Machine& 
         readings.push_back(rotary ? geometry.machine.axes[i].zero - nominal.axes[i].zero : 0);
     }
     if (slides.size() < 3 || !bring_to_origin(geometry, slides, readings))
-        return tl::unexpected<std::string>(
+        return Unexpected(
             "a work offset (--g10) needs three linear axes that bring the tip to the work frame's origin");
     std::string line = "G21\nG10 L2 P1";
     for (std::size_t i = 0; i < readings.size(); ++i) {

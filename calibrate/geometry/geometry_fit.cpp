@@ -200,9 +200,9 @@ class GeometryFitter {
         noise_.deg = options.noise_deg.value_or(noise_.deg);
     }
 
-    tl::expected<GeometryFit, std::string> run() {
+    Result<GeometryFit> run() {
         if (!select_deviations()) {
-            return tl::unexpected<std::string>(
+            return Unexpected(
                 "these tips tell nothing of the machine's geometry: there are too few, or all is held");
         }
         for (const MeasuredTcp& tcp : tcps_) {
@@ -288,10 +288,9 @@ class GeometryFitter {
 
 }  // namespace
 
-tl::expected<GeometryFit, std::string> fit_geometry(const machine::Machine& machine,
-                                                    std::span<const MeasuredTcp> tcps,
-                                                    const GeometryOptions& options) {
-    if (tcps.empty()) return tl::unexpected<std::string>("there are no measured tips");
+Result<GeometryFit> fit_geometry(const machine::Machine& machine, std::span<const MeasuredTcp> tcps,
+                                 const GeometryOptions& options) {
+    if (tcps.empty()) return Unexpected("there are no measured tips");
     return GeometryFitter(machine, tcps, options).run();
 }
 

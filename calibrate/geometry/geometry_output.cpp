@@ -78,7 +78,7 @@ Json errors_json(const TcpErrorSummary& summary) {
 
 }  // namespace
 
-tl::expected<std::string, std::string> geometry_text(const GeometryFit& fit) {
+Result<std::string> geometry_text(const GeometryFit& fit) {
     std::string text = fmt::format("# Geometry by gsim-calibrate. {}.\n", summary_line(fit));
     for (const FittedDeviation& found : fit.found) {
         const bool in_file =

@@ -145,9 +145,8 @@ std::vector<MeasuredTcp> spread_poses(const machine::Machine& machine, int first
     return list;
 }
 
-tl::expected<std::vector<MeasuredTcp>, std::string> suggest_poses(const machine::Machine& machine,
-                                                                  std::size_t count, bool orientation,
-                                                                  const DeviationOptions& deviation_options) {
+Result<std::vector<MeasuredTcp>> suggest_poses(const machine::Machine& machine, std::size_t count,
+                                               bool orientation, const DeviationOptions& deviation_options) {
     const auto candidates =
         make_candidates(machine, std::max(kCandidatesPerPose * count, kMinCandidates), orientation);
     const std::vector<Deviation> all = all_deviations(machine, deviation_options);
@@ -156,7 +155,7 @@ tl::expected<std::vector<MeasuredTcp>, std::string> suggest_poses(const machine:
     const Eigen::MatrixXd slopes =
         errors.slopes(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(all.size())));
     const Identification identified = identify(slopes, all);
-    if (identified.selected.empty()) return tl::unexpected<std::string>("no pose tells of any deviation");
+    if (identified.selected.empty()) return Unexpected("no pose tells of any deviation");
     Eigen::MatrixXd determined_slopes(slopes.rows(), static_cast<Eigen::Index>(identified.selected.size()));
     for (std::size_t i = 0; i < identified.selected.size(); ++i)
         determined_slopes.col(static_cast<Eigen::Index>(i)) =
@@ -165,7 +164,7 @@ tl::expected<std::vector<MeasuredTcp>, std::string> suggest_poses(const machine:
     const Eigen::Index rows = errors.size(0);
     const auto needed = static_cast<std::size_t>(determined_slopes.cols() / rows + 1);
     if (count < needed)
-        return tl::unexpected(
+        return Unexpected(
             fmt::format("{} deviations of this machine can be told, which takes {} poses at least",
                         determined_slopes.cols(), needed));
     std::vector<MeasuredTcp> poses;

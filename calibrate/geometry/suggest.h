@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "calibrate/geometry/deviation.h"
 #include "calibrate/geometry/measured_tcp.h"
 
@@ -14,9 +13,8 @@ namespace gsim::calibrate {
 /// determine most of a machine's deviations. The method is D-optimal: the best of some hundred candidates are
 /// added one by one and then exchanged (Fedorov 1972). TCPs are those of the file. Collisions are not
 /// checked. The error: too few to determine everything that any poses would.
-tl::expected<std::vector<MeasuredTcp>, std::string> suggest_poses(const machine::Machine& machine,
-                                                                  std::size_t count, bool orientation,
-                                                                  const DeviationOptions& deviation_options);
+Result<std::vector<MeasuredTcp>> suggest_poses(const machine::Machine& machine, std::size_t count,
+                                               bool orientation, const DeviationOptions& deviation_options);
 
 /// Returns a part program (G-code of most controllers) that moves to each pose by rapids in machine
 /// coordinates and waits there for a measurement.

@@ -36,7 +36,7 @@ class TimeModel : public ceres::EvaluationCallback {
           logs(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(parameters.size()))) {}
 
     /// Plans at `logs` for the first time; the error names the program that does not reach its end.
-    tl::expected<void, std::string> begin() {
+    Result<void> begin() {
         const auto times_s = predictor_.times_s(data_, machine_at(logs));
         if (!times_s) return tl::unexpected(times_s.error());
         set_times(logarithms(*times_s));
@@ -318,13 +318,13 @@ std::vector<Parameter> select_parameters(const machine::Machine& machine, const 
 
 }  // namespace
 
-tl::expected<Fit, std::string> fit_times(const machine::Machine& machine, std::span<const RecordedRun> runs,
-                                         const Predictor& predictor, const FitOptions& options,
-                                         const std::function<void(const std::string&)>& on_message) {
+Result<Fit> fit_times(const machine::Machine& machine, std::span<const RecordedRun> runs,
+                      const Predictor& predictor, const FitOptions& options,
+                      const std::function<void(const std::string&)>& on_message) {
     const std::vector<Datum> data = predictor.data();
     const std::vector<Parameter> parameters = select_parameters(machine, options.open, predictor.words());
     if (runs.empty() || parameters.empty())
-        return tl::unexpected<std::string>("there is nothing to fit: no runs, or no figure that is open");
+        return Unexpected("there is nothing to fit: no runs, or no figure that is open");
     TimeModel times(machine, parameters, data, predictor);
     for (std::size_t k = 0; k < parameters.size(); ++k)
         times.logs[static_cast<Eigen::Index>(k)] = std::log(parameters[k].first);

@@ -47,13 +47,11 @@ CutSummary summarize_cuts(const Layout& layout, const std::vector<Cut>& cuts, co
 
 }  // namespace
 
-tl::expected<Autopath, std::string> autopath(drawing::Drawing drawing, const CutRules& rules,
-                                             const AutopathOptions& options) {
+Result<Autopath> autopath(drawing::Drawing drawing, const CutRules& rules, const AutopathOptions& options) {
     std::vector<double> bevels_deg;
     bevels_deg.reserve(drawing.entities.size());
     for (const drawing::Entity& entity : drawing.entities) bevels_deg.push_back(entity.bevel_deg);
-    tl::expected<Layout, std::string> layout =
-        make_layout(std::move(drawing), {rules.kerf_mm, options.gap_mm});
+    Result<Layout> layout = make_layout(std::move(drawing), {rules.kerf_mm, options.gap_mm});
     if (!layout) return tl::unexpected(std::move(layout.error()));
     const double lead_mm = options.lead_mm > 0 ? options.lead_mm : kDefaultLeadKerfs * rules.kerf_mm;
     const std::vector<Cut> cuts = add_leads(*layout, rules.kerf_mm, lead_mm);

@@ -22,8 +22,6 @@ namespace {
 constexpr std::size_t kMaxListedErrors = 5;
 constexpr double kMinArea_mm2 = 1e-6;
 
-using Unexpected = tl::unexpected<std::string>;
-
 std::string location(Point point) {
     return fmt::format("({:.6g}, {:.6g})", text::unsigned_zero(point.x), text::unsigned_zero(point.y));
 }
@@ -54,7 +52,7 @@ class LayoutBuilder {
     LayoutBuilder(Drawing drawing, const LayoutOptions& options)
         : drawing_(std::move(drawing)), options_(options) {}
 
-    tl::expected<Layout, std::string> run() {
+    Result<Layout> run() {
         for (const auto step : {&LayoutBuilder::close, &LayoutBuilder::check,
                                 &LayoutBuilder::find_outline_nesting, &LayoutBuilder::offset_outlines}) {
             if (auto done = (this->*step)(); !done) return Unexpected(std::move(done.error()));
@@ -65,9 +63,7 @@ class LayoutBuilder {
     }
 
   private:
-    using VoidResult = tl::expected<void, std::string>;
-
-    VoidResult close() {
+    Result<void> close() {
         geometry::ChainResult chains = geometry::chain(std::move(drawing_.drawn_contours), options_.gap_mm);
         if (chains.is_ambiguous)
             return Unexpected("the ends of too many lines lie in one place: no contour can be seen in them");
@@ -82,7 +78,7 @@ class LayoutBuilder {
         return {};
     }
 
-    VoidResult check() {
+    Result<void> check() {
         const std::optional<Crossing> crossing = geometry::find_crossing(contours_, options_.gap_mm / 10);
         if (crossing) {
             return Unexpected(fmt::format(
@@ -100,7 +96,7 @@ class LayoutBuilder {
         return {};
     }
 
-    VoidResult find_outline_nesting() {
+    Result<void> find_outline_nesting() {
         const std::vector<geometry::NestingLevel> nestings = geometry::find_nesting(contours_);
         layout_.outlines.reserve(contours_.size());
         for (std::size_t i = 0; i < contours_.size(); ++i) {
@@ -112,7 +108,7 @@ class LayoutBuilder {
         return {};
     }
 
-    VoidResult offset_outlines() {
+    Result<void> offset_outlines() {
         for (std::size_t i = 0; i < layout_.outlines.size(); ++i) {
             if (auto done = offset_outline(i); !done) return done;
         }
@@ -132,7 +128,7 @@ class LayoutBuilder {
                                       options_.kerf_mm, location(crossing->location)));
     }
 
-    VoidResult offset_outline(std::size_t outline) {
+    Result<void> offset_outline(std::size_t outline) {
         const Contour& contour = layout_.outlines[outline].contour;
         auto loops = geometry::offset(contour, options_.kerf_mm / 2);
         const auto where = [&] {
@@ -166,7 +162,7 @@ class LayoutBuilder {
 
 }  // namespace
 
-tl::expected<Layout, std::string> make_layout(Drawing drawing, const LayoutOptions& options) {
+Result<Layout> make_layout(Drawing drawing, const LayoutOptions& options) {
     return LayoutBuilder(std::move(drawing), options).run();
 }
 

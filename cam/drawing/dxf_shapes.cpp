@@ -23,8 +23,8 @@ double radians(double degrees) {
 
 [[noreturn]] void fail(const GroupList& entity, const std::string& message) {
     const std::string_view handle = entity.text(5).value_or("");
-    throw DrawingError{entity.line(),
-                       fmt::format("{}{}{} {}", entity.kind(), handle.empty() ? "" : " ", handle, message)};
+    throw error_at(entity.line(),
+                   fmt::format("{}{}{} {}", entity.kind(), handle.empty() ? "" : " ", handle, message));
 }
 
 // Returns the counter-clockwise angle from one to the other, above 0 and at most a full turn.
@@ -142,7 +142,7 @@ void draw_spline(const GroupList& entity, Pen& pen) {
         has_fit_points = has_fit_points || group.code == 11;
     }
     if (curve.points.empty() && has_fit_points) return draw_fitted(entity, pen);
-    if (const auto error = curve_error(curve)) fail(entity, *error);
+    if (const auto error = find_curve_error(curve)) fail(entity, error->message);
     pen.nurbs(curve);
 }
 
@@ -169,7 +169,7 @@ const DxfShape* find_dxf_shape(std::string_view kind) {
 }
 
 void finish(const GroupList& entity, Pen& pen) {
-    if (pen.error()) fail(entity, *pen.error());
+    if (pen.error()) fail(entity, pen.error()->message);
     pen.lift();
 }
 

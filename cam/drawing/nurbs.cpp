@@ -26,7 +26,7 @@ HomogeneousPoint between(const HomogeneousPoint& a, const HomogeneousPoint& b, d
 
 }  // namespace
 
-std::optional<std::string> curve_error(const Nurbs& curve) {
+std::optional<Error> find_curve_error(const Nurbs& curve) {
     if (curve.degree < 1 || curve.degree > kMaxDegree) {
         return fmt::format("has degree {}; 1 to {} can be read", curve.degree, kMaxDegree);
     }

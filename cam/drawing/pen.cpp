@@ -118,7 +118,7 @@ void Pen::nurbs(const Nurbs& curve) {
         check(point);
     }
     current_ = curve.points.back();
-    if (const auto error = curve_error(curve); error && !error_) error_ = error;
+    if (const auto error = find_curve_error(curve); error && !error_) error_ = error;
     if (error_) return;
     for (std::size_t span = curve.degree; span < curve.points.size() && !error_; ++span) {
         const double from = curve.knots[span];

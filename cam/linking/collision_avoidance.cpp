@@ -15,8 +15,8 @@ namespace gsim::linking {
 
 namespace {
 
-using path::Error;
 using path::Point;
+using path::TargetError;
 using path::TargetId;
 
 // Generated paths keep this distance in addition to the cell's clearance if possible, for controllers that
@@ -108,9 +108,9 @@ class RapidRerouter {
     std::size_t runs() const { return runs_; }
     std::size_t changed() const { return rerouted_runs_.size(); }
     /// Returns the first error of each path.
-    std::vector<Error> release_errors() {
+    std::vector<TargetError> release_errors() {
         std::set<std::size_t> reported;
-        const auto is_repeated = [&](const Error& error) {
+        const auto is_repeated = [&](const TargetError& error) {
             return !reported.insert(error.where.path).second;
         };
         errors_.erase(std::remove_if(errors_.begin(), errors_.end(), is_repeated), errors_.end());
@@ -277,7 +277,7 @@ class RapidRerouter {
     Edits edits_;
     std::size_t runs_ = 0;
     std::set<std::size_t> rerouted_runs_;  ///< Indices of runs, which keep their order.
-    std::vector<Error> errors_;
+    std::vector<TargetError> errors_;
 };
 
 }  // namespace
@@ -291,8 +291,8 @@ bool has_orientations(const path::Program& program) {
     });
 }
 
-tl::expected<LinkingResult, Error> avoid_collisions(path::Program& program, const RapidPlanner& space,
-                                                    const AxisValues& start) {
+tl::expected<LinkingResult, TargetError> avoid_collisions(path::Program& program, const RapidPlanner& space,
+                                                          const AxisValues& start) {
     RapidRerouter maker(program, space, start);
     LinkingResult linking;
     bool converged = false;

@@ -18,7 +18,6 @@ namespace gsim::surface {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
 using EdgePath = std::vector<JetPoint>;
 
 constexpr double kMinCornerAngle_rad = 1.5 * kRadPerDeg;  // a turn that is no corner
@@ -82,7 +81,7 @@ class JetPathBuilder {
     JetPathBuilder(const solid::WallContour& contour, const JetShape& jet, const JetOptions& options)
         : contour_(contour), jet_(jet), options_(options) {}
 
-    tl::expected<JetPath, std::string> run() {
+    Result<JetPath> run() {
         for (std::size_t i = 0; i < contour_.edges.size(); ++i) {
             if (auto result = add_edge(i); !result) return Unexpected(result.error());
         }
@@ -99,7 +98,7 @@ class JetPathBuilder {
   private:
     const std::string& name(std::size_t edge) const { return contour_.edges[edge].name; }
 
-    tl::expected<void, std::string> add_edge(std::size_t number) {
+    Result<void> add_edge(std::size_t number) {
         EdgePath jet_path;
         for (const solid::WallPoint& point : contour_.edges[number].points) {
             jet_path.push_back(make_jet_point(point, number, jet_, options_));
@@ -124,7 +123,7 @@ class JetPathBuilder {
         edges_.push_back(std::move(second));
     }
 
-    tl::expected<void, std::string> join(std::size_t number, std::size_t next) {
+    Result<void> join(std::size_t number, std::size_t next) {
         EdgePath& before = edges_[number];
         EdgePath& after = edges_[next];
         const JetPoint end = before.back();
@@ -283,7 +282,7 @@ class JetPathBuilder {
     }
 
     // The jet's path reverses at a curvature radius that is smaller than half of the kerf.
-    tl::expected<void, std::string> check_curvature() const {
+    Result<void> check_curvature() const {
         for (const EdgePath& jet_path : edges_) {
             for (std::size_t i = 1; i < jet_path.size(); ++i) {
                 const Vector edge_step = jet_path[i].edge_mm - jet_path[i - 1].edge_mm;
@@ -360,8 +359,7 @@ JetPoint between(const JetPoint& a, const JetPoint& b, double share) {
     return at;
 }
 
-tl::expected<JetPath, std::string> jet_path(const solid::WallContour& contour, const JetShape& jet,
-                                            const JetOptions& options) {
+Result<JetPath> jet_path(const solid::WallContour& contour, const JetShape& jet, const JetOptions& options) {
     return JetPathBuilder(contour, jet, options).run();
 }
 

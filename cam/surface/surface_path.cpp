@@ -18,8 +18,6 @@ namespace gsim::surface {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr double kDefaultLeadKerfs = 3;
 constexpr double kReportThreshold_mm = 0.02;  // of material removed or left at a lower edge
 constexpr double kMaxGouge_mm = 0.03;         // how far a jet may come into an edge
@@ -48,7 +46,7 @@ class SurfacePathBuilder {
                        const SurfaceOptions& options)
         : part_(part), rules_(rules), options_(options), jet_{rules.kerf_mm, options.cut_height_mm} {}
 
-    tl::expected<cutting::Autopath, std::string> run() {
+    Result<cutting::Autopath> run() {
         std::vector<JetPath> paths;
         for (const solid::WallContour& contour : part_.contours) {
             auto path = jet_path(contour, jet_, options_.jet);
@@ -85,7 +83,7 @@ class SurfacePathBuilder {
         return options_.lead_mm > 0 ? options_.lead_mm : kDefaultLeadKerfs * rules_.kerf_mm;
     }
 
-    tl::expected<void, std::string> check(const JetPath& jet_path, const EdgeProximity& edges) const {
+    Result<void> check(const JetPath& jet_path, const EdgeProximity& edges) const {
         for (const JetPoint& at : jet_path.points) {
             const auto found = edges.nearest(jet_center(at, jet_), at.axis, at.depth_mm);
             const double gouge_mm = rules_.kerf_mm / 2 - found.distance_mm;
@@ -97,7 +95,7 @@ class SurfacePathBuilder {
         return {};
     }
 
-    tl::expected<cutting::Autopath, std::string> written(std::vector<SurfaceCut> cuts) const {
+    Result<cutting::Autopath> written(std::vector<SurfaceCut> cuts) const {
         SurfaceProgramOptions options;
         options.name = options_.name;
         options.jet = jet_;
@@ -187,9 +185,8 @@ class SurfacePathBuilder {
 
 }  // namespace
 
-tl::expected<cutting::Autopath, std::string> surface_path(const solid::WallContours& part,
-                                                          const cutting::CutRules& rules,
-                                                          const SurfaceOptions& options) {
+Result<cutting::Autopath> surface_path(const solid::WallContours& part, const cutting::CutRules& rules,
+                                       const SurfaceOptions& options) {
     return SurfacePathBuilder(part, rules, options).run();
 }
 

@@ -18,13 +18,11 @@ namespace {
 constexpr ValueRange kTypicalPressure{"pressure_mpa", 170, 415};
 constexpr ValueRange kTypicalOrifice{"orifice_mm", 0.076, 0.89};
 
-using Error = std::optional<std::string>;
-
-Error find_error(const std::optional<double>& value, const ValueRange& range) {
+std::optional<Error> find_error(const std::optional<double>& value, const ValueRange& range) {
     return value ? range.find_error(*value) : std::nullopt;
 }
 
-Error find_error(const CuttingRequest& request) {
+std::optional<Error> find_error(const CuttingRequest& request) {
     const std::pair<std::optional<double>, ValueRange> all[] = {
         {request.thickness_mm, range::kThickness},    {request.quality, range::kQuality},
         {request.pressure_mpa, range::kPressure},     {request.orifice_mm, range::kOrifice},
@@ -150,8 +148,7 @@ double limited_feed(const CuttingPlan& plan, double allowed_lag_mm) {
 
 }  // namespace
 
-tl::expected<CuttingPlan, std::string> plan_cutting(const Materials& materials,
-                                                    const CuttingRequest& request) {
+Result<CuttingPlan> plan_cutting(const Materials& materials, const CuttingRequest& request) {
     if (auto error = find_error(request)) return tl::unexpected(*std::move(error));
     const auto material = find_material(materials, request.material);
     if (!material) return tl::unexpected(material.error());
@@ -159,9 +156,9 @@ tl::expected<CuttingPlan, std::string> plan_cutting(const Materials& materials,
     ValueResolver resolver;
     plan.material = (*material)->name;
     if (request.dynamic_pierce && !request.pierce_s && !materials.pierce.dynamic_pierce_share) {
-        return tl::unexpected(
-            std::string("the materials file has no 'moving_share' in [pierce]: how long a moving pierce "
-                        "takes has to be given"));
+        return Unexpected(
+            "the materials file has no 'moving_share' in [pierce]: how long a moving pierce "
+            "takes has to be given");
     }
     plan.lag = materials.lag;
     plan.kerf = materials.kerf;
@@ -174,8 +171,8 @@ tl::expected<CuttingPlan, std::string> plan_cutting(const Materials& materials,
         resolver.resolve("quality", {}, request.quality, materials.jet.quality, [] { return Inferred{}; });
     plan.jet = resolve_jet(resolver, materials.jet, request, plan);
     if (plan.jet.mixing_tube_mm <= plan.jet.orifice_mm) {
-        return tl::unexpected(fmt::format("the mixing tube ({} mm) must be wider than the orifice ({} mm)",
-                                          plan.jet.mixing_tube_mm, plan.jet.orifice_mm));
+        return Unexpected(fmt::format("the mixing tube ({} mm) must be wider than the orifice ({} mm)",
+                                      plan.jet.mixing_tube_mm, plan.jet.orifice_mm));
     }
     resolve_speeds(resolver, request, plan);
     resolve_shape(resolver, materials, request, plan);

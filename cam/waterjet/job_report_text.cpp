@@ -62,9 +62,9 @@ void append_accuracy(std::string& out, const JobReport& report) {
                             jet_text(plan, *report.accuracy.taper_compensation_s),
                             taper_compensation_deg(plan, plan.cutting_speed_mm_min));
     } else {
-        text::append_format(out,
-                            "  {:<18}{:>12} s   not asked for: sides are off by {:.3g} mm (--taper-compensation)\n",
-                            "straight sides", 0, plan.taper_mm);
+        text::append_format(
+            out, "  {:<18}{:>12} s   not asked for: sides are off by {:.3g} mm (--taper-compensation)\n",
+            "straight sides", 0, plan.taper_mm);
     }
     if (plan.dynamic_pierce_s) {
         text::append_format(out, "  {:<18}{}\n", "moving pierces",

@@ -53,7 +53,7 @@ constexpr double kMinLife_h = 0.01;
 std::optional<double> optional_number(TomlSection& section, const ValueRange& range) {
     if (!section.has(range.key)) return std::nullopt;
     const double value = section.number(range.key, range.min, NumberRule::finite);
-    if (const auto error_message = range.find_error(value)) section.fail(range.key, *error_message);
+    if (const auto error = range.find_error(value)) section.fail(range.key, error->message);
     return value;
 }
 
@@ -168,8 +168,8 @@ MeasuredCut read_measured(FirstError& error, const toml::table& table) {
     check_tube(section, cut.jet.mixing_tube_mm, cut.jet.orifice_mm);
     const double machinability =
         machinability_of_cut(cut.jet, cut.speed_mm_min, cut.thickness_mm, cut.quality);
-    if (const auto error_message = range::kMachinability.find_error(machinability))
-        section.fail("speed_mm_min", fmt::format("such a cut cannot be: {}", *error_message));
+    if (const auto range_error = range::kMachinability.find_error(machinability))
+        section.fail("speed_mm_min", fmt::format("such a cut cannot be: {}", range_error->message));
     return cut;
 }
 
@@ -221,7 +221,7 @@ void check_references(FirstError& error, TomlSection& file, const Materials& all
         const toml::source_position where = tables[i]->get("like")->source().begin;
         const auto other = find_material(all, material.like);
         if (!other) {
-            error.report(where, other.error());
+            error.report(where, other.error().message);
         } else if (!(*other)->machinability) {
             error.report(where, fmt::format("'like' must name a material with a 'machinability'; {} has none",
                                             base::toml_string(material.like)));
@@ -254,7 +254,7 @@ Materials read_tables(FirstError& error, const toml::table& root) {
 
 }  // namespace
 
-tl::expected<Materials, std::string> read_materials(std::string_view toml_text, std::string_view file_name) {
+Result<Materials> read_materials(std::string_view toml_text, std::string_view file_name) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     if (error.text()) return tl::unexpected(*error.text());
@@ -263,8 +263,8 @@ tl::expected<Materials, std::string> read_materials(std::string_view toml_text, 
     return materials;
 }
 
-tl::expected<Materials, std::string> load_materials(const std::filesystem::path& path,
-                                                    os::NameSource name_source, const os::Files& files) {
+Result<Materials> load_materials(const std::filesystem::path& path, os::NameSource name_source,
+                                 const os::Files& files) {
     return files.read_text(path, name_source).and_then([&](const std::string& text) {
         return read_materials(text, path.string());
     });

@@ -74,7 +74,7 @@ int LuaSpool::write_hash(std::string_view digits) {
     return std::fflush(file_.get()) == 0 ? 0 : errno;
 }
 
-tl::expected<void, std::string> LuaSpool::finish() {
+Result<void> LuaSpool::finish() {
     if (file_ || error_ != 0) flush();
     hash_.update(std::string_view(buffer_).substr(hashed_));
     const std::string digits = to_hex(hash_.value());
@@ -84,7 +84,7 @@ tl::expected<void, std::string> LuaSpool::finish() {
     return {};
 }
 
-tl::expected<std::string, std::string> LuaSpool::read(std::uint64_t begin, std::uint64_t end) const {
+Result<std::string> LuaSpool::read(std::uint64_t begin, std::uint64_t end) const {
     if (!file_) return buffer_.substr(begin, end - begin);
     std::string text(end - begin, '\0');
     std::size_t done = 0;
@@ -98,7 +98,7 @@ tl::expected<std::string, std::string> LuaSpool::read(std::uint64_t begin, std::
     return text;
 }
 
-tl::expected<void, std::string> LuaSpool::copy_to(const std::function<void(std::string_view)>& sink) const {
+Result<void> LuaSpool::copy_to(const std::function<void(std::string_view)>& sink) const {
     for (std::uint64_t done = 0; done < size_; done += kBufferBytes) {
         const auto part = read(done, std::min(size_, done + kBufferBytes));
         if (!part) return tl::unexpected(part.error());

@@ -147,8 +147,8 @@ void LuaWriter::open_sub(const Block& block) {
     const std::string name = oword_name(block);
     if (const lexer::Location* first = names_.define_sub(name, block.text->at(block.flow_column))) {
         errors_.fail(block.flow_column, DiagnosticKind::program_twice,
-                    fmt::format("the subroutine o{} stands twice in this file, first in line {}",
-                                block.text->view(block.text->program), first->line));
+                     fmt::format("the subroutine o{} stands twice in this file, first in line {}",
+                                 block.text->view(block.text->program), first->line));
     }
     parts_.begin_sub(name, code_);
 }
@@ -240,8 +240,8 @@ void LuaWriter::write_comment_action(const Block& block, std::string& out) {
     const std::vector<lexer::Slice>& comments = block.text->comments;
     const std::size_t count = comments.size() - (block.text->remark ? 1 : 0);
     if (count == 0 || block.has_program) return;
-    if (const auto error = write_active_comment(block.text->view(comments[count - 1]), out))
-        errors_.fail(1, DiagnosticKind::syntax, *error);
+    if (const auto done = write_active_comment(block.text->view(comments[count - 1]), out); !done)
+        errors_.fail(1, DiagnosticKind::syntax, done.error().message);
 }
 
 void LuaWriter::write_body(const Block& block) {
@@ -278,7 +278,8 @@ void LuaWriter::write_body(const Block& block) {
             code_ += "end ";
             return;
         case BlockKind::print:
-            if (const auto error = write_print(block, code_)) errors_.fail(1, DiagnosticKind::syntax, *error);
+            if (const auto done = write_print(block, code_); !done)
+                errors_.fail(1, DiagnosticKind::syntax, done.error().message);
             return;
         case BlockKind::flow: write_flow(block); return;
         case BlockKind::tape: return;

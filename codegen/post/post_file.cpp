@@ -70,7 +70,7 @@ class PostReader {
   public:
     explicit PostReader(std::string_view file_name) : error_(file_name) {}
 
-    tl::expected<Post, std::string> read(std::string_view text) {
+    Result<Post> read(std::string_view text) {
         const toml::table table = base::parse_toml(error_, text);
         if (!error_.text()) read_post(table);
         if (error_.text()) return tl::unexpected(*error_.text());
@@ -336,7 +336,7 @@ class PostReader {
 
 }  // namespace
 
-tl::expected<Post, std::string> read_post(std::string_view toml_text, std::string_view file_name) {
+Result<Post> read_post(std::string_view toml_text, std::string_view file_name) {
     return PostReader(file_name).read(toml_text);
 }
 
@@ -349,17 +349,16 @@ std::vector<std::string_view> built_in_posts() {
     return names;
 }
 
-tl::expected<Post, std::string> find_post(const std::string& name) {
+Result<Post> find_post(const std::string& name) {
     if (name.ends_with(kExtension)) {
-        const tl::expected<std::string, std::string> text =
-            os::read_text_file(name, os::NameSource::command_line);
+        const Result<std::string> text = os::read_text_file(name, os::NameSource::command_line);
         if (!text) return tl::unexpected(text.error());
         return read_post(*text, name);
     }
     const std::string_view text = embedded::embedded_posts(name + std::string(kExtension));
     if (text.data() != nullptr) return read_post(text, name);
-    return tl::unexpected(fmt::format("there is no post '{}'; there are {}, or name a file that ends in {}",
-                                      name, text::joined(built_in_posts(), ", "), kExtension));
+    return Unexpected(fmt::format("there is no post '{}'; there are {}, or name a file that ends in {}", name,
+                                  text::joined(built_in_posts(), ", "), kExtension));
 }
 
 }  // namespace gsim::codegen

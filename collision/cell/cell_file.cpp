@@ -67,7 +67,8 @@ class CellReader {
         const auto ignored = machine::read_ignored(error_, file, root,
                                                    [this](std::string_view name) { return find_item(name); });
         cell_.ignored.insert(cell_.ignored.end(), ignored.begin(), ignored.end());
-        if (const auto error = check_pair_count(cell_.items, cell_.frames)) file.fail("object", *error);
+        if (const auto error = find_pair_count_error(cell_.items, cell_.frames))
+            file.fail("object", error->message);
         return std::move(cell_);
     }
 
@@ -149,7 +150,7 @@ class CellReader {
         const std::size_t frame = add_frame(section, name, parent);
         if (!form) return;
         auto shape = make_shape(*form, files_);
-        if (!shape) return section.fail("shape", shape.error());
+        if (!shape) return section.fail("shape", shape.error().message);
         items_by_name_.emplace(name, cell_.items.size());
         cell_.items.push_back({std::move(name), role, *std::move(shape), frame});
     }
@@ -203,7 +204,7 @@ machine::Machine remove_replaced_shapes(const machine::Machine& machine, const t
 
 }  // namespace
 
-tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text, std::string_view file_name) {
+Result<CellFiles> read_cell_files(std::string_view toml_text, std::string_view file_name) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     const std::filesystem::path folder = std::filesystem::path(file_name).parent_path();
@@ -218,10 +219,9 @@ tl::expected<CellFiles, std::string> read_cell_files(std::string_view toml_text,
     return files;
 }
 
-tl::expected<Cell, std::string> read_cell(std::string_view toml_text, std::string_view file_name,
-                                          const machine::Machine& machine,
-                                          std::span<const std::string> conveyors, const MeshFiles& files,
-                                          std::vector<std::string>* errors) {
+Result<Cell> read_cell(std::string_view toml_text, std::string_view file_name,
+                       const machine::Machine& machine, std::span<const std::string> conveyors,
+                       const MeshFiles& files, std::vector<std::string>* errors) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     const machine::Machine remaining_machine = remove_replaced_shapes(machine, root);

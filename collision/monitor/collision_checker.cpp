@@ -43,10 +43,9 @@ CollisionChecker::CollisionChecker(const Cell& cell, std::shared_ptr<const kinem
     }
 }
 
-tl::expected<CollisionChecker, std::string> CollisionChecker::make(const Cell& cell,
-                                                                   const machine::Machine& machine) {
+Result<CollisionChecker> CollisionChecker::make(const Cell& cell, const machine::Machine& machine) {
     if (!cell.moving_frames.empty()) {
-        return tl::unexpected<std::string>(
+        return Unexpected(
             "there is no way round the bodies of a cell in which frames go by themselves (on conveyors, or "
             "led "
             "by a program)");

@@ -35,10 +35,10 @@ bool is_probe(const Cell& cell, std::size_t item) {
     return frame == tool;
 }
 
-tl::expected<TouchSearch, std::string> TouchSearch::make(const Cell& cell, const machine::Machine& machine,
-                                                         const Eigen::Vector3d& tcp_mm) {
+Result<TouchSearch> TouchSearch::make(const Cell& cell, const machine::Machine& machine,
+                                      const Eigen::Vector3d& tcp_mm) {
     if (!cell.moving_frames.empty()) {
-        return tl::unexpected<std::string>(
+        return Unexpected(
             "a probe cannot feel the bodies of a cell in which frames go by themselves (on conveyors, or led "
             "by a program); on_probe of a script, or --probe, says where it touches");
     }

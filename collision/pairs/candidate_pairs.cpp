@@ -111,7 +111,7 @@ std::vector<CandidatePair> candidate_pairs(const Cell& cell, const kinematics::K
     return pairs;
 }
 
-std::optional<std::string> check_pair_count(std::span<const Item> items, const FrameTree& frames) {
+std::optional<Error> find_pair_count_error(std::span<const Item> items, const FrameTree& frames) {
     std::map<int, std::size_t> count_on_link;
     for (const Item& item : items) ++count_on_link[frames.link(item.frame)];
     std::size_t pairs = 0;

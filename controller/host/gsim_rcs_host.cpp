@@ -158,7 +158,7 @@ std::int32_t Host::load() {
                           return RcsModule::create(library, machine);
                       });
     if (!module) {
-        copy_text(module.error(), shared_.output);
+        copy_text(module.error().message, shared_.output);
         return 1;
     }
     module_.emplace(*std::move(module));

@@ -64,8 +64,8 @@ std::string machine_texts(const gsim_rcs_machine& machine) {
     return texts;
 }
 
-tl::unexpected<std::string> launch_error(const std::filesystem::path& program, int error) {
-    return tl::unexpected(fmt::format("cannot run {}: {}", program.string(), message(error)));
+Unexpected launch_error(const std::filesystem::path& program, int error) {
+    return Unexpected(fmt::format("cannot run {}: {}", program.string(), message(error)));
 }
 
 void sleep_1_ms() {
@@ -114,10 +114,9 @@ RcsLink::RcsLink(pid_t process, os::Descriptor socket, std::unique_ptr<RcsMemory
       response_timeout_ms_(response_timeout_ms),
       poll_interval_ms_(std::min(kPollInterval_ms, response_timeout_ms)) {}
 
-tl::expected<std::unique_ptr<RcsLink>, std::string> RcsLink::begin(const std::filesystem::path& program,
-                                                                   const std::string& path,
-                                                                   const gsim_rcs_machine& machine,
-                                                                   const RcsProcessLimits& limits) {
+Result<std::unique_ptr<RcsLink>> RcsLink::begin(const std::filesystem::path& program, const std::string& path,
+                                                const gsim_rcs_machine& machine,
+                                                const RcsProcessLimits& limits) {
     const std::string texts = machine_texts(machine);
     auto memory = RcsMemory::make(texts.size());
     if (!memory) return launch_error(program, memory.error());

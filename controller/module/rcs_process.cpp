@@ -145,17 +145,15 @@ std::int32_t RcsProcess::call(std::int32_t opcode, const void* input, void* outp
     return enqueue(opcode, input);
 }
 
-tl::unexpected<std::string> load_failure(const std::string& name, const RcsLoss& loss) {
-    return tl::unexpected(
+Unexpected load_failure(const std::string& name, const RcsLoss& loss) {
+    return Unexpected(
         fmt::format("the controller module {} {}{} while it was loaded", name, loss.what, loss.reason));
 }
 
 }  // namespace
 
-tl::expected<RcsModule, std::string> start_rcs_process(const std::filesystem::path& program,
-                                                       const std::string& path,
-                                                       const gsim_rcs_machine& machine,
-                                                       RcsProcessLimits limits) {
+Result<RcsModule> start_rcs_process(const std::filesystem::path& program, const std::string& path,
+                                    const gsim_rcs_machine& machine, RcsProcessLimits limits) {
     auto link = RcsLink::begin(program, path, machine, limits);
     if (!link) return tl::unexpected(std::move(link.error()));
     std::string name = std::filesystem::path(path).filename().string();

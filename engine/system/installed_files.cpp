@@ -68,8 +68,7 @@ std::string suggest_machine(const fs::path& bin_folder, const std::string& name)
 
 }  // namespace
 
-tl::expected<std::string, std::string> find_file_from(const fs::path& bin_folder, NameKind kind,
-                                                      const std::string& name) {
+Result<std::string> find_file_from(const fs::path& bin_folder, NameKind kind, const std::string& name) {
     if (name.empty() || name == "-" || file_exists(name)) return name;
     const std::vector<fs::path> searched_paths = candidate_paths(bin_folder, kind, name);
     for (const fs::path& resolved_path : searched_paths) {
@@ -85,7 +84,7 @@ tl::expected<std::string, std::string> find_file_from(const fs::path& bin_folder
     return tl::unexpected(message);
 }
 
-tl::expected<std::string, std::string> find_file(NameKind kind, const std::string& name) {
+Result<std::string> find_file(NameKind kind, const std::string& name) {
     return find_file_from(os::program_folder(), kind, name);
 }
 

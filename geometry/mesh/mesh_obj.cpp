@@ -25,7 +25,7 @@ class ObjReader {
   public:
     explicit ObjReader(std::string_view text) : words_(text) {}
 
-    tl::expected<TriangleSoup, std::string> read() {
+    Result<TriangleSoup> read() {
         do {
             const std::string_view word = words_.next_in_line();
             if (word.empty() || word.starts_with('#')) continue;
@@ -92,12 +92,12 @@ class ObjReader {
 
     WordReader words_;
     TriangleSoup soup_;
-    std::optional<std::string> error_;
+    std::optional<Error> error_;
 };
 
 }  // namespace
 
-tl::expected<TriangleSoup, std::string> read_obj(std::string_view text) {
+Result<TriangleSoup> read_obj(std::string_view text) {
     return ObjReader(text).read();
 }
 

@@ -23,19 +23,17 @@ namespace {
 constexpr std::uintmax_t kMaxBytes = 256ULL << 20U;
 constexpr bool kHasReader = GSIM_HAS_OPENCASCADE != 0;
 
-using Unexpected = tl::unexpected<std::string>;
-
 std::string message(int error) {
     return std::generic_category().message(error);
 }
 
-tl::expected<std::filesystem::path, std::string> reader_program() {
-    return os::helper_program(os::program_folder(), "gsim-solid").map_error([](const std::string& message) {
-        return message + "; it reads STEP and IGES files";
+Result<std::filesystem::path> reader_program() {
+    return os::helper_program(os::program_folder(), "gsim-solid").map_error([](const Error& error) {
+        return Error(error.message + "; it reads STEP and IGES files");
     });
 }
 
-tl::expected<void, std::string> check_file(const std::filesystem::path& file) {
+Result<void> check_file(const std::filesystem::path& file) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (error) return Unexpected(fmt::format("cannot read '{}': {}", file.string(), error.message()));
@@ -70,9 +68,8 @@ std::string exit_reason(int status) {
 
 }  // namespace
 
-tl::expected<std::string, std::string> query_reader(const std::string& request,
-                                                    const std::filesystem::path& file,
-                                                    const std::vector<std::string>& settings) {
+Result<std::string> query_reader(const std::string& request, const std::filesystem::path& file,
+                                 const std::vector<std::string>& settings) {
     if (!kHasReader) {
         return Unexpected(
             fmt::format("'{}': this build does not read STEP and IGES files; install OpenCASCADE "

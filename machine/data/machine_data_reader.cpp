@@ -36,7 +36,7 @@ class DataReader {
   public:
     DataReader(std::string_view file_name, const DataRules& rules) : file_name_(file_name), rules_(rules) {}
 
-    tl::expected<ParsedData, std::vector<std::string>> read(std::string_view text) {
+    tl::expected<ParsedData, std::vector<Error>> read(std::string_view text) {
         read_.lines = split_lines(text);
         for (DataLine& line : read_.lines) {
             ++number_;
@@ -52,7 +52,8 @@ class DataReader {
   private:
     /// Keeps the first error of a line.
     void fail(std::size_t column, std::string_view message) {
-        if (!has_error_) errors_.push_back(fmt::format("{}:{}:{}: {}", file_name_, number_, column, message));
+        if (!has_error_)
+            errors_.emplace_back(fmt::format("{}:{}:{}: {}", file_name_, number_, column, message));
         has_error_ = true;
     }
 
@@ -183,14 +184,14 @@ class DataReader {
     std::optional<DataSection> section_;
     std::map<std::string, std::size_t> first_lines_;
     ParsedData read_;
-    std::vector<std::string> errors_;
+    std::vector<Error> errors_;
 };
 
 }  // namespace
 
-tl::expected<ParsedData, std::vector<std::string>> read_data_lines(std::string_view text,
-                                                                   std::string_view file_name,
-                                                                   const DataRules& rules) {
+tl::expected<ParsedData, std::vector<Error>> read_data_lines(std::string_view text,
+                                                             std::string_view file_name,
+                                                             const DataRules& rules) {
     return DataReader(file_name, rules).read(text);
 }
 

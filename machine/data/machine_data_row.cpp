@@ -48,9 +48,9 @@ class RowReader {
         read_.field_word_index.resize(rules.fields.size());
     }
 
-    tl::expected<ParsedRow, DataError> read() {
+    Result<ParsedRow> read() {
         const auto id = read_id(rules_, words_[0].text);
-        if (!id) return make_error(0, id.error());
+        if (!id) return make_error(0, id.error().message);
         read_.row.id = *id;
         for (std::size_t i = 1; i < words_.size() && !error_; ++i) read_word(i);
         if (!error_) check_required();
@@ -61,12 +61,16 @@ class RowReader {
     }
 
   private:
-    tl::unexpected<DataError> make_error(std::size_t word, std::string message) {
-        return tl::unexpected(DataError{words_[word].column, std::move(message)});
+    Error error_at(std::size_t word, std::string message) const {
+        return {std::move(message), 0, static_cast<std::uint32_t>(words_[word].column)};
+    }
+
+    Unexpected make_error(std::size_t word, std::string message) {
+        return tl::unexpected(error_at(word, std::move(message)));
     }
 
     void fail(std::size_t word, std::string message) {
-        if (!error_) error_ = DataError{words_[word].column, std::move(message)};
+        if (!error_) error_ = error_at(word, std::move(message));
     }
 
     void fail_extra_word(std::size_t word) {
@@ -127,11 +131,11 @@ class RowReader {
     void set_field(std::size_t field, std::size_t word, std::string value) {
         if (read_.field_word_index[field]) return fail_extra_word(word);
         read_.field_word_index[field] = word;
-        if (const auto message = value_error(rules_.fields[field], value)) return fail(word, *message);
+        if (const auto error = value_error(rules_.fields[field], value)) return fail(word, error->message);
         read_.row.values[field] = std::move(value);
     }
 
-    static std::optional<std::string> value_error(const DataField& field, std::string_view value) {
+    static std::optional<Error> value_error(const DataField& field, std::string_view value) {
         if (field.is_name && !is_name(value)) {
             return fmt::format("'{}' is no name: a letter first, then letters, digits and '_'",
                                printable_word(value));
@@ -195,7 +199,7 @@ class RowReader {
     std::span<const DataWord> words_;
     ParsedRow read_;
     std::size_t position_ = 0;
-    std::optional<DataError> error_;
+    std::optional<Error> error_;
 };
 
 }  // namespace
@@ -204,7 +208,7 @@ double DataRow::number(const SectionRules& rules, std::size_t field) const {
     return parse_number<double>(values[field]).value_or(0) * mm_per_unit(rules.fields[field], unit);
 }
 
-tl::expected<ParsedRow, DataError> read_row(const SectionRules& rules, std::span<const DataWord> words) {
+Result<ParsedRow> read_row(const SectionRules& rules, std::span<const DataWord> words) {
     return RowReader(rules, words).read();
 }
 
@@ -219,22 +223,22 @@ std::optional<std::string> name_key(const SectionRules& rules, const DataRow& ro
     return fmt::format("{} NAME={}", rules.keyword, upper_case(row.values[*field]));
 }
 
-tl::expected<std::string, std::string> read_id(const SectionRules& rules, std::string_view word) {
+Result<std::string> read_id(const SectionRules& rules, std::string_view word) {
     if (rules.section == DataSection::alias) return std::string(word);
     if (rules.section == DataSection::offset) {
         if (is_offset_code(word)) return std::string(word);
-        return tl::unexpected(fmt::format(
-            "'{}' is no frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599", printable_word(word)));
+        return Unexpected(fmt::format("'{}' is no frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599",
+                                      printable_word(word)));
     }
     const auto number = parse_number<int>(word);
     if (!number || *number < 1 || *number > kMaxNumber) {
-        return tl::unexpected(fmt::format("'{}' is not the number of {}, 1 to {}", printable_word(word),
-                                          with_article(rules.what), kMaxNumber));
+        return Unexpected(fmt::format("'{}' is not the number of {}, 1 to {}", printable_word(word),
+                                      with_article(rules.what), kMaxNumber));
     }
     if (rules.section == DataSection::home && (*number < 2 || *number > 4))
-        return tl::unexpected(std::string("home positions are 2 to 4; the first one is in the machine file"));
+        return Unexpected("home positions are 2 to 4; the first one is in the machine file");
     if (rules.section == DataSection::working && *number != 1)
-        return tl::unexpected(std::string("there is one working zone; its number is 1"));
+        return Unexpected("there is one working zone; its number is 1");
     return std::to_string(*number);
 }
 

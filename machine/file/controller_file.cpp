@@ -47,12 +47,12 @@ rrs::ControllerRules read_custom_file(TomlSection& section, const std::string& m
     const std::filesystem::path path = local_files.folder / model;
     const auto text = local_files.files.read_text(path);
     if (!text) {
-        section.fail(kModelKey, text.error());
+        section.fail(kModelKey, text.error().message);
         return {};
     }
     auto rules = read_controller(*text, path.string(), model);
     if (rules) return *std::move(rules);
-    section.adopt_error(std::move(rules).error());
+    section.adopt_error(std::move(rules).error().message);
     return {};
 }
 
@@ -73,9 +73,8 @@ rrs::ControllerRules read_model(TomlSection& section, const CustomFiles* local_f
 
 }  // namespace
 
-tl::expected<rrs::ControllerRules, std::string> read_controller(std::string_view toml_text,
-                                                                std::string_view file_name,
-                                                                std::string model) {
+Result<rrs::ControllerRules> read_controller(std::string_view toml_text, std::string_view file_name,
+                                             std::string model) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     TomlSection file(error, root, "a controller file", kControllerFileKeys);

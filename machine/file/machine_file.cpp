@@ -274,18 +274,18 @@ Machine read_tables(FirstError& error, const toml::table& root, const std::files
     read_dynamics(error, file, machine);
     read_calibration(error, file, machine);
     if (error.text()) return machine;
-    if (const auto message = find_kinematic_error(machine)) section.fail("inverse", *message);
+    if (const auto found = find_kinematic_error(machine)) section.fail("inverse", found->message);
     if (error.text()) return machine;
-    if (const auto message = find_controller_error(machine)) file.fail("controller", *message);
-    if (const auto message = find_torque_limit_error(machine)) file.fail("dynamics", *message);
-    if (const auto message = find_servo_error(machine)) file.fail("axis", *message);
+    if (const auto found = find_controller_error(machine)) file.fail("controller", found->message);
+    if (const auto found = find_torque_limit_error(machine)) file.fail("dynamics", found->message);
+    if (const auto found = find_servo_error(machine)) file.fail("axis", found->message);
     return machine;
 }
 
 }  // namespace
 
-tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std::string_view file_name,
-                                                const os::Files& files, std::vector<std::string>* errors) {
+Result<Machine> read_machine(std::string_view toml_text, std::string_view file_name, const os::Files& files,
+                             std::vector<std::string>* errors) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     Machine machine = read_tables(error, root, std::filesystem::path(file_name).parent_path(), files);
@@ -294,8 +294,8 @@ tl::expected<Machine, std::string> read_machine(std::string_view toml_text, std:
     return machine;
 }
 
-tl::expected<Machine, std::string> load_machine(const std::filesystem::path& path, os::NameSource name_source,
-                                                const os::Files& files) {
+Result<Machine> load_machine(const std::filesystem::path& path, os::NameSource name_source,
+                             const os::Files& files) {
     return files.read_text(path, name_source).and_then([&](const std::string& text) {
         return read_machine(text, path.string(), files);
     });

@@ -43,8 +43,7 @@ void print_program_section(TomlWriter& out, const ProgramTable& program) {
         out.line("units", base::toml_string(kUnitNames[static_cast<std::size_t>(*program.units)]));
 }
 
-tl::expected<ProgramTable, std::string> read_program_table(std::string_view toml_text,
-                                                           std::string_view file_name) {
+Result<ProgramTable> read_program_table(std::string_view toml_text, std::string_view file_name) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     const toml::node* node = root.get("program");

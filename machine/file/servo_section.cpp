@@ -64,7 +64,7 @@ void print_servo(base::TomlWriter& out, const Axis& axis) {
     }
 }
 
-std::optional<std::string> find_servo_error(const Machine& machine) {
+std::optional<Error> find_servo_error(const Machine& machine) {
     const double gain_1_s = machine.controller.position_loop.gain_1_s;
     if (gain_1_s >= kMinGain_1_s) return std::nullopt;
     for (const Axis& axis : machine.axes) {

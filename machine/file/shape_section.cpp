@@ -62,9 +62,9 @@ std::optional<ShapeForm> read_mesh_shape(TomlSection& section, const std::filesy
         return std::nullopt;
     }
     const std::filesystem::path path = folder / name;
-    const std::optional<std::string> error = files.find_error(path);
+    const std::optional<Error> error = files.find_error(path);
     if (!error) return MeshShape{path, scale, tolerance_mm};
-    section.fail("mesh", fmt::format("{}: {}", path.string(), *error));
+    section.fail("mesh", fmt::format("{}: {}", path.string(), error->message));
     return std::nullopt;
 }
 

@@ -22,7 +22,7 @@ constexpr double kUnlimited = 1e9;                       // what LinuxCNC has fo
 constexpr double kDefaultSpeed = 1;  // units/s, if an [AXIS_..] gives no MAX_VELOCITY or MAX_ACCELERATION
 
 template <typename T>
-using Read = tl::expected<T, std::string>;
+using Read = Result<T>;
 
 bool is_letter(char c) {
     return kJointLetters.find(c) != std::string_view::npos;
@@ -132,8 +132,8 @@ class AxisReader {
         }
         if (error_) return tl::unexpected(*error_);
         if (first && !ini_.has_section(axis_section)) {
-            return tl::unexpected(fmt::format("{}: there is neither [{}] nor a section [JOINT_n] for axis {}",
-                                              ini_.file_name(), axis_section, letter));
+            return Unexpected(fmt::format("{}: there is neither [{}] nor a section [JOINT_n] for axis {}",
+                                          ini_.file_name(), axis_section, letter));
         }
         return make_axis(letter, rotary, limits);
     }
@@ -180,8 +180,8 @@ class AxisReader {
 
     Read<machine::Axis> make_axis(char letter, bool rotary, const Limits& limits) {
         if (limits.min > limits.max) {
-            return tl::unexpected(fmt::format("{}: the limits of axis {} leave no range: {} .. {}",
-                                              ini_.file_name(), letter, limits.min, limits.max));
+            return Unexpected(fmt::format("{}: the limits of axis {} leave no range: {} .. {}",
+                                          ini_.file_name(), letter, limits.min, limits.max));
         }
         machine::Axis axis;
         axis.letter = letter;
@@ -204,7 +204,7 @@ class AxisReader {
     const IniUnits& units_;
     std::vector<std::string>& warnings_;
     double unit_ = 1;
-    std::optional<std::string> error_;
+    std::optional<Error> error_;
 };
 
 }  // namespace
@@ -237,7 +237,7 @@ Read<std::vector<machine::Axis>> read_axes(IniFile& ini, const IniUnits& units,
     const std::string letters =
         remove_duplicates(parse_letters(ini.text("TRAJ", "COORDINATES").value_or(*pose_from_joints)));
     if (letters.empty())
-        return tl::unexpected(fmt::format("{}: [TRAJ] COORDINATES names no axes", ini.file_name()));
+        return Unexpected(fmt::format("{}: [TRAJ] COORDINATES names no axes", ini.file_name()));
     const auto joint_count = ini.number("KINS", "JOINTS");
     if (!joint_count) return tl::unexpected(joint_count.error());
     const auto max = static_cast<double>(pose_from_joints->size());

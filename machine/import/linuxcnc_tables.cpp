@@ -37,8 +37,7 @@ bool is_rotary(char letter) {
 
 // Calls take(line, number) for each line with content, until it returns an error.
 template <typename LineHandler>
-tl::expected<void, std::string> for_each_line(std::string_view text, std::string_view file_name,
-                                              LineHandler read_line) {
+Result<void> for_each_line(std::string_view text, std::string_view file_name, LineHandler read_line) {
     std::size_t at = 0;
     for (int number = 1; at < text.size(); ++number) {
         const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -46,8 +45,8 @@ tl::expected<void, std::string> for_each_line(std::string_view text, std::string
         at = end + 1;
         line = trimmed_text(line.substr(0, line.find_first_of(";#")));
         if (line.empty()) continue;
-        if (const std::optional<std::string> error = read_line(line))
-            return tl::unexpected(fmt::format("{}:{}: {}", file_name, number, *error));
+        if (const Result<void> done = read_line(line); !done)
+            return Unexpected(fmt::format("{}:{}: {}", file_name, number, done.error().message));
     }
     return {};
 }
@@ -57,14 +56,14 @@ class Parameters {
     Parameters(double unit_mm, std::string_view axes, machine::MachineData& data, ImportNotes& notes)
         : unit_mm_(unit_mm), axes_(axes), data_(data), notes_(notes) {}
 
-    std::optional<std::string> read_line(std::string_view line) {
+    Result<void> read_line(std::string_view line) {
         const std::size_t blank = std::min(line.find_first_of(" \t"), line.size());
         const auto number = parse_number_text(line.substr(0, blank));
         const auto value = parse_number_text(line.substr(blank));
         if (!number || !value || *number != std::floor(*number) || *number < 1 || *number > kLastParameter)
-            return fmt::format("'{}' is no number of a parameter and its value", line);
+            return Unexpected(fmt::format("'{}' is no number of a parameter and its value", line));
         values_[static_cast<int>(*number)] = *value;
-        return std::nullopt;
+        return {};
     }
 
     void use() {
@@ -134,7 +133,7 @@ class ToolTableReader {
     ToolTableReader(double unit_mm, std::string_view axes, machine::MachineData& data, ImportNotes& notes)
         : unit_mm_(unit_mm), axes_(axes), data_(data), notes_(notes) {}
 
-    std::optional<std::string> read_line(std::string_view line) {
+    Result<void> read_line(std::string_view line) {
         std::map<char, double> words;
         for (std::size_t at = 0; at < line.size();) {
             const std::size_t begin = line.find_first_not_of(" \t", at);
@@ -146,9 +145,9 @@ class ToolTableReader {
             const char letter = text::upper(line.substr(begin, 1)).front();
             const auto value = parse_number_text(line.substr(begin + 1, end - begin - 1));
             if (kToolLetters.find(letter) == std::string_view::npos || !value)
-                return fmt::format(
+                return Unexpected(fmt::format(
                     "'{}' is no word of a tool: T P D X Y Z A B C U V W I J Q, each with a number",
-                    line.substr(begin, line.find_first_of(" \t", begin) - begin));
+                    line.substr(begin, line.find_first_of(" \t", begin) - begin)));
             words[letter] = *value;
             at = end;
         }
@@ -160,18 +159,18 @@ class ToolTableReader {
     static constexpr double kMaxNumber = 99999;
     static constexpr int kOrientations = 10;
 
-    std::optional<std::string> make_tool(const std::map<char, double>& words) {
+    Result<void> make_tool(const std::map<char, double>& words) {
         const auto of = [&](char letter) {
             const auto found = words.find(letter);
             return found == words.end() ? 0.0 : found->second;
         };
-        if (words.find('T') == words.end()) return std::string("a tool needs its number T");
+        if (words.find('T') == words.end()) return Unexpected("a tool needs its number T");
         const double number = of('T');
         if (number != std::floor(number) || number < 0 || number > kMaxNumber)
-            return fmt::format("T{} is no number of a tool", number);
+            return Unexpected(fmt::format("T{} is no number of a tool", number));
         if (number == 0) {
             notes_.left_out.emplace_back("T0: tools are counted from 1");
-            return std::nullopt;
+            return {};
         }
         machine::Tool tool;
         tool.length_mm = remove_rounding_noise(of('Z') * unit_mm_);
@@ -180,7 +179,7 @@ class ToolTableReader {
         tool.back_angle_deg = of('J');
         const double orientation = of('Q');
         if (orientation != std::floor(orientation) || orientation < 0 || orientation >= kOrientations)
-            return fmt::format("Q{} is no orientation, which is 0 to 9", orientation);
+            return Unexpected(fmt::format("Q{} is no orientation, which is 0 to 9", orientation));
         tool.orientation = static_cast<int>(orientation);
         for (const char letter : {'X', 'Y', 'A', 'B', 'C', 'U', 'V', 'W'}) {
             if (of(letter) == 0) continue;
@@ -195,7 +194,7 @@ class ToolTableReader {
         if (words.find('P') != words.end() && of('P') != number)
             notes_.left_out.push_back(fmt::format("P{} of tool {}: places in a magazine", of('P'), number));
         data_.tools[static_cast<int>(number)] = std::move(tool);
-        return std::nullopt;
+        return {};
     }
 
     double unit_mm_;
@@ -206,17 +205,15 @@ class ToolTableReader {
 
 }  // namespace
 
-tl::expected<void, std::string> import_parameters(std::string_view text, std::string_view file_name,
-                                                  double unit_mm, std::string_view axes,
-                                                  machine::MachineData& data, ImportNotes& notes) {
+Result<void> import_parameters(std::string_view text, std::string_view file_name, double unit_mm,
+                               std::string_view axes, machine::MachineData& data, ImportNotes& notes) {
     Parameters parameters(unit_mm, axes, data, notes);
     return for_each_line(text, file_name, [&](std::string_view line) { return parameters.read_line(line); })
         .map([&] { parameters.use(); });
 }
 
-tl::expected<void, std::string> import_tools(std::string_view text, std::string_view file_name,
-                                             double unit_mm, std::string_view axes,
-                                             machine::MachineData& data, ImportNotes& notes) {
+Result<void> import_tools(std::string_view text, std::string_view file_name, double unit_mm,
+                          std::string_view axes, machine::MachineData& data, ImportNotes& notes) {
     ToolTableReader tools(unit_mm, axes, data, notes);
     return for_each_line(text, file_name, [&](std::string_view line) { return tools.read_line(line); });
 }

@@ -74,7 +74,7 @@ std::vector<int> fixed_joints(const Machine& machine) {
     return joints;
 }
 
-using KinematicsResult = tl::expected<std::shared_ptr<const kinematics::Kinematics>, std::string>;
+using KinematicsResult = Result<std::shared_ptr<const kinematics::Kinematics>>;
 
 KinematicsResult make(const Machine& machine) {
     switch (machine.inverse) {
@@ -132,15 +132,15 @@ rrs::JointPos home_position(const Machine& machine) {
     return joints;
 }
 
-std::optional<std::string> find_kinematic_error(const Machine& machine) {
+std::optional<Error> find_kinematic_error(const Machine& machine) {
     if (machine.axes.size() > static_cast<std::size_t>(rrs::kMaxJoints)) {
         return "A machine has at most " + std::to_string(rrs::kMaxJoints) + " axes.";
     }
-    if (auto result = make(machine); !result) return std::move(result.error());
+    if (auto result = make(machine); !result) return std::move(result.error().message);
     return std::nullopt;
 }
 
-std::optional<std::string> find_controller_error(const Machine& machine) {
+std::optional<Error> find_controller_error(const Machine& machine) {
     const rrs::PlannerCapabilities& planner = machine.controller.capabilities();
     if (machine.controller.coordination.independent_ramps && !planner.plans_uncoordinated_joints)
         return "'own_ramps' is of the planner \"rest-to-rest\" alone: in the others all axes go in "
@@ -175,7 +175,7 @@ std::optional<std::string> find_controller_error(const Machine& machine) {
 
 std::shared_ptr<const kinematics::Kinematics> make_kinematics(const Machine& machine) {
     auto result = make(machine);
-    if (!result) throw std::invalid_argument(result.error());
+    if (!result) throw std::invalid_argument(result.error().message);
     return *std::move(result);
 }
 

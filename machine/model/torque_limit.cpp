@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kKey = "'limit = \"torque\"' of [dynamics]";
 
-std::optional<std::string> find_axis_error(const Machine& machine) {
+std::optional<Error> find_axis_error(const Machine& machine) {
     if (std::none_of(machine.axes.begin(), machine.axes.end(), has_motor))
         return fmt::format("{} needs a motor: no axis has 'peak_n', 'peak_nm' or a curve of its motor", kKey);
     for (const Axis& axis : machine.axes) {
@@ -27,7 +27,7 @@ std::optional<std::string> find_axis_error(const Machine& machine) {
     return std::nullopt;
 }
 
-std::optional<std::string> find_rule_error(const rrs::ControllerRules& rules) {
+std::optional<Error> find_rule_error(const rrs::ControllerRules& rules) {
     const auto unsupported = [](std::string_view rule, std::string_view reason) {
         return fmt::format("{} does not go with {} of [controller]: {}", kKey, rule, reason);
     };
@@ -61,7 +61,7 @@ bool has_motor(const Axis& axis) {
     return std::isfinite(axis.drive.peak) || !axis.drive.curve_speeds.empty();
 }
 
-std::optional<std::string> find_torque_limit_error(const Machine& machine) {
+std::optional<Error> find_torque_limit_error(const Machine& machine) {
     if (!is_torque_limited(machine)) return std::nullopt;
     if (auto error = find_axis_error(machine)) return error;
     return find_rule_error(machine.controller);

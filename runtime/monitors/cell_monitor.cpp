@@ -108,9 +108,10 @@ PlanResult CellMonitor::enable_frame_motion(std::string_view name) {
     if (find_carrier(*found)) return {};
     cell::FrameTree frames = cell_.frames;
     frames.make_movable(*found);
-    if (const auto error = cell::check_pair_count(cell_.items, frames))
-        return motion::make_plan_error(Status::RRS_INVALID_PARAMETER,
-                                       fmt::format("The frame '{}' cannot go by itself: {}.", name, *error));
+    if (const auto error = cell::find_pair_count_error(cell_.items, frames))
+        return motion::make_plan_error(
+            Status::RRS_INVALID_PARAMETER,
+            fmt::format("The frame '{}' cannot go by itself: {}.", name, error->message));
     cell_.make_movable(*found, false);
     programmed_frames_.tree().make_movable(*found);
     for (const FrameMove& move : frame_moves_) {
@@ -155,8 +156,7 @@ void CellMonitor::set_known_until(double time_s) {
         check_segment(pending_segments_.front().segment, pending_segments_.front().info);
 }
 
-tl::expected<cell::TouchSearch, std::string> CellMonitor::touch_search(const Eigen::Vector3d& tcp_mm,
-                                                                       double time_s) {
+Result<cell::TouchSearch> CellMonitor::touch_search(const Eigen::Vector3d& tcp_mm, double time_s) {
     move_frames(time_s);
     return cell::TouchSearch::make(cell_, machine_, tcp_mm);
 }

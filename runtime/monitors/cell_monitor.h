@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.h"
 #include "collision/monitor/clearance_monitor.h"
 #include "collision/monitor/touch_search.h"
 #include "motion/path/machine_frames.h"
@@ -61,7 +62,7 @@ class CellMonitor final : public RunOutput, public motion::CellFrames {
     /// Returns the search for what a probe feels from a time on at which the machine is at standstill, after
     /// all motion before has been processed. The cell must not change while the search is used. `tcp_mm` and
     /// the error are those of TouchSearch.
-    tl::expected<cell::TouchSearch, std::string> touch_search(const Eigen::Vector3d& tcp_mm, double time_s);
+    Result<cell::TouchSearch> touch_search(const Eigen::Vector3d& tcp_mm, double time_s);
 
     /// Keeps from now on the motion of frames, for history(), and the times at which blocks come near, for
     /// clearance_times_s().

@@ -72,16 +72,15 @@ motion::PlanResult replay_request(const MotionRequest& request, const machine::W
     return std::visit(RequestExecutor{times, planner}, request);
 }
 
-tl::expected<std::vector<ReplayedMove>, std::string> replay(const MotionLog& log,
-                                                            const motion::PlannerSetup& machine,
-                                                            const machine::WordTimes& word_times) {
+Result<std::vector<ReplayedMove>> replay(const MotionLog& log, const motion::PlannerSetup& machine,
+                                         const machine::WordTimes& word_times) {
     SegmentTimes times(log);
     motion::Planner planner(machine, &times);
     if (const auto started = planner.set_position({log.start(), std::nullopt}); !started)
         return tl::unexpected(started.error().message);
     for (std::size_t i = 0; i < log.requests().size(); ++i) {
         if (const auto enqueue = replay_request(log.requests()[i], word_times, planner); !enqueue)
-            return tl::unexpected(fmt::format("move {}: {}", i + 1, enqueue.error().message));
+            return Unexpected(fmt::format("move {}: {}", i + 1, enqueue.error().message));
     }
     planner.dwells().plan_to_final_standstill();
     planner.flush();

@@ -117,8 +117,8 @@ class RobotsReader {
 
 }  // namespace
 
-tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, std::string_view file_name,
-                                                  std::span<const std::string_view> dialects) {
+Result<RobotsFile> read_robots(std::string_view toml_text, std::string_view file_name,
+                               std::span<const std::string_view> dialects) {
     FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     if (error.text()) return tl::unexpected(*error.text());

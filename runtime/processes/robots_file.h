@@ -6,8 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "controller/services/types.h"
 #include "runtime/processes/conveyor.h"
 #include "runtime/processes/shared_zones.h"
@@ -34,7 +33,7 @@ struct RobotsFile {
 /// Reads the tables [[robot]], [[conveyor]] and [[zone]] (docs/processes.md), strictly; those of cells are
 /// skipped. The error is "file:line:column: message". Files that it names are searched in its folder. A robot
 /// may have one of `dialects`, which are names of languages.
-tl::expected<RobotsFile, std::string> read_robots(std::string_view toml_text, std::string_view file_name,
-                                                  std::span<const std::string_view> dialects);
+Result<RobotsFile> read_robots(std::string_view toml_text, std::string_view file_name,
+                               std::span<const std::string_view> dialects);
 
 }  // namespace gsim::process

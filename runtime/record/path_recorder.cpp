@@ -224,7 +224,7 @@ void PathRecorder::on_unrecordable_motion(std::string_view reason) {
     if (error_.empty()) error_ = reason;
 }
 
-tl::expected<path::Program, std::string> PathRecorder::finish(const std::string& name) {
+Result<path::Program> PathRecorder::finish(const std::string& name) {
     if (builder_.has_targets()) record_standstill(standstill_at_);
     if (error_.empty() && !builder_.has_targets()) error_ = "the program neither moves nor switches anything";
     if (!error_.empty()) return tl::unexpected(error_);

@@ -53,7 +53,8 @@ std::optional<std::string> add_shapes(const machine::Machine& machine, const cel
         if (shape.density_kg_m3 == 0 || link == nullptr) continue;
         const auto body = cell::compute_rigid_body(shape.form, shape.density_kg_m3, files);
         if (!body)
-            return fmt::format("the shape '{}' of the machine has no mass: {}", shape.name, body.error());
+            return fmt::format("the shape '{}' of the machine has no mass: {}", shape.name,
+                               body.error().message);
         Eigen::Isometry3d pose = machine::frame_pose(shape.frame);
         pose.translation() *= kMetresPerMm;
         *link = joined(*link, moved(*body, pose));

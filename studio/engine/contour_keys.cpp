@@ -34,7 +34,7 @@ void unpack_contours(KeyReader& keys, std::optional<engine::SurfaceCuttingOption
     if (side) options.contours.side = kViewDirections[*side];
     if (axis) options.contours.along_walls = *axis == 0;
     options.bridges = bridges.value_or(0);
-    if (auto read = parameters.end(); !read) keys.add_error(read.error());
+    if (auto read = parameters.end(); !read) keys.add_error(read.error().message);
 }
 
 }  // namespace gsim::studio

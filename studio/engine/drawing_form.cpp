@@ -63,7 +63,7 @@ void read_placement(KeyReader& keys, std::optional<engine::CuttingCellOptions>& 
     parameters.text("cell", place_options.cell);
     parameters.text("machine", place_options.machine);
     parameters.text("machine_data", place_options.machine_data);
-    if (auto read = parameters.end(); !read) keys.add_error(read.error());
+    if (auto read = parameters.end(); !read) keys.add_error(read.error().message);
 }
 
 tl::expected<DrawingRequest, engine::Error> drawing_request(const json& parameters) {

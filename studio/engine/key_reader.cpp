@@ -132,7 +132,7 @@ void KeyReader::add_error(std::string message) {
     if (!error_) error_ = std::move(message);
 }
 
-tl::expected<void, std::string> KeyReader::end() {
+Result<void> KeyReader::end() {
     for (const auto& [key, value] : object_.items()) {
         if (std::find(known_keys_.begin(), known_keys_.end(), key) == known_keys_.end())
             add_error(fmt::format("there is no key '{}' of {}", key, owner_));

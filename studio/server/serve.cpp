@@ -53,7 +53,7 @@ void serve_until_signal(StudioServer& server) {
     signal_thread.join();
 }
 
-tl::expected<ServerContent, std::string> read_server_content(const nlohmann::ordered_json& page_data) {
+Result<ServerContent> read_server_content(const nlohmann::ordered_json& page_data) {
     auto folder = os::RootedDirectory::open(page_data.at("folder").get<std::string>());
     if (!folder) return tl::unexpected(folder.error());
     auto page =
@@ -70,7 +70,7 @@ int run(const std::string& argument) {
     const auto page_data = text::try_parse_json<nlohmann::ordered_json>(argument);
     if (!page_data.is_object()) return reject("gsim-serve is not made to be called; gsim studio calls it");
     auto server_content = read_server_content(page_data);
-    if (!server_content) return reject(server_content.error());
+    if (!server_content) return reject(server_content.error().message);
     const sigset_t signals = termination_signals();
     ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // in all threads, so that one waits for them
     std::signal(SIGPIPE, SIG_IGN);

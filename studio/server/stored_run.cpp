@@ -37,7 +37,7 @@ bool read_all(int file, char* bytes, std::size_t size, std::uint64_t at) {
 
 }  // namespace
 
-tl::expected<std::shared_ptr<StoredRun>, std::string> StoredRun::make() {
+Result<std::shared_ptr<StoredRun>> StoredRun::make() {
     const char* const folder = large_temporary_folder();
     os::Descriptor file(::open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
     if (file.number() < 0)
@@ -62,7 +62,7 @@ std::optional<std::string> StoredRun::message(std::size_t index) {
     return bytes;
 }
 
-tl::expected<std::shared_ptr<StoredRun>, std::string> StoredRuns::add(const std::string& name) {
+Result<std::shared_ptr<StoredRun>> StoredRuns::add(const std::string& name) {
     auto run = StoredRun::make();
     if (!run) return run;
     const std::lock_guard lock(mutex_);

@@ -191,7 +191,7 @@ void StudioServer::write_log(const std::string& page_data) {
 }
 
 void StudioServer::reject(const httplib::Request& request, httplib::Response& response,
-                          const Refusal& rejection) {
+                          const RequestError& rejection) {
     respond_error(response, rejection.status, rejection.message);
     write_log(fmt::format("refused {} from {}:{}: {}", request.method, request.remote_addr,
                           request.remote_port, rejection.message));
@@ -208,7 +208,7 @@ void StudioServer::ask(const httplib::Request& request, httplib::Response& respo
         return request_body.size() <= kLargestBody;
     });
     if (request_body.size() > kLargestBody) {
-        const Refusal rejection = too_large();
+        const RequestError rejection = too_large();
         return respond_error(response, rejection.status, rejection.message);
     }
     if (!has_full_body) return respond_error(response, 400, "the request ended too soon");
@@ -218,12 +218,12 @@ void StudioServer::ask(const httplib::Request& request, httplib::Response& respo
     std::shared_ptr<StoredRun> kept;
     if (const std::string name = request.get_header_value("Run"); !name.empty()) {
         auto kept_run = kept_.add(name);
-        if (!kept_run) return respond_error(response, 507, kept_run.error());
+        if (!kept_run) return respond_error(response, 507, kept_run.error().message);
         kept = *kept_run;
         command.insert(command.end(), {"--keep-behind", request.get_header_value("Whole")});
     }
     auto begun = EngineProcess::begin(command, request_body, kept ? kept->number() : -1);
-    if (!begun) return respond_error(response, 500, begun.error());
+    if (!begun) return respond_error(response, 500, begun.error().message);
     const auto process = std::make_shared<EngineProcess>(*std::move(begun));
     const auto is_complete = std::make_shared<bool>(false);
     response.set_chunked_content_provider(

@@ -38,7 +38,7 @@ class DxfOutput : public Apps {
     }
     Drawing on(const std::vector<std::string>& layers) const {
         auto drawing = drawing::read_dxf(read("p.dxf"), {.layers = layers});
-        EXPECT_TRUE(drawing) << (drawing ? "" : drawing.error());
+        EXPECT_TRUE(drawing) << (drawing ? "" : drawing.error().message);
         return drawing.value_or(Drawing{});
     }
     /// Returns the kinds of the entities on a layer, each followed by a blank.
@@ -197,7 +197,7 @@ TEST_F(DxfOutput, EachRobotHasItsOwn) {
     EXPECT_FALSE(exists("p.dxf"));
     for (const auto& [robot, length] : {std::pair("left", 10.0), {"right", 20.0}}) {
         const auto drawing = drawing::read_dxf(read(fmt::format("p.{}.dxf", robot).c_str()), {});
-        ASSERT_TRUE(drawing) << drawing.error();
+        ASSERT_TRUE(drawing) << drawing.error().message;
         EXPECT_NEAR(move_length(*drawing), length, kSame_mm) << robot;
     }
 }

@@ -57,17 +57,17 @@ TEST_F(InstalledFiles, AFileOfTheUsersGoesBeforeThem) {
 // A name with its extension means the user's own file: a sample in its place would be another machine.
 TEST_F(InstalledFiles, WhatIsNowhereSaysWhereItWasLookedFor) {
     install("share/gsim/samples/machines/router3.toml");
-    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::machine, "router3.toml").error(),
+    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::machine, "router3.toml").error().message,
               "cannot read 'router3.toml': No such file or directory; did you mean 'router3'?");
-    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::machine, "ruter3").error(),
+    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::machine, "ruter3").error().message,
               fmt::format("cannot read 'ruter3': No such file or directory, nor is there "
                           "'{}/opt/share/gsim/samples/machines/ruter3.toml'; did you mean 'router3'?",
                           folder_.string()));
-    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::sample, "samples/nowhere.nc").error(),
+    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::sample, "samples/nowhere.nc").error().message,
               fmt::format("cannot read 'samples/nowhere.nc': No such file or directory, nor is there "
                           "'{}/opt/share/gsim/samples/nowhere.nc'",
                           folder_.string()));
-    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::sample, "/none.nc").error(),
+    EXPECT_EQ(engine::find_file_from(bin(), engine::NameKind::sample, "/none.nc").error().message,
               "cannot read '/none.nc': No such file or directory");
 }
 

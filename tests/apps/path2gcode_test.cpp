@@ -253,7 +253,8 @@ TEST_F(Path2Gcode, LinuxCncGoesToTheSamePlaces) {
             {"motion": "circular", "position_mm": [120, 120, 140], "via_mm": [110, 130, 120], "dwell_s": 0.1,
              "actions": ["abrasive_on", "waterjet_on", "a (name)", "waterjet_off", "abrasive_off"]}]}]})json");
     for (const std::string& input : {std::string("part.path.json"), kWheel}) {
-        const Ended written = path2gcode({"--dialect", "rs274ngc", "--continue-on-unknown", "-o", "part.ngc", input});
+        const Ended written =
+            path2gcode({"--dialect", "rs274ngc", "--continue-on-unknown", "-o", "part.ngc", input});
         ASSERT_EQ(written.status, 0) << written.err;
         const Ended canon = run_rs274(folder_, "part.ngc");
         ASSERT_EQ(canon.status, 0) << canon.err.substr(0, 2000);

@@ -110,7 +110,8 @@ TEST_F(LeaningJet, GoesAgainstTheTaper) {
     const double share = 307.87 / 1089.1;  // of the separation speed: AMaterialGivesTheSpeedsAndThePrice
     const double wall_tilt_deg = std::atan(0.25 * share / 12) * kDegPerRad;
     std::size_t on_part = 0;
-    for (const Sample& sample : drive({"--material", "aluminum", "--thickness", "12", "--taper-compensation"})) {
+    for (const Sample& sample :
+         drive({"--material", "aluminum", "--thickness", "12", "--taper-compensation"})) {
         if (!sample.cuts()) continue;
         EXPECT_LT(sample.leans_deg(), wall_tilt_deg + 2e-3);
         if (std::abs(sample.top_radius_mm() - (kPart_mm + 1.1025 / 2)) > 3e-3) continue;

@@ -38,7 +38,8 @@ TEST_F(Violations, OnePassTellsAllAndWhatMendsThem) {
     EXPECT_EQ(first["amount"], 12.5);
     EXPECT_EQ(first["offset"], "G54");
     EXPECT_EQ(r["valid_until_s"], first["t_s"]);
-    EXPECT_EQ(r["suggested_fix"], text::parse_json<json>(R"([{"offset": "G54", "axis": "X", "shift_mm": 12.5}])"));
+    EXPECT_EQ(r["suggested_fix"],
+              text::parse_json<json>(R"([{"offset": "G54", "axis": "X", "shift_mm": 12.5}])"));
     EXPECT_TRUE(contains(gsim_run({"--machine", kRouter, "off.nc"}).out,
                          "G54 X +12.5 mm would bring the whole program within the limits\n"));
     EXPECT_EQ(report({"--machine", kRouter, "--stop-at-first", "off.nc"}, 1)["status"], "alarm");

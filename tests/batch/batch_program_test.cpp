@@ -39,9 +39,9 @@ class BatchProgram : public apps::Apps {
     /// The one number that a query comes to.
     double number(const std::string& query, const std::string& file = "gsim-batch.sqlite") const {
         auto results = Database::open((folder_ / file).string(), true);
-        EXPECT_TRUE(results) << results.error();
+        EXPECT_TRUE(results) << results.error().message;
         auto statement = results->prepare(query);
-        EXPECT_TRUE(statement) << statement.error();
+        EXPECT_TRUE(statement) << statement.error().message;
         EXPECT_TRUE(statement->step().value_or(false)) << query;
         return statement->number(0);
     }

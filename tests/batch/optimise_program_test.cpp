@@ -39,9 +39,9 @@ class OptimiseProgram : public apps::Apps {
 
     double number(const std::string& query, const std::string& file = "gsim-optimise.sqlite") const {
         auto results = Database::open((folder_ / file).string(), true);
-        EXPECT_TRUE(results) << results.error();
+        EXPECT_TRUE(results) << results.error().message;
         auto statement = results->prepare(query);
-        EXPECT_TRUE(statement) << statement.error();
+        EXPECT_TRUE(statement) << statement.error().message;
         EXPECT_TRUE(statement->step().value_or(false)) << query;
         return statement->number(0);
     }

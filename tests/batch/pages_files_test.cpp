@@ -54,22 +54,23 @@ TEST_F(Pages, AreNotWrittenOverFilesOfOthers) {
     std::ofstream(site_ / "index.html") << "my front page";
     const auto written = write();
     ASSERT_FALSE(written);
-    EXPECT_THAT(written.error(), HasSubstr("index.html' is no page that was written here before"));
+    EXPECT_THAT(written.error().message, HasSubstr("index.html' is no page that was written here before"));
     EXPECT_EQ(text_in(site_ / "index.html"), "my front page");
     fs::remove(site_ / "index.html");
     fs::create_directory(site_ / "index.html");
-    EXPECT_THAT(write().error(), HasSubstr("cannot write"));
+    EXPECT_THAT(write().error().message, HasSubstr("cannot write"));
 }
 
 TEST_F(Pages, NeedAFolderAndABatch) {
     auto results = Results::open(file_);
     auto empty = Database::open(file_, true);
-    EXPECT_THAT(write_pages(*empty, {.folder = site_.string()}).error(), HasSubstr("there is no batch"));
+    EXPECT_THAT(write_pages(*empty, {.folder = site_.string()}).error().message,
+                HasSubstr("there is no batch"));
     EXPECT_FALSE(fs::exists(site_));
     batch({{.program = "a.nc"}});
     const auto written = write_pages(*empty, {.folder = file_ + "/site"});
     ASSERT_FALSE(written);
-    EXPECT_THAT(written.error(), HasSubstr("r.sqlite/site"));
+    EXPECT_THAT(written.error().message, HasSubstr("r.sqlite/site"));
 }
 
 // In a file of results that machines share, a writer waits for readers that have not finished.

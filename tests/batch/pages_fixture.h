@@ -15,6 +15,7 @@
 #include <pugixml.hpp>
 #include <unistd.h>
 
+#include "base/error.h"
 #include "batch/pages/page_name.h"
 #include "batch/pages/pages.h"
 #include "batch/store/results.h"
@@ -92,7 +93,7 @@ class Pages : public testing::Test {
 
     void batch(const std::vector<Told>& runs, bool complete = true, const std::string& plan = "plan.toml") {
         auto results = Results::open(file_);
-        ASSERT_TRUE(results) << results.error();
+        ASSERT_TRUE(results) << results.error().message;
         ASSERT_TRUE(results->begin_batch(plan, runs.size(), "v"));
         for (std::size_t i = 0; i < runs.size(); ++i) {
             const Job job{.number = i,
@@ -113,15 +114,15 @@ class Pages : public testing::Test {
         ASSERT_TRUE(results->end_batch(complete));
     }
 
-    tl::expected<void, std::string> write(std::int64_t since = 0) {
+    Result<void> write(std::int64_t since = 0) {
         auto results = Database::open(file_, true);
-        EXPECT_TRUE(results) << results.error();
+        EXPECT_TRUE(results) << results.error().message;
         return write_pages(*results, {.folder = site_.string(), .since = since, .views = views_});
     }
 
     void write_and_read(std::int64_t since = 0) {
         const auto written = write(since);
-        ASSERT_TRUE(written) << written.error();
+        ASSERT_TRUE(written) << written.error().message;
         pages_.clear();
         for (const auto& entry : fs::directory_iterator(site_)) {
             if (entry.is_directory()) continue;

@@ -115,8 +115,8 @@ TEST_F(Pages, CompareWithTheBatchThatIsAskedFor) {
     EXPECT_THAT(rows_below("times"), ElementsAre());
     write_and_read(1);
     EXPECT_THAT(rows_below("times"), ElementsAre(testing::Contains("+10 s (+100 %)")));
-    EXPECT_THAT(write(3).error(), HasSubstr("there is no batch 3 before the latest one"));
-    EXPECT_THAT(write(-1).error(), HasSubstr("no batch -1"));
+    EXPECT_THAT(write(3).error().message, HasSubstr("there is no batch 3 before the latest one"));
+    EXPECT_THAT(write(-1).error().message, HasSubstr("no batch -1"));
 }
 
 TEST_F(Pages, HaveTheHistoryOfAProgram) {

@@ -27,12 +27,12 @@ class PlanFile : public testing::Test {
     }
     ~PlanFile() override { fs::remove_all(folder_); }
 
-    tl::expected<Plan, std::string> read(const std::string& text) const {
+    Result<Plan> read(const std::string& text) const {
         return read_plan(text, (folder_ / "plan.toml").string());
     }
     std::string rejection(const std::string& text) const {
         const auto plan = read(text);
-        return plan ? "" : plan.error();
+        return plan ? "" : plan.error().message;
     }
 
     fs::path folder_ = fs::temp_directory_path() / ("gsim-plan-" + std::to_string(::getpid()));
@@ -42,7 +42,7 @@ TEST_F(PlanFile, NamesFoldersFilesAndPatterns) {
     const auto plan = read(R"(programs = ["p", "p/*.nc", "p/**/*.tap", "p/notes.txt"]
 machines = ["m.toml", "router3"]
 )");
-    ASSERT_TRUE(plan) << plan.error();
+    ASSERT_TRUE(plan) << plan.error().message;
     EXPECT_THAT(plan->programs, ElementsAre(EndsWith("p/a.nc"), EndsWith("p/b.NGC"), EndsWith("p/deep/c.tap"),
                                             EndsWith("p/notes.txt")))
         << "each of them once";
@@ -64,7 +64,7 @@ from = 100
 to = 300
 steps = 3
 )");
-    ASSERT_TRUE(plan) << plan.error();
+    ASSERT_TRUE(plan) << plan.error().message;
     const Jobs jobs(*plan);
     ASSERT_EQ(jobs.size(), 3U * 2 * 2 * 3);
     const Job job = jobs.job(7);
@@ -123,11 +123,11 @@ TEST_F(PlanFile, MayLieInAFolderOfAnyName) {
     for (const char* pattern : {"*/*.nc", "**/*.nc", "deep"}) {
         const auto plan =
             read_plan(std::string("programs = \"") + pattern + "\"\n", (odd / "plan.toml").string());
-        ASSERT_TRUE(plan) << plan.error();
+        ASSERT_TRUE(plan) << plan.error().message;
         EXPECT_THAT(plan->programs, ElementsAre(EndsWith("job [5] */deep/x.nc")));
     }
     std::ofstream(odd / "\xe9.nc") << "M2\n";
-    EXPECT_THAT(read_plan("programs = \".\"\n", (odd / "plan.toml").string()).error(),
+    EXPECT_THAT(read_plan("programs = \".\"\n", (odd / "plan.toml").string()).error().message,
                 HasSubstr("not UTF-8"));
 }
 
@@ -141,7 +141,7 @@ shift = true
 key = "path.order"
 values = [[0, 1], [1, 0]]
 )");
-    ASSERT_TRUE(plan) << plan.error();
+    ASSERT_TRUE(plan) << plan.error().message;
     ASSERT_EQ(Jobs(*plan).size(), 12U);
     const Job job = Jobs(*plan).job(3);
     ASSERT_EQ(job.settings.size(), 3U);
@@ -160,7 +160,7 @@ runs = 6000
 key = "path.order"
 orders = 3
 )");
-    ASSERT_TRUE(plan) << plan.error();
+    ASSERT_TRUE(plan) << plan.error().message;
     const Jobs jobs(*plan);
     std::map<std::string, int> counts;
     for (std::uint64_t i = 0; i < jobs.size(); ++i) ++counts[jobs.job(i).settings[0].value.dump()];
@@ -194,7 +194,7 @@ TEST_F(PlanFile, EachKindOfSamplingIsItself) {
                                          {"sobol", Sampling::sobol}}) {
         const auto plan = read(std::string("programs = \"p/a.nc\"\n[sampling]\nkind = \"") + name +
                                "\"\nruns = 7\n[[setting]]\nkey = \"machine.a\"\nfrom = 0\nto = 1\n");
-        ASSERT_TRUE(plan) << plan.error();
+        ASSERT_TRUE(plan) << plan.error().message;
         EXPECT_EQ(plan->design.sampling, sampling) << name;
         EXPECT_EQ(Jobs(*plan).size(), 7U) << name;
     }
@@ -228,7 +228,7 @@ from = 0
 to = 2
 mode = 0.5
 )");
-    ASSERT_TRUE(plan) << plan.error();
+    ASSERT_TRUE(plan) << plan.error().message;
     EXPECT_TRUE(std::holds_alternative<Normal>(plan->settings[0].domain));
     EXPECT_EQ(plan->settings[1].use, SettingUse::factor);
     EXPECT_EQ(std::get<Triangular>(plan->settings[2].domain).mode, 0.5);

@@ -43,18 +43,17 @@ class SearchFile : public testing::Test {
     }
     ~SearchFile() override { fs::remove_all(folder_); }
 
-    tl::expected<SearchPlan, std::string> read(const std::string& text) const {
+    Result<SearchPlan> read(const std::string& text) const {
         return read_search(text, (folder_ / "plan.toml").string());
     }
     std::string rejection(const std::string& text) const {
         const auto search = read(text);
-        return search ? "" : search.error();
+        return search ? "" : search.error().message;
     }
 
     /// Runs a batch as `row` says.
     Evaluate evaluate_by(std::function<RunRow(const Job&)> row) {
-        return [this, row = std::move(row)](const Plan& plan,
-                                            bool) -> tl::expected<EvaluatedBatch, std::string> {
+        return [this, row = std::move(row)](const Plan& plan, bool) -> Result<EvaluatedBatch> {
             if (batches_left_-- == 0) return EvaluatedBatch{};
             auto results = Results::open(results_);
             EXPECT_TRUE(results->begin_batch(plan.name, Jobs(plan).size(), "v"));
@@ -70,8 +69,7 @@ class SearchFile : public testing::Test {
         };
     }
 
-    tl::expected<SearchState, std::string> search(const SearchPlan& plan,
-                                                  std::function<RunRow(const Job&)> row) {
+    Result<SearchState> search(const SearchPlan& plan, std::function<RunRow(const Job&)> row) {
         return search_best(plan, results_, evaluate_by(std::move(row)), [](const SearchState&) {});
     }
 
@@ -104,9 +102,9 @@ RunRow bowl(const Job& job) {
 
 TEST_F(SearchFile, FindsTheLeastOfABowl) {
     const auto plan = read(kPlan);
-    ASSERT_TRUE(plan) << plan.error();
+    ASSERT_TRUE(plan) << plan.error().message;
     const auto state = search(*plan, bowl);
-    ASSERT_TRUE(state) << state.error();
+    ASSERT_TRUE(state) << state.error().message;
     EXPECT_EQ(state->start.score.value.value(), 27) << "with the settings that the files have";
     EXPECT_NEAR(state->best.score.value.value(), 10, 1e-3);
     EXPECT_NEAR(state->best.settings[0].value.get<double>(), 1, 0.03);
@@ -136,7 +134,7 @@ TEST_F(SearchFile, IsCutOffWithWhatItHas) {
     const auto plan = read(kPlan);
     batches_left_ = 4;
     const auto state = search(*plan, bowl);
-    ASSERT_TRUE(state) << state.error();
+    ASSERT_TRUE(state) << state.error().message;
     EXPECT_FALSE(state->complete);
     EXPECT_GT(state->trials, 20U);
     EXPECT_LT(state->best.score.value.value(), 27);
@@ -148,7 +146,7 @@ TEST_F(SearchFile, IsCutOffWithWhatItHas) {
 TEST_F(SearchFile, KeepsToWhatIsAllowed) {
     const std::string text = std::string(kPlan) + "[[limit]]\nfigure = \"clearance_mm\"\nleast = 1\n";
     auto plan = read(text);
-    ASSERT_TRUE(plan) << plan.error();
+    ASSERT_TRUE(plan) << plan.error().message;
     plan->variants = 400;  // in a corner of two limits it takes smaller steps
     const auto fenced = [](const Job& job) {
         RunRow row = bowl(job);
@@ -160,7 +158,7 @@ TEST_F(SearchFile, KeepsToWhatIsAllowed) {
         return row;
     };
     const auto state = search(*plan, fenced);
-    ASSERT_TRUE(state) << state.error();
+    ASSERT_TRUE(state) << state.error().message;
     ASSERT_TRUE(state->best.score.is_feasible());
     EXPECT_NEAR(state->best.score.value.value(), 14, 0.05) << "at 1, -1";
     EXPECT_GE(state->best.settings[1].value.get<double>(), -1);
@@ -207,7 +205,7 @@ TEST_F(SearchFile, WhatIsNotRunHasNoValue) {
         if (setting(job, 0) < 0) row.outcome.status = "refused";
         return row;
     });
-    ASSERT_TRUE(state) << state.error();
+    ASSERT_TRUE(state) << state.error().message;
     EXPECT_NEAR(state->best.score.value.value(), 10, 1e-2);
     EXPECT_GT(number("SELECT count(*) FROM search_run WHERE value IS NULL AND violation >= 1e9"), 0);
     EXPECT_EQ(number("SELECT count(*) FROM search_run WHERE value < 10"), 0);
@@ -224,8 +222,8 @@ TEST_F(SearchFile, ASettingThatNoRunCanHaveIsToldEarly) {
         return row;
     });
     ASSERT_FALSE(state);
-    EXPECT_THAT(state.error(), HasSubstr("each of the 20 first variants is refused: "));
-    EXPECT_THAT(state.error(), HasSubstr("p.nc: there is no 'Q'"));
+    EXPECT_THAT(state.error().message, HasSubstr("each of the 20 first variants is refused: "));
+    EXPECT_THAT(state.error().message, HasSubstr("p.nc: there is no 'Q'"));
     EXPECT_EQ(evaluated_, 21);
 }
 
@@ -254,7 +252,7 @@ TEST_F(SearchFile, AMachineMayBeNamedTwice) {
     std::string text = kPlan;
     text.replace(text.find("[\"m.toml\"]"), 10, "[\"m.toml\", \"m.toml\"]");
     const auto state = search(*read(text), bowl);
-    ASSERT_TRUE(state) << state.error();
+    ASSERT_TRUE(state) << state.error().message;
     EXPECT_NEAR(state->best.score.value.value(), 20, 1e-2);
 }
 
@@ -263,12 +261,12 @@ TEST_F(SearchFile, SumsOverProgramsAndMachines) {
     std::string text = kPlan;
     text.replace(text.find("\"p.nc\""), 6, "\"p.nc\", \"q.nc\"");
     const auto plan = read(text);
-    ASSERT_TRUE(plan) << plan.error();
+    ASSERT_TRUE(plan) << plan.error().message;
     // Each program has its minimum elsewhere; the sum has it halfway.
     const auto state = search(*plan, [](const Job& job) {
         return is_clean(1 + std::pow(setting(job, 0) - (job.program.ends_with("p.nc") ? 2 : 0), 2));
     });
-    ASSERT_TRUE(state) << state.error();
+    ASSERT_TRUE(state) << state.error().message;
     EXPECT_NEAR(state->best.score.value.value(), 4, 1e-3);
     EXPECT_NEAR(state->best.settings[0].value.get<double>(), 1, 0.03);
     EXPECT_EQ(state->best.runs.size(), 2U);
@@ -280,7 +278,7 @@ TEST_F(SearchFile, FiguresThatRunsDoNotHaveAreNamed) {
     text.replace(text.find("cycle_time_s"), 12, "energy_j");
     const auto state = search(*read(text), bowl);
     ASSERT_FALSE(state);
-    EXPECT_THAT(state.error(), HasSubstr("have no 'energy_j'"));
+    EXPECT_THAT(state.error().message, HasSubstr("have no 'energy_j'"));
 }
 
 TEST_F(SearchFile, FindsAnOrder) {
@@ -289,7 +287,7 @@ TEST_F(SearchFile, FindsAnOrder) {
     text += "[[setting]]\nkey = \"path.order\"\norders = 5\n";
     // Path through points on a line, in any order; 4 there and back is the minimum.
     const auto plan = read(text);
-    ASSERT_TRUE(plan) << plan.error();
+    ASSERT_TRUE(plan) << plan.error().message;
     const auto state = search(*plan, [](const Job& job) {
         constexpr std::array kAt{3.0, 1.0, 4.0, 0.0, 2.0};
         double at = 0, distance = 0;
@@ -302,7 +300,7 @@ TEST_F(SearchFile, FindsAnOrder) {
         }
         return is_clean(distance);
     });
-    ASSERT_TRUE(state) << state.error();
+    ASSERT_TRUE(state) << state.error().message;
     EXPECT_EQ(state->best.score.value.value(), 4);
     EXPECT_EQ(state->best.settings[0].value, (nlohmann::json{3U, 1U, 4U, 0U, 2U}));
 }

@@ -186,7 +186,7 @@ TEST_F(ClosedForm, StudiesAndComparisonsComeFromResults) {
     }
     auto database = Database::open(file, true);
     const auto studies = read_studies(*database);
-    ASSERT_TRUE(studies) << studies.error();
+    ASSERT_TRUE(studies) << studies.error().message;
     ASSERT_EQ(studies->size(), 2U);
     EXPECT_EQ(studies->front().runs, 80U);
     EXPECT_EQ(studies->front().failed, 1U);
@@ -195,7 +195,7 @@ TEST_F(ClosedForm, StudiesAndComparisonsComeFromResults) {
     ASSERT_EQ(studies->front().sensitivity.effects.size(), 1U);
     EXPECT_LT(studies->front().sensitivity.effects[0].coefficient, -0.9);
     const auto comparisons = compare_machines(*database);
-    ASSERT_TRUE(comparisons) << comparisons.error();
+    ASSERT_TRUE(comparisons) << comparisons.error().message;
     ASSERT_EQ(comparisons->size(), 1U);
     EXPECT_EQ(comparisons->front().pairs, 80U);
     EXPECT_EQ(comparisons->front().slower, 79U);

@@ -37,11 +37,11 @@ std::map<std::size_t, RunRow> run_all(const std::vector<std::string>& programs, 
                                             .machine = "",
                                             .options = nlohmann::json::object(),
                                             .settings = {}});
-            EXPECT_TRUE(given) << given.error();
+            EXPECT_TRUE(given) << given.error().message;
             ++next;
         }
         auto taken = pool.collect(std::chrono::milliseconds(100));
-        EXPECT_TRUE(taken) << taken.error();
+        EXPECT_TRUE(taken) << taken.error().message;
         for (RunRow& row : *taken) EXPECT_TRUE(rows.emplace(row.number, row).second) << "a row twice";
     }
     EXPECT_EQ(pool.pending_count(), 0U);
@@ -102,7 +102,7 @@ TEST(WorkerPool, SaysThatThereIsNoSuchProgram) {
     WorkerPool pool({.command = {"/no/such/program"}, .workers = 1, .timeout_s = 1});
     const auto given = pool.submit({});
     ASSERT_FALSE(given);
-    EXPECT_THAT(given.error(), HasSubstr("cannot run /no/such/program"));
+    EXPECT_THAT(given.error().message, HasSubstr("cannot run /no/such/program"));
 }
 
 TEST(WorkerPool, LeavesNobodyBehind) {

@@ -129,7 +129,7 @@ TEST(GeometryClosedForm, TheFileIsTheMachine) {
             fitted(machine, simulated_tcps(ground_truth.geometry, poses, {0.002, 0.001}, 4),
                    {.deviation_options = {{}, {"scale"}}, .noise_mm = {}, .noise_deg = {}});
         const auto read = machine::read_machine(geometry_text(fit).value(), "fitted.toml");
-        ASSERT_TRUE(read) << name << ": " << read.error();
+        ASSERT_TRUE(read) << name << ": " << read.error().message;
         const auto kinematics = machine::make_kinematics(*read);
         const TcpCalculator calculator(fit.geometry);
         for (const MeasuredTcp& pose : poses) {
@@ -259,9 +259,9 @@ TEST(GeometryClosedForm, HeldDeviationsStay) {
     EXPECT_EQ(find_unknown_fixed(gantry(), {.instrument_frame = true, .fixed = {"X", "instrument"}}),
               std::nullopt);
     const auto none = fit_geometry(gantry(), {}, {});
-    EXPECT_EQ(none.error(), "there are no measured tips");
+    EXPECT_EQ(none.error().message, "there are no measured tips");
     const std::vector<MeasuredTcp> one(tcps.begin(), tcps.begin() + 1);
-    EXPECT_EQ(fit_geometry(gantry(), one, {}).error(),
+    EXPECT_EQ(fit_geometry(gantry(), one, {}).error().message,
               "these tips tell nothing of the machine's geometry: there are too few, or all is held");
 }
 
@@ -296,7 +296,7 @@ TEST(GeometryClosedForm, TheWorkOffsetIsWhereTheWorkIs) {
               "G21\nG10 L2 P1 X0.2500 Y-0.5000 Z0.1250\n");
     const machine::Machine arm = sample("arm6");
     const auto poses = suggest_poses(arm, 30, true, {}).value();
-    EXPECT_EQ(work_offset_line(arm, fitted(arm, poses)).error(),
+    EXPECT_EQ(work_offset_line(arm, fitted(arm, poses)).error().message,
               "a work offset (--g10) needs three linear axes that bring the tip to the work frame's origin");
 }
 
@@ -325,7 +325,7 @@ TEST(GeometryClosedForm, SuggestedPosesTellMore) {
             }
         }
     }
-    EXPECT_EQ(suggest_poses(gantry(), 3, false, {}).error(),
+    EXPECT_EQ(suggest_poses(gantry(), 3, false, {}).error().message,
               "12 deviations of this machine can be told, which takes 5 poses at least");
 }
 

@@ -17,7 +17,7 @@ machine::Machine mill() {
 
 std::string error_of(const std::string& list) {
     const auto read = read_tcps(list, mill());
-    return read ? "none" : read.error();
+    return read ? "none" : read.error().message;
 }
 
 TEST(MeasuredTips, ColumnsInAnyOrder) {

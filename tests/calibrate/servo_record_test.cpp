@@ -23,12 +23,12 @@ std::string lines(const std::string& columns_format, double first = 0) {
 
 std::string error_of(const std::string& text, const ServoFormat& columns_format = {}) {
     const auto read = read_servo_record(text, columns_format);
-    return read ? "no error" : read.error();
+    return read ? "no error" : read.error().message;
 }
 
 TEST(ServoRecord, OfNamedColumnsHasPlaces) {
     const auto read = read_servo_record("t_s,line,b_deg,b_at_deg\n" + lines("{0},7,{1},{2}\n"), {});
-    ASSERT_TRUE(read) << read.error();
+    ASSERT_TRUE(read) << read.error().message;
     ASSERT_EQ(read->size(), 1U);
     EXPECT_EQ(read->front().letter, 'B');
     ASSERT_EQ(read->front().t_s.size(), 25U);
@@ -40,7 +40,7 @@ TEST(ServoRecord, OfNamedColumnsHasPlaces) {
 /// As a trajectory of gsim-run has them.
 TEST(ServoRecord, OfErrorsHasPlacesToo) {
     const auto read = read_servo_record("t_s,x_mm,y_mm,x_error_mm\n" + lines("{0},{1},3,{2}\n"), {});
-    ASSERT_TRUE(read) << read.error();
+    ASSERT_TRUE(read) << read.error().message;
     ASSERT_EQ(read->size(), 1U) << "of Y nothing is known but its set points";
     EXPECT_DOUBLE_EQ(read->front().positions[10], 5.0 - 4.0);
 }
@@ -50,7 +50,7 @@ TEST(ServoRecord, OfHalsamplerHasTheColumnsThatAreTold) {
     for (const std::string& text :
          {lines("9 {1} {2}\n"), lines("{0} 9 {1} {2}\n"), "overrun\n" + lines("{0} 9 {1} {2}\n")}) {
         const auto read = read_servo_record(text, columns_format);
-        ASSERT_TRUE(read) << read.error();
+        ASSERT_TRUE(read) << read.error().message;
         EXPECT_DOUBLE_EQ(read->front().t_s[4], 0.008);
         EXPECT_DOUBLE_EQ(read->front().positions[4], 1.6);
     }

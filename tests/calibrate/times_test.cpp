@@ -66,7 +66,7 @@ class Recordings : public testing::Test {
         std::mt19937 random(seed);
         const auto times = Predictor::of(runs_, {"rs274ngc"}, machine).value().times_s(machine);
         for (std::size_t i = 0; i < runs_.size(); ++i) {
-            ASSERT_TRUE(times[i]) << times[i].error();
+            ASSERT_TRUE(times[i]) << times[i].error().message;
             runs_[i].time_s = *times[i] * std::exp(std::normal_distribution<double>(0, noise)(random));
         }
     }
@@ -255,7 +255,7 @@ TEST_F(Recordings, BecomeAMachineFileThatIsReadAgain) {
     record(router(730, 0.012), 0.005);
     const Fit found = fit(router(400, 0.03));
     const auto repeated = machine::read_machine(machine_text(found, runs_), "fitted.toml");
-    ASSERT_TRUE(repeated) << repeated.error();
+    ASSERT_TRUE(repeated) << repeated.error().message;
     machine::Machine calibrated = found.machine;
     calibrated.calibration = make_calibration(found);
     EXPECT_EQ(*repeated, calibrated);
@@ -302,7 +302,7 @@ TEST_F(Recordings, OfAProgramThatEndsNotAreRefusedByName) {
     const auto found = fit_times(router(400, 0.03), runs_,
                                  Predictor::of(runs_, {"rs274ngc"}, router(400, 0.03)).value(), {});
     ASSERT_FALSE(found);
-    EXPECT_THAT(found.error(), HasSubstr("8.ngc"));
+    EXPECT_THAT(found.error().message, HasSubstr("8.ngc"));
     EXPECT_FALSE(Predictor::of(std::vector<RecordedRun>{{"/nowhere.ngc", 1}}, {}, router(400, 0.03)));
 }
 

@@ -155,7 +155,7 @@ TEST(PostFile, TheBuiltInOnesAreThere) {
     }
     EXPECT_FALSE(find_post("grbl").value().subprogram);
     EXPECT_EQ(
-        find_post("gbrl").error(),
+        find_post("gbrl").error().message,
         "there is no post 'gbrl'; there are ab9, fanuc, rs274ngc, grbl, or name a file that ends in .toml");
 }
 
@@ -169,7 +169,7 @@ TEST(PostFile, NamesOfSubprogramsFilesAreHarmlessAndTheirOwn) {
             "file = '" +
                 file + "'\n",
             "p.toml");
-        return post ? std::string() : post.error();
+        return post ? std::string() : post.error().message;
     };
     for (const std::string file :
          {"O{number}.nc", "{program}_O{number}.ppg", "{lower}_o{number}", "a-b.{number}"})
@@ -205,7 +205,7 @@ TEST(PostFile, SaysWhatAChangeOfTheToolStops) {
 }
 
 TEST(PostFile, ErrorsNameThePlace) {
-    const auto error = [](const std::string& text) { return read_post(text, "p").error(); };
+    const auto error = [](const std::string& text) { return read_post(text, "p").error().message; };
     EXPECT_EQ(error("name = 1"), "p:1:8: 'name' must be a string, not a number");
     EXPECT_EQ(error("nmae = \"x\""), "p:1:1: unknown key 'nmae' in the post; did you mean 'name'?");
     const std::string head = "name = \"x\"\nreads_as = \"ab9\"\n";

@@ -18,7 +18,7 @@ Cell cell_of(const std::string& tables, double clearance_mm = 5) {
     const std::string text =
         fmt::format("[cell]\nname = \"test\"\nclearance_mm = {:.6f}\n{}", clearance_mm, tables);
     auto cell = read_cell(text, "cell.toml", af5());
-    EXPECT_TRUE(cell) << (cell ? "" : cell.error());
+    EXPECT_TRUE(cell) << (cell ? "" : cell.error().message);
     return *std::move(cell);
 }
 

@@ -69,7 +69,7 @@ f 4 1 5 8
 
 std::string error_of(std::string_view bytes, std::string_view name = "part.stl") {
     const auto mesh = read_mesh(bytes, name, 1);
-    return mesh ? "" : mesh.error();
+    return mesh ? "" : mesh.error().message;
 }
 
 Eigen::AlignedBox3d bounds(const TriangleMesh& mesh) {
@@ -84,7 +84,7 @@ TEST(MeshFile, ReadsAllThreeFormats) {
          {std::pair(stl_binary(box), "part.stl"), std::pair(stl_text(box), "part.STL"),
           std::pair(std::string(kObjCube), "part.OBJ")}) {
         const auto mesh = read_mesh(bytes, name, 10);
-        ASSERT_TRUE(mesh) << mesh.error();
+        ASSERT_TRUE(mesh) << mesh.error().message;
         EXPECT_EQ((*mesh)->triangle_count(), 12U) << name;
         EXPECT_TRUE(bounds(**mesh).sizes().isApprox(Eigen::Vector3d(20, 30, 40), 1e-6)) << name;
     }
@@ -133,7 +133,7 @@ TEST(MeshFile, MangledFilesNeitherHangNorCrash) {
         if (random() % 5 == 0) bytes.erase(random() % (bytes.size() + 1), random() % 9);
         const auto mesh = read_mesh(bytes, name, 1);
         if (!mesh) {
-            EXPECT_TRUE(mesh.error().starts_with(name)) << mesh.error();
+            EXPECT_TRUE(mesh.error().message.starts_with(name)) << mesh.error().message;
             continue;
         }
         EXPECT_LE(bounds(**mesh).max().cwiseAbs().maxCoeff(), 1e6);

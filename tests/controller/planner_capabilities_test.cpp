@@ -21,7 +21,7 @@ TEST(PlannerCapabilities, MessagesListThePlannersWithoutACapability) {
               "\"rest-to-rest\", \"linuxcnc\" and \"klipper\"");
 }
 
-TEST(PlannerCapabilities, SCurvesOfLinuxcncNeedRelease2_10) {
+TEST(PlannerCapabilities, SCurvesOfLinuxcncNeedRelease210) {
     ControllerRules rules;
     EXPECT_TRUE(rules.has_s_curves());
     rules.planner = PlannerKind::klipper;

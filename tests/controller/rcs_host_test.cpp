@@ -17,7 +17,7 @@ class Loading : public testing::TestWithParam<HostProcess> {
   protected:
     static std::string load_error(const std::string& name, RcsProcessLimits limits = {}) {
         const auto module = module_at(GetParam(), name, limits);
-        return module ? "it was loaded" : module.error();
+        return module ? "it was loaded" : module.error().message;
     }
 };
 
@@ -25,7 +25,7 @@ INSTANTIATE_TEST_SUITE_P(Places, Loading, both_places(), place_name);
 
 TEST(RcsHost, LoadsAModuleAndMakesControllersThatDoNotKnowOfEachOther) {
     auto library = RcsLibrary::load(module_path("small_module"), slides());
-    ASSERT_TRUE(library.has_value()) << library.error();
+    ASSERT_TRUE(library.has_value()) << library.error().message;
     EXPECT_EQ((*library)->name(), "small_module.so");
     auto one = RcsModule::create(*library, slides());
     auto other = RcsModule::create(*library, slides());
@@ -84,7 +84,7 @@ TEST(RcsHost, WhatIsNoLibraryIsASentence) {
     for (const std::string& path : {text, empty, folder}) {
         const auto library = RcsLibrary::load(path, slides());
         ASSERT_FALSE(library.has_value()) << path;
-        EXPECT_THAT(library.error(), testing::StartsWith("cannot load the controller module "));
+        EXPECT_THAT(library.error().message, testing::StartsWith("cannot load the controller module "));
     }
     std::filesystem::remove(text);
     std::filesystem::remove(empty);

@@ -276,10 +276,10 @@ TEST(RcsProcess, EndsWithItsCallerHoweverThatEnds) {
 TEST(RcsProcess, AProgramThatIsNotThereOrNoHostIsASentence) {
     const auto none = start_rcs_process("/there/is/none", module_path("small_module"), slides());
     ASSERT_FALSE(none);
-    EXPECT_EQ(none.error(), "cannot run /there/is/none: No such file or directory");
+    EXPECT_EQ(none.error().message, "cannot run /there/is/none: No such file or directory");
     const auto other = start_rcs_process("/bin/true", module_path("small_module"), slides());
     ASSERT_FALSE(other);
-    EXPECT_EQ(other.error(),
+    EXPECT_EQ(other.error().message,
               "the controller module small_module.so ended its process (status 0) while it was loaded");
 }
 

@@ -41,11 +41,11 @@ const os::Files& files() {
     return kGiven;
 }
 
-tl::expected<cell::Cell, std::string> cell_of(const std::string& text, std::vector<std::string>* errors) {
+Result<cell::Cell> cell_of(const std::string& text, std::vector<std::string>* errors) {
     const auto machine = machine::read_machine(machine::built_in_machine_toml(), "built in").value();
     const cell::MeshFiles meshes{
         .files = files(),
-        .read_solid = [](const std::filesystem::path&, double) -> tl::expected<solid::Mesh, std::string> {
+        .read_solid = [](const std::filesystem::path&, double) -> Result<solid::Mesh> {
             return solid::Mesh{.vertices_mm = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}}};
         }};
     return cell::read_cell(text, "c.toml", machine, {}, meshes, errors);
@@ -57,12 +57,13 @@ std::vector<std::string> find_errors(ConfigFileKind file, const std::string& tex
     if (file == ConfigFileKind::machine) {
         (void)machine::read_machine(text, "m.toml", files(), &errors);
     } else if (file == ConfigFileKind::cell) {
-        if (const auto named = cell::read_cell_files(text, "c.toml"); !named) errors.push_back(named.error());
+        if (const auto named = cell::read_cell_files(text, "c.toml"); !named)
+            errors.push_back(named.error().message);
         std::vector<std::string> others;
         (void)cell_of(text, &others);
         errors.insert(errors.end(), others.begin(), others.end());
     } else if (const auto rules = machine::read_controller(text, "own.toml", "own"); !rules) {
-        errors.push_back(rules.error());
+        errors.push_back(rules.error().message);
     }
     return errors;
 }
@@ -152,7 +153,7 @@ class KeyOfDocument {
             EXPECT_TRUE(edit_.remove(path));
         }
         const auto done = edit_.set(path, value);
-        EXPECT_TRUE(done) << name_ << ": " << done.error();
+        EXPECT_TRUE(done) << name_ << ": " << done.error().message;
     }
 
     ConfigFileKind file_;
@@ -303,12 +304,12 @@ TEST(FileKeys, HaveTheDefaultsThatHoldWithoutThem) {
         if (file == ConfigFileKind::machine) {
             const auto with = machine::read_machine(given.text(), "m.toml", files());
             const auto without = machine::read_machine(left_out.text(), "m.toml", files());
-            ASSERT_TRUE(with && without) << (with ? without.error() : with.error());
+            ASSERT_TRUE(with && without) << (with ? without.error().message : with.error().message);
             EXPECT_TRUE(*with == *without) << given.text();
         } else {
             const auto with = cell_of(given.text(), nullptr);
             const auto without = cell_of(left_out.text(), nullptr);
-            ASSERT_TRUE(with && without) << (with ? without.error() : with.error());
+            ASSERT_TRUE(with && without) << (with ? without.error().message : with.error().message);
             EXPECT_EQ(cell_values(*with), cell_values(*without));
         }
     });

@@ -53,7 +53,7 @@ const std::shared_ptr<const rrs::RcsLibrary>& answers_library() {
         const Description description(module_machine(), "");
         auto loaded =
             rrs::RcsLibrary::load(tests::build_path("lib/fuzz_modules/answers.so"), description.get());
-        if (!loaded) throw std::runtime_error(loaded.error());
+        if (!loaded) throw std::runtime_error(loaded.error().message);
         return *std::move(loaded);
     }();
     return library;

@@ -90,12 +90,11 @@ TEST(Programs, AMissingOneIsAnAlarm) {
 
 TEST(Programs, OneIsFoundBesideTheFile) {
     Conditions setup;
-    setup.options.find_program =
-        [](const std::string& number) -> tl::expected<std::optional<Script>, std::string> {
+    setup.options.find_program = [](const std::string& number) -> Result<std::optional<Script>> {
         if (number == "7")
             return Script::from_text("local _ENV = require \"gsim\" program(nil, function()\nG0{x=7.0}\nend)",
                                      "O0007.nc", -1);
-        if (number == "8") return tl::unexpected(std::string("it is broken"));
+        if (number == "8") return Unexpected("it is broken");
         return std::nullopt;
     };
     const Outcome r = run("O1\nM98 P7\nM98 P7\nM98 P8\nM2\n", setup);

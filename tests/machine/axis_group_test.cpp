@@ -15,27 +15,26 @@ const std::string kAxes =
     "[[axis]]\nletter = \"Y\"\nkind = \"linear\"\ndirection = \"y\"\n"
     "[[axis]]\nletter = \"C\"\nkind = \"rotary\"\ncarries = \"work\"\ndirection = \"z\"\n";  // lines 4 to 16
 
-tl::expected<Machine, std::string> machine_with(const std::string& groups,
-                                                const std::string& inverse = "numeric") {
+Result<Machine> machine_with(const std::string& groups, const std::string& inverse = "numeric") {
     return read_machine("[machine]\nname = \"m\"\ninverse = \"" + inverse + "\"\n" + kAxes + groups,
                         "m.toml");
 }
 
 std::string error_of(const std::string& groups, const std::string& inverse = "numeric") {
     const auto machine = machine_with(groups, inverse);
-    return machine ? "no error" : machine.error();
+    return machine ? "no error" : machine.error().message;
 }
 
 TEST(AxisGroup, IsReadAndPrintedBack) {
     const auto machine = machine_with(
         "[[group]]\nname = \"table\"\naxes = [\"C\"]\nmotion = \"coordinated\"\n"
         "[[group]]\nname = \"track\"\naxes = [\"X\"]\n");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     ASSERT_EQ(machine->groups.size(), 2U);
     EXPECT_EQ(machine->groups[0], (AxisGroup{"table", {2}, GroupMotion::coordinated}));
     EXPECT_EQ(machine->groups[1], (AxisGroup{"track", {0}, GroupMotion::synchronous}));
     const auto repeated = read_machine(print_machine(*machine), "printed");
-    ASSERT_TRUE(repeated) << repeated.error();
+    ASSERT_TRUE(repeated) << repeated.error().message;
     EXPECT_EQ(*repeated, *machine);
 }
 

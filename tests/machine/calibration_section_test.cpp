@@ -32,7 +32,7 @@ std::string with(const std::string& lines) {
 
 std::string error_of(const std::string& lines) {
     const auto machine = read_machine(with(lines), "m.toml");
-    return machine ? "no error" : machine.error();
+    return machine ? "no error" : machine.error().message;
 }
 
 std::string parameter_id(const std::string& of, const std::string& key, const std::string& row) {
@@ -44,7 +44,7 @@ TEST(CalibrationSection, IsReadAndPrintedBack) {
                                            parameter_id("X", "max_acceleration_mm_s2", "[4, 1]") +
                                            parameter_id("controller", "speed_step_s", "[1, 9]")),
                                       "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     const Calibration expected_value{
         .runs = 12,
         .residual_percent = 0.25,
@@ -52,7 +52,7 @@ TEST(CalibrationSection, IsReadAndPrintedBack) {
         .covariance_percent2 = {{4, 1}, {1, 9}}};
     EXPECT_EQ(machine->calibration, expected_value);
     const auto repeated = read_machine(print_machine(*machine), "m.toml");
-    ASSERT_TRUE(repeated) << repeated.error();
+    ASSERT_TRUE(repeated) << repeated.error().message;
     EXPECT_EQ(*repeated, *machine);
 }
 
@@ -61,7 +61,7 @@ TEST(CalibrationSection, FiguresMayBeTimesOfWords) {
         with("[times]\ntool_change_s = 6\nM100 = 2\n[calibration]\nruns = 5\n" +
              parameter_id("times", "tool_change_s", "[4, 0]") + parameter_id("times", "M100", "[0, 1]")),
         "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     EXPECT_EQ(parameter_value({"times", "tool_change_s"}, *machine), 6);
     EXPECT_EQ(parameter_value({"times", "M100"}, *machine), 2);
     EXPECT_FALSE(parameter_value({"times", "M101"}, *machine));

@@ -33,12 +33,12 @@ ControllerRules read_rules(std::string_view lines) {
 
 std::string error_of(std::string_view lines, std::string_view file_name = "m.toml") {
     const auto machine = read_machine(with_controller(lines), file_name);
-    return machine ? "no error" : machine.error();
+    return machine ? "no error" : machine.error().message;
 }
 
 std::string file_error_of(std::string_view toml) {
     const auto rules = read_controller(toml, "c.toml", "c");
-    return rules ? "no error" : rules.error();
+    return rules ? "no error" : rules.error().message;
 }
 
 // Folder of its own, removed at the end of the test.
@@ -173,7 +173,7 @@ std::string great_circle(std::string_view lines, const Machine& like) {
     machine.controller = read_rules(lines);
     machine.controller.coordination.orientation = rrs::OrientationRule::great_circle;
     const auto read = read_machine(print_machine(machine), "m.toml");
-    if (!read) return read.error();
+    if (!read) return read.error().message;
     EXPECT_EQ(*read, machine);
     return "no error";
 }
@@ -232,7 +232,7 @@ TEST_F(OwnFile, IsFoundBesideTheMachineFile) {
     expected_value.position_loop.settle_s = 0.5;
     expected_value.standstill.dwell_s = 0.75;
     const auto machine = load_machine(path("machine.toml"));
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     EXPECT_EQ(machine->controller, expected_value);
     EXPECT_EQ(read_machine(print_machine(*machine), "elsewhere.toml").value(), *machine)
         << "a printed machine must stand for itself";
@@ -297,7 +297,7 @@ TEST(ControllerFile, WrongTypes) {
     EXPECT_EQ(error_of("limit_jerk = 1"), "m.toml:4:14: 'limit_jerk' must be true or false, not a number");
     EXPECT_EQ(error_of("rest_s = true"), "m.toml:4:10: 'rest_s' must be a number, not true or false");
     EXPECT_EQ(error_of("name = 4"), "m.toml:4:8: 'name' must be a string, not a number");
-    EXPECT_EQ(read_machine("controller = 4\n[machine]\nname = \"m\"\n", "m.toml").error(),
+    EXPECT_EQ(read_machine("controller = 4\n[machine]\nname = \"m\"\n", "m.toml").error().message,
               "m.toml:1:14: 'controller' must be a table, not a number");
 }
 

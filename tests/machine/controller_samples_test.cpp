@@ -34,7 +34,7 @@ TEST(BuiltInControllers, AreThoseOfTheSamples) {
     for (const std::string_view name : built_in_controllers()) {
         const auto file =
             os::read_text_file(tests::source_path("samples/controllers/") + std::string(name) + ".toml");
-        ASSERT_TRUE(file) << file.error();
+        ASSERT_TRUE(file) << file.error().message;
         EXPECT_EQ(built_in_controller_toml(name), *file);
         EXPECT_EQ(built_in_controller(name).value().model, name);
     }

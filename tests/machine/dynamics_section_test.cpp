@@ -26,7 +26,7 @@ direction = "y"
 
 std::string error_of(const std::string& toml) {
     const auto machine = read_machine(toml, "m.toml");
-    return machine ? "no error" : machine.error();
+    return machine ? "no error" : machine.error().message;
 }
 
 /// Returns a machine with dynamics that ends with `lines`; the first of these lines is line 12.
@@ -86,7 +86,7 @@ stiffness_n_per_mm = 0.05
 drag_n_per_mm_s = 0.01
 )";
     const auto machine = read_machine(text, "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     EXPECT_EQ(machine->axes[0].drive, (Drive{1, 0.2, 3, -4, 50, 16, {0, 100, 200}, {50, 50, 20.5}}));
     EXPECT_EQ(machine->axes[1].drive, (Drive{7, 0.8, 9, 10, 11, 12, {30}, {11}}));
     EXPECT_EQ(machine->shapes[0].density_kg_m3, 7850);
@@ -104,7 +104,7 @@ drag_n_per_mm_s = 0.01
                                                   .drag_n_per_mm_s = 0.01}}};
     EXPECT_EQ(machine->dynamics, expected_value);
     const auto repeated = read_machine(print_machine(*machine), "printed.toml");
-    ASSERT_TRUE(repeated) << repeated.error();
+    ASSERT_TRUE(repeated) << repeated.error().message;
     EXPECT_EQ(*repeated, *machine);
 }
 

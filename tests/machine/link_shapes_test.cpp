@@ -30,7 +30,7 @@ std::string with(std::string_view shapes, std::string_view before = "") {
 
 std::string error_of(const std::string& toml) {
     const auto machine = read_machine(toml, "dir/m.toml");
-    return machine ? "no error" : machine.error();
+    return machine ? "no error" : machine.error().message;
 }
 
 std::string shape(std::string_view name, std::string_view on, std::string_view form) {
@@ -47,7 +47,7 @@ TEST(LinkShapes, AllKindsAreReadAndPrintedBack) {
                          shape(R"(ball \"one\")", "tool", "sphere_mm = 8")),
              "ignore = [[\"bed\", \"post\"], [\"ball \\\"one\\\"\", \"arm\"]]\n");
     const auto machine = read_machine(text, "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     ASSERT_EQ(machine->shapes.size(), 5U);
     EXPECT_EQ(machine->shapes[0].form, ShapeForm(BoxShape{1, 2, 3.5}));
     EXPECT_EQ(machine->shapes[1].form, ShapeForm(CylinderShape{4, 5}));
@@ -59,14 +59,14 @@ TEST(LinkShapes, AllKindsAreReadAndPrintedBack) {
     using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
     EXPECT_EQ(machine->ignored, (Pairs{{0, 1}, {4, 2}}));
     const auto repeated = read_machine(print_machine(*machine), "elsewhere/printed.toml");
-    ASSERT_TRUE(repeated) << repeated.error() << print_machine(*machine);
+    ASSERT_TRUE(repeated) << repeated.error().message << print_machine(*machine);
     EXPECT_EQ(*repeated, *machine) << print_machine(*machine);
 }
 
 TEST(LinkShapes, MeshesAreInTheFolderOfTheMachineFile) {
     const std::string text = with(shape("mould", "X", "mesh = \"../cell/mould.stl\""));
     const auto machine = read_machine(text, tests::source_path("samples/machines/m.toml"));
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     EXPECT_TRUE(std::filesystem::exists(std::get<MeshShape>(machine->shapes[0].form).file));
 }
 
@@ -76,10 +76,10 @@ TEST(LinkShapes, TheToleranceOfASolidIsKept) {
     std::ofstream(file) << "ISO-10303-21;";
     const auto machine = read_machine(
         with(shape("body", "X", fmt::format("mesh = \"{}\", tolerance_mm = 0.25", file.string()))), "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     EXPECT_EQ(machine->shapes[0].form, ShapeForm(MeshShape{file, 1, 0.25}));
     const auto repeated = read_machine(print_machine(*machine), "m.toml");
-    ASSERT_TRUE(repeated) << repeated.error();
+    ASSERT_TRUE(repeated) << repeated.error().message;
     EXPECT_EQ(*repeated, *machine);
     std::filesystem::remove(file);
 }

@@ -17,7 +17,7 @@ using testing::Pair;
 std::string error_of(const std::string& text) {
     const std::vector<Axis> axes = read_machine(built_in_machine_toml(), "").value().axes;
     const auto data = read_machine_data(text, "m.txt", axes);
-    return data ? "no error" : data.error();
+    return data ? "no error" : data.error().message;
 }
 
 TEST(MachineData, ReadsAllSections) {
@@ -27,7 +27,7 @@ TEST(MachineData, ReadsAllSections) {
         "505\t1 -2 +3 90 inch\n\nFIXED\n7 1 2 3 Metric\nALIAS\nWaterJetOn M08\nVARIABLE\n100 "
         "2.5\nENDFILE\n\n",
         "m.txt", axes);
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     EXPECT_THAT(data->offsets,
                 ElementsAre(Pair("505", AxisValues{{'X', 25.4}, {'Y', -50.8}, {'Z', 3 * 25.4}, {'B', 90}}),
                             Pair("54", AxisValues{{'X', 200.0001}, {'Y', 200.0002}, {'Z', 200}}),
@@ -43,7 +43,7 @@ TEST(MachineData, ExampleOfTheThesis) {
         "NCFILE\nOFFSET\n54\t200.0001\t200.0002\t200\n55\t255\t255\t255\n56\t100\t0\t300.001\n57\t0\t0\t0\n"
         "...\nFIXED\n1\t0\t0\t0\n2\t0\t0\t0\nENDFILE\n",
         "m.txt");
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     EXPECT_THAT(data->offsets,
                 ElementsAre(Pair("54", AxisValues{{'X', 200.0001}, {'Y', 200.0002}, {'Z', 200}}),
                             Pair("55", AxisValues{{'X', 255}, {'Y', 255}, {'Z', 255}}),
@@ -54,7 +54,7 @@ TEST(MachineData, ExampleOfTheThesis) {
 
 TEST(MachineData, WithoutAxesFurtherValuesAreOnlyChecked) {
     const auto data = read_machine_data("NCFILE\nOFFSET\n54 1 2 3 4 5 6\nENDFILE", "m.txt");
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     EXPECT_THAT(data->offsets, ElementsAre(Pair("54", AxisValues{{'X', 1}, {'Y', 2}, {'Z', 3}})));
     EXPECT_FALSE(read_machine_data("NCFILE\nOFFSET\n54 1 2 3 4x\nENDFILE", "m.txt"));
 }
@@ -70,7 +70,7 @@ TEST(MachineData, Frame) {
 
 TEST(MachineData, Tools) {
     const auto data = read_machine_data("NCFILE\nTOOL\n1 100 6\n22 1 0.25 inch\nENDFILE\n", "m.txt");
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     ASSERT_EQ(data->tools.size(), 2U);
     EXPECT_EQ(data->tools.at(1).length_mm, 100);
     EXPECT_EQ(data->tools.at(1).diameter_mm, 6);
@@ -89,7 +89,7 @@ TEST(MachineData, ToolsInFull) {
         "inch\n"
         "2 0 0 Cutter\nENDFILE\n",
         "m.txt", axes);
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     const Tool jet{.length_mm = 50.8,
                    .diameter_mm = 25.4,
                    .length_wear_mm = -12.7,
@@ -119,7 +119,7 @@ TEST(MachineData, Zones) {
         "NCFILE\nSECURITY\n1 100 200 300 400\n7 -1 1 - - 0 10 leave off switch=3 inch\n"
         "WORKING\n1 0 1800 0 2400 - -\nENDFILE\n",
         "m.txt");
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     EXPECT_THAT(
         data->security_zones,
         ElementsAre(Pair(1, Zone{.number = 1, .limits = {ZoneLimits{100, 200}, ZoneLimits{300, 400}, {}}}),
@@ -154,7 +154,7 @@ TEST(MachineData, ZonesThatAreNone) {
 
 TEST(MachineData, ReferencePoints) {
     const auto data = read_machine_data("NCFILE\nREFERENCE\n1 1 2 3 inch\nENDFILE\n", "m.txt");
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     EXPECT_DOUBLE_EQ(data->references.at(1).at('Y'), 50.8);
 }
 
@@ -164,7 +164,7 @@ TEST(MachineData, NamesOfPoints) {
         "Name=clamp1\n"
         "ENDFILE\n",
         "m.txt");
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     EXPECT_THAT(data->fixed_names, ElementsAre(Pair(1, "CLAMP1"), Pair(30, "Park_2")));
     EXPECT_THAT(data->reference_names, ElementsAre(Pair(7, "clamp1")));
     EXPECT_DOUBLE_EQ(data->fixed.at(30).at('X'), 25.4);
@@ -197,7 +197,7 @@ TEST(MachineData, ANulIsNoText) {
 
 TEST(MachineData, HomePositions) {
     const auto data = read_machine_data("NCFILE\nHOME\n2 1 2 3\n4 0 0 1 inch\nENDFILE\n", "m.txt");
-    ASSERT_TRUE(data) << data.error();
+    ASSERT_TRUE(data) << data.error().message;
     EXPECT_EQ(data->homes.at(2).at('Y'), 2);
     EXPECT_DOUBLE_EQ(data->homes.at(4).at('Z'), 25.4);
     EXPECT_EQ(error_of("NCFILE\nHOME\n1 1 2 3\n"),
@@ -250,7 +250,7 @@ TEST(MachineData, OtherEntries) {
 }
 
 TEST(MachineData, FileThatCannotBeRead) {
-    EXPECT_EQ(load_machine_data("no/such.txt").error(),
+    EXPECT_EQ(load_machine_data("no/such.txt").error().message,
               "cannot read 'no/such.txt': No such file or directory");
 }
 

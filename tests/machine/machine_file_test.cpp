@@ -20,7 +20,7 @@ constexpr std::string_view kAxis =
 
 std::string error_of(const std::string& toml) {
     const auto machine = read_machine(toml, "m.toml");
-    return machine ? "no error" : machine.error();
+    return machine ? "no error" : machine.error().message;
 }
 
 std::string with_axis_line(std::string_view line) {
@@ -38,9 +38,9 @@ class SampleMachine : public testing::TestWithParam<std::string> {};
 
 TEST_P(SampleMachine, ReadsAndPrintsBackEqual) {
     const auto machine = load_machine(tests::machine_path(GetParam()));
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     const auto repeated = read_machine(print_machine(*machine), "printed");
-    ASSERT_TRUE(repeated) << repeated.error();
+    ASSERT_TRUE(repeated) << repeated.error().message;
     EXPECT_EQ(*repeated, *machine) << print_machine(*machine);
 }
 
@@ -73,13 +73,13 @@ TEST(MachineFile, BuiltInMachineIsTheSpecificationsTable) {
 
 TEST(MachineFile, BuiltInMachineIsTheSampleByteForByte) {
     const auto sample = load_machine(tests::source_path("samples/machines/af5.toml"));
-    ASSERT_TRUE(sample) << sample.error();
+    ASSERT_TRUE(sample) << sample.error().message;
     EXPECT_EQ(read_machine(built_in_machine_toml(), "").value(), *sample);
 }
 
 TEST(MachineFile, WhatIsLeftOutIsUnlimited) {
     const auto machine = read_machine(with_axis_line("max_mm = inf"), "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     const double inf = std::numeric_limits<double>::infinity();
     const Axis& axis = machine->axes[0];
     EXPECT_EQ(axis.min, -inf);
@@ -96,11 +96,11 @@ TEST(MachineFile, WhatIsLeftOutIsUnlimited) {
 TEST(MachineFile, ADecelerationOfItsOwnOrThatOfTheAcceleration) {
     const auto own =
         read_machine(with_axis_line("max_acceleration_mm_s2 = 900\nmax_deceleration_mm_s2 = 400"), "m.toml");
-    ASSERT_TRUE(own) << own.error();
+    ASSERT_TRUE(own) << own.error().message;
     EXPECT_EQ(own->axes[0].deceleration(), 400);
     EXPECT_EQ(read_machine(print_machine(*own), "").value(), *own);
     const auto same = read_machine(with_axis_line("max_acceleration_mm_s2 = 900"), "m.toml");
-    ASSERT_TRUE(same) << same.error();
+    ASSERT_TRUE(same) << same.error().message;
     EXPECT_EQ(same->axes[0].deceleration(), 900);
     EXPECT_FALSE(same->axes[0].max_deceleration.has_value());
 }
@@ -108,7 +108,7 @@ TEST(MachineFile, ADecelerationOfItsOwnOrThatOfTheAcceleration) {
 TEST(MachineFile, JerkSpeedStepAndStepOfAnAxis) {
     const auto linear = read_machine(
         with_axis_line("max_jerk_mm_s3 = 5000\nmax_speed_step_mm_s = 2.5\nstep_mm = 0.004"), "m.toml");
-    ASSERT_TRUE(linear) << linear.error();
+    ASSERT_TRUE(linear) << linear.error().message;
     EXPECT_EQ(linear->axes[0].max_jerk, 5000);
     EXPECT_EQ(linear->axes[0].max_speed_step, 2.5);
     EXPECT_EQ(linear->axes[0].step, 0.004);
@@ -119,7 +119,7 @@ TEST(MachineFile, JerkSpeedStepAndStepOfAnAxis) {
                          "[[axis]]\nletter = \"B\"\nkind = \"rotary\"\ndh = {}\n"
                          "max_jerk_deg_s3 = 900\nmax_speed_step_deg_s = 0.5\nstep_deg = 1e-6\n",
                      "m.toml");
-    ASSERT_TRUE(rotary) << rotary.error();
+    ASSERT_TRUE(rotary) << rotary.error().message;
     EXPECT_EQ(rotary->axes[0].max_jerk, 900);
     EXPECT_EQ(rotary->axes[0].max_speed_step, 0.5);
     EXPECT_EQ(rotary->axes[0].step, 1e-6);
@@ -130,7 +130,7 @@ TEST(MachineFile, NameMayHoldAnyCharacter) {
     Machine machine = read_machine(with_axis_line(""), "m.toml").value();
     machine.name = "a \"b\" \\ c\n\t\x01 \u00fc";
     const auto repeated = read_machine(print_machine(machine), "printed");
-    ASSERT_TRUE(repeated) << repeated.error();
+    ASSERT_TRUE(repeated) << repeated.error().message;
     EXPECT_EQ(repeated->name, machine.name);
 }
 
@@ -213,7 +213,7 @@ TEST(MachineFile, AJointByAFrameAndOnTheSideOfTheWork) {
                                           "carries = \"work\"\nturning = \"unwind\"\nhome3_deg = 90\n"
                                           "frame = { x_mm = 1, y_mm = 2, yaw_deg = 180 }\n",
                                       "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     const Axis& axis = machine->axes.at(0);
     EXPECT_EQ(axis.carries, CarriedPart::work);
     EXPECT_EQ(axis.turning, RotaryMode::unwind);
@@ -244,7 +244,7 @@ TEST(MachineFile, AFrameBesideARow) {
                                           "[[axis]]\nletter = \"A\"\nkind = \"rotary\"\n"
                                           "frame = { y_mm = 3.0 }\ndh = { a_mm = 10.0 }\n",
                                       "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     EXPECT_EQ(read_machine(print_machine(*machine), "printed").value(), *machine);
     rrs::JointPos quarter(1);
     quarter << std::acos(0.0);
@@ -257,7 +257,7 @@ TEST(MachineFile, AnAxisByItsDirection) {
                                           "[[axis]]\nletter = \"A\"\nkind = \"rotary\"\ncarries = \"work\"\n"
                                           "frame = { z_mm = -25.0 }\ndirection = \"-x\"\n",
                                       "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     EXPECT_EQ(machine->axes.at(0).direction, AxisDirection::minus_x);
     EXPECT_EQ(machine->axes.at(0).frame, (Frame{.z_mm = -25}));
     EXPECT_EQ(read_machine(print_machine(*machine), "printed").value(), *machine);
@@ -283,8 +283,9 @@ TEST(MachineFile, SyntaxErrorsOfToml) {
 }
 
 TEST(MachineFile, FileThatCannotBeRead) {
-    EXPECT_EQ(load_machine("no/such.toml").error(), "cannot read 'no/such.toml': No such file or directory");
-    EXPECT_EQ(load_machine(".").error(), "cannot read '.': Is a directory");
+    EXPECT_EQ(load_machine("no/such.toml").error().message,
+              "cannot read 'no/such.toml': No such file or directory");
+    EXPECT_EQ(load_machine(".").error().message, "cannot read '.': Is a directory");
 }
 
 }  // namespace

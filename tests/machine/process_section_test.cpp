@@ -16,7 +16,7 @@ std::string machine_with(const std::string& tables) {
 
 std::string error_with(const std::string& tables) {
     const auto machine = read_machine(machine_with(tables), "m.toml");
-    return machine ? "no error" : machine.error();
+    return machine ? "no error" : machine.error().message;
 }
 
 std::string error_of_process(const std::string& on, const std::string& off = "[\"M9\"]") {
@@ -28,7 +28,7 @@ TEST(ProcessSection, ReadsWordsAndChecks) {
         read_machine(machine_with("[process]\nkind = \"plasma\"\non = [\"M08\", \"m62 p0\"]\n"
                                   "off = [\"M9\"]\n[checks]\nend_with_process_on = false\n"),
                      "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     ASSERT_TRUE(machine->process);
     const Process& process = *machine->process;
     EXPECT_EQ(process.kind, ProcessKind::plasma);
@@ -39,14 +39,14 @@ TEST(ProcessSection, ReadsWordsAndChecks) {
     EXPECT_TRUE(process.checks.rapid_with_process_on);
     EXPECT_EQ(process.checks.dwell_s, 5);
     const auto repeated = read_machine(print_machine(*machine), "printed");
-    ASSERT_TRUE(repeated) << repeated.error();
+    ASSERT_TRUE(repeated) << repeated.error().message;
     EXPECT_EQ(*repeated, *machine);
 }
 
 TEST(ProcessSection, ASpindleMayDwell) {
     const auto machine = read_machine(
         machine_with("[process]\nkind = \"spindle\"\non = [\"M3\"]\noff = [\"M5\"]\n"), "m.toml");
-    ASSERT_TRUE(machine) << machine.error();
+    ASSERT_TRUE(machine) << machine.error().message;
     EXPECT_EQ(machine->process->checks.dwell_s, std::numeric_limits<double>::infinity());
     EXPECT_EQ(*read_machine(print_machine(*machine), "printed"), *machine);
 }

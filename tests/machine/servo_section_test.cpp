@@ -19,7 +19,7 @@ std::string with(std::string_view keys, std::string_view controller = "") {
 
 std::string error_of(const std::string& toml) {
     const auto machine = read_machine(toml, "m.toml");
-    return machine ? "no error" : machine.error();
+    return machine ? "no error" : machine.error().message;
 }
 
 TEST(ServoSection, AllIsReadAndPrintedBack) {

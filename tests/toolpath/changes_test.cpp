@@ -208,7 +208,7 @@ Point point_at(double x_mm, std::optional<double> feed_mm_min, bool turned = tru
     return point;
 }
 
-tl::expected<void, Error> put_in_order(Program& program, const std::vector<std::size_t>& order) {
+tl::expected<void, TargetError> put_in_order(Program& program, const std::vector<std::size_t>& order) {
     static const machine::Machine gantry = read_sample("af5.toml");
     return reorder(program, order, MachineSpace::make(gantry).value());
 }
@@ -288,24 +288,26 @@ TEST(PathChanges, FeedsAreSetOrMultiplied) {
     std::get<Point>(turned.paths[3].targets[0]).feed_mm_rev = 0.1;
     ASSERT_TRUE(change_feeds(turned, {.path = "c", .value = 3000, .is_factor = false}));
     EXPECT_NEAR(*std::get<Point>(turned.paths[3].targets[0]).feed_mm_rev, 1.0, 1e-12) << "at the same turns";
-    EXPECT_THAT(change_feeds(program, {.path = "bb", .value = 1}).error(), HasSubstr("did you mean 'b'?"));
-    EXPECT_THAT(change_feeds(program, {.path = "root", .value = 1}).error(), HasSubstr("no point of 'root'"));
+    EXPECT_THAT(change_feeds(program, {.path = "bb", .value = 1}).error().message,
+                HasSubstr("did you mean 'b'?"));
+    EXPECT_THAT(change_feeds(program, {.path = "root", .value = 1}).error().message,
+                HasSubstr("no point of 'root'"));
 }
 
 TEST(PathChanges, FeedsThatOthersTakeOverAreNotChangedAlone) {
     const FeedChange change{.path = "b", .value = 2};
     Program accepts = of_three({"c", {point_at(3, std::nullopt)}});
-    EXPECT_THAT(change_feeds(accepts, change).error(), HasSubstr("'c' takes one over"));
+    EXPECT_THAT(change_feeds(accepts, change).error().message, HasSubstr("'c' takes one over"));
     EXPECT_EQ(std::get<Point>(accepts.paths[2].targets[0]).feed_mm_min, 200) << "nothing is done by halves";
     ASSERT_TRUE(change_feeds(accepts, {.path = "a", .value = 2})) << "b has its own, and hands that over";
     // After a sub-path, in the path that uses it.
     Program behind = of_three({"c", {point_at(3, 300)}});
     behind.paths[0].targets = {SubPath{2}, point_at(9, std::nullopt)};
-    EXPECT_THAT(change_feeds(behind, change).error(), HasSubstr("'root' takes one over"));
+    EXPECT_THAT(change_feeds(behind, change).error().message, HasSubstr("'root' takes one over"));
     // The second time round.
     Program repeated = of_three({"c", {point_at(3, std::nullopt), SubPath{2}}});
     repeated.paths[0].targets = {SubPath{1}, SubPath{3, 2}};
-    EXPECT_THAT(change_feeds(repeated, change).error(), HasSubstr("'c' takes one over"));
+    EXPECT_THAT(change_feeds(repeated, change).error().message, HasSubstr("'c' takes one over"));
     repeated.paths[0].targets = {SubPath{1}, SubPath{3, 1}};
     EXPECT_TRUE(change_feeds(repeated, change));
 }

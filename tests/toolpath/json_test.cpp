@@ -17,7 +17,7 @@ using test::is_located;
 
 std::string error_of(const std::string& text) {
     const auto file = read_json(text, "f");
-    return file ? "no error" : file.error();
+    return file ? "no error" : file.error().message;
 }
 
 TEST(PathJson, RandomProgramsComeBackEqual) {
@@ -27,7 +27,7 @@ TEST(PathJson, RandomProgramsComeBackEqual) {
         options.machine_points = i % 2 == 0;
         const Program program = random_program(random, options);
         const auto read = read_json(to_json(program), "f");
-        ASSERT_TRUE(read) << read.error();
+        ASSERT_TRUE(read) << read.error().message;
         EXPECT_EQ(read->program, program);
     }
 }
@@ -50,7 +50,7 @@ TEST(PathJson, PlacesAreThoseOfTheTargets) {
         "  {\"path\": \"b\", \"repeats\": 2}]},\n {\"name\": \"b\", \"targets\": [{\"position_mm\": "
         "[4,5,6]}]}]}",
         "f");
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     EXPECT_EQ(file->with_location({0, 1}, "x"), "f:4:3: x");
     EXPECT_EQ(file->with_location({1, 0}, "x"), "f:5:28: x");
     EXPECT_EQ(file->with_location({1, std::nullopt}, "x"), "f:5:2: x");
@@ -121,7 +121,7 @@ TEST(PathJson, MangledFilesEndWithAValueOrALocatedSentence) {
     for (int i = 0; i < 3000; ++i) {
         const std::string text = test::mangled(random, full);
         const auto file = read_json(text, "f");
-        EXPECT_TRUE(file || is_located(file.error())) << error_of(text);
+        EXPECT_TRUE(file || is_located(file.error().message)) << error_of(text);
     }
 }
 

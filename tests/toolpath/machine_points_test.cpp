@@ -20,7 +20,7 @@ std::string path_of(const std::string& targets) {
 
 std::string error_of(const std::string& targets) {
     const auto file = read_json(path_of(targets), "f");
-    return file ? "no error" : file.error();
+    return file ? "no error" : file.error().message;
 }
 
 MachinePoint fixed(std::map<char, double> axes) {
@@ -43,7 +43,7 @@ TEST(MachinePoints, WhatIsReadIsWritten) {
         read_json(path_of(R"({"fixed": "CLAMP1", "name": "left", "dwell_s": 1.5, "actions": ["a", "b"]},
                    {"fixed": 12}, {"reference": 4}, {"reference": "DOCK"})"),
                   "f");
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     const std::vector<Target>& targets = file->program.paths[0].targets;
     MachinePoint left;
     left.name = "left";
@@ -99,7 +99,7 @@ TEST(MachinePoints, WhatFollowsIsARapid) {
         const auto file = read_json(R"({"root": "p", "paths": [{"name": "q", "targets": [)" + park +
                                         "]},\n{\"name\": \"p\", \"targets\": [" + targets + "]}]}",
                                     "f");
-        return file ? "no error" : file.error();
+        return file ? "no error" : file.error().message;
     };
     EXPECT_EQ(with_park(R"({"path": "q"},)" + line, R"({"fixed": 1})"), "f:2:41: " + message);
     EXPECT_EQ(with_park(R"({"path": "q", "repeats": 2})", line + R"(,{"fixed": 1})"), "f:1:51: " + message);
@@ -110,7 +110,8 @@ TEST(MachinePoints, ARecordedPathHasNone) {
     const auto file = read_json(
         R"({"work_offsets": {"54": {}}, "paths": [{"name": "p", "targets": [{"fixed": 1}]}]})", "f");
     ASSERT_FALSE(file);
-    EXPECT_EQ(file.error(), "f:1:66: a path that was recorded from a run has no fixed or reference points");
+    EXPECT_EQ(file.error().message,
+              "f:1:66: a path that was recorded from a run has no fixed or reference points");
 }
 
 TEST(MachinePoints, ZGoesFirstWhereThatLeadsUp) {
@@ -148,7 +149,7 @@ class Plan : public testing::Test {
 
     machine::Machine machine_ = machine::read_machine(machine::built_in_machine_toml(), "m").value();
     Program program_;
-    tl::expected<std::vector<RotarySchedule>, Error> turns_ = tl::unexpected(Error{});
+    tl::expected<std::vector<RotarySchedule>, TargetError> turns_ = tl::unexpected(TargetError{});
     std::vector<std::optional<AxisValues>> entries_;
 };
 
@@ -218,7 +219,7 @@ struct Driven : MoveSink {
     }
     void note(const TargetId&, std::string_view) override {}
 
-    void take(const tl::expected<void, Error>& done) {
+    void take(const tl::expected<void, TargetError>& done) {
         if (!done && error.empty()) error = done.error().message;
     }
 

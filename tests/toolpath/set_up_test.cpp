@@ -29,7 +29,7 @@ const char* const kLine = R"({"position_mm": [10, 20, -9], "feed_mm_min": 100})"
 
 Program program_of(const std::string& paths) {
     const auto file = read_json(R"({"paths": [)" + paths + "]}", "f");
-    EXPECT_TRUE(file) << file.error() << paths;
+    EXPECT_TRUE(file) << file.error().message << paths;
     return file ? file->program : Program{};
 }
 
@@ -158,7 +158,7 @@ TEST(SetUp, WhatIsNoneIsTold) {
         const std::string offsets = recorded ? R"("work_offsets": {"54": {"X": 1}}, )" : "";
         const auto file =
             read_json("{" + offsets + R"("paths": [)" + path(name_and_keys, targets) + "]}", "f");
-        return file ? std::string() : file.error();
+        return file ? std::string() : file.error().message;
     };
     EXPECT_EQ(error(R"("a", "work_offset": 55)", kRapid),
               "f:1:41: 'work_offset' must be a string, not a number");
@@ -189,7 +189,7 @@ TEST(SetUp, WhatIsNoneIsTold) {
                            R"({"path": "b", "work_offset": "G55", "set_offset_mm": [1, 2, 4]})") +
                       "," + path(R"("b")", kRapid) + "]}",
                   "f");
-    EXPECT_NE(file.error().find("the work offset '55' is set to two places"), std::string::npos);
+    EXPECT_NE(file.error().message.find("the work offset '55' is set to two places"), std::string::npos);
 }
 
 }  // namespace

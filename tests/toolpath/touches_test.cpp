@@ -12,12 +12,12 @@ namespace {
 const std::string kWay = R"("from_mm": [1, 2, 30], "to_mm": -4, "surface_mm": 0, "feed_mm_min": 60)";
 const std::string kRapid = R"({"motion": "rapid", "position_mm": [1, 2, 3]})";
 
-tl::expected<PathFile, std::string> read(const std::string& keys, const std::string& targets = kRapid) {
+Result<PathFile> read(const std::string& keys, const std::string& targets = kRapid) {
     return read_json(R"({"paths": [{"name": "p", )" + keys + R"(, "targets": [)" + targets + "]}]}", "f");
 }
 std::string error_of(const std::string& keys, const std::string& targets = kRapid) {
     const auto file = read(keys, targets);
-    return file ? "no error" : file.error();
+    return file ? "no error" : file.error().message;
 }
 std::string error_of_touch(const std::string& touch) {
     return error_of(R"("work_offset": "G55", "probe_offset": [{)" + touch + "}]");
@@ -31,7 +31,7 @@ TEST(Touches, WhatIsReadIsWritten) {
                 "probe_radius_mm": 2.5}])",
         R"({"path": "q", "work_offset": "56", "probe_offset": [{"axis": "Z", )" + kWay +
             R"(}]}]}, {"name": "q", "targets": [)" + kRapid);
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     const WorkFrame& frame = file->program.paths[0].frame;
     ASSERT_EQ(frame.touches.size(), 2U);
     EXPECT_EQ(frame.touches[0], (Touch{'Z', {1, 2, 30}, -4, 0, 60, 0, 9}));

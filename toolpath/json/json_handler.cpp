@@ -135,14 +135,14 @@ bool JsonHandler::end_object() {
 bool JsonHandler::end_path() {
     const SourceLocation source_location = file_.paths.back();
     Path& path = file_.program.paths.back();
-    if (auto done = path_.finish(path); !done) return fail(source_location, done.error());
+    if (auto done = path_.finish(path); !done) return fail(source_location, done.error().message);
     if (names_.add(path.name, file_.program.paths.size() - 1)) return true;
     return fail(source_location, fmt::format("there are two paths of the name '{}'", path.name));
 }
 
 bool JsonHandler::end_target() {
-    tl::expected<Target, std::string> target = target_.draft().finish();
-    if (!target) return fail(target_.location(), target.error());
+    Result<Target> target = target_.draft().finish();
+    if (!target) return fail(target_.location(), target.error().message);
     const std::size_t path = file_.program.paths.size() - 1;
     std::vector<Target>& targets = file_.program.paths.back().targets;
     if (target_.draft().is_sub_path()) names_.add_use({path, targets.size()}, target_.draft().path_name());
@@ -154,7 +154,7 @@ bool JsonHandler::end_target() {
 // Adds the touch to a path, or to the use of one.
 bool JsonHandler::end_touch() {
     const auto touch = touch_.finish();
-    if (!touch) return fail(touch_.location(), touch.error());
+    if (!touch) return fail(touch_.location(), touch.error().message);
     if (outer_level() == Level::path) {
         path_.add_touch(*touch);
     } else {
@@ -219,13 +219,13 @@ bool JsonHandler::parse_error(std::size_t, const std::string&, const nlohmann::j
     return fail(source_location, plain_message(exception.what()));
 }
 
-tl::expected<PathFile, std::string> JsonHandler::finish() {
+Result<PathFile> JsonHandler::finish() {
     if (file_.program.paths.empty()) {
         fail(SourceLocation{1, 1}, "a path file needs 'paths' with one path at least");
         return tl::unexpected(error_);
     }
     if (const auto error = names_.resolve(file_)) {
-        fail(error->location, error->message);
+        fail({error->line, error->column}, error->message);
         return tl::unexpected(error_);
     }
     return std::move(file_);

@@ -4,8 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "base/text/json.h"
 #include "toolpath/json/json_bytes.h"
 #include "toolpath/json/offset_reader.h"
@@ -45,7 +44,7 @@ class JsonHandler {
                      const nlohmann::json::exception& exception);
 
     /// Returns the program after the last event; the error is "file:line:column: message".
-    tl::expected<PathFile, std::string> finish();
+    Result<PathFile> finish();
     const std::string& error() const { return error_; }
 
   private:
@@ -81,7 +80,7 @@ class JsonHandler {
     bool end_vector();
     std::string_view vector_key() const;
     std::string expected_type() const;
-    bool check(const ReadResult& done) { return done ? true : fail(done.error()); }
+    bool check(const ReadResult& done) { return done ? true : fail(done.error().message); }
     bool fail(const SourceLocation& source_location, std::string_view message);
     bool fail(std::string_view message) { return fail(bytes_.token(), message); }
     bool fail_type(std::string_view found) { return check(type_error(expected_type(), found)); }

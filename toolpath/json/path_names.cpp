@@ -8,8 +8,8 @@ namespace gsim::path {
 
 namespace {
 
-std::string unknown_path(std::string_view name) {
-    return fmt::format("there is no path of the name '{}'", name);
+Error unknown_path(std::string_view name, const SourceLocation& location) {
+    return {fmt::format("there is no path of the name '{}'", name), location.line, location.column};
 }
 
 }  // namespace
@@ -20,16 +20,16 @@ std::optional<std::size_t> PathNames::find(std::string_view name) const {
     return found->second;
 }
 
-std::optional<PathNames::Error> PathNames::resolve(PathFile& file) const {
+std::optional<Error> PathNames::resolve(PathFile& file) const {
     if (root_) {
         const auto index = find(root_->name);
-        if (!index) return Error{root_->location, unknown_path(root_->name)};
+        if (!index) return unknown_path(root_->name, root_->location);
         file.program.root = *index;
     }
     for (const Use& use : uses_) {
         const auto [path, target] = use.target;
         const auto index = find(use.path_name);
-        if (!index) return Error{file.targets[path][*target], unknown_path(use.path_name)};
+        if (!index) return unknown_path(use.path_name, file.targets[path][*target]);
         std::get<SubPath>(file.program.paths[path].targets[*target]).path = *index;
     }
     return std::nullopt;

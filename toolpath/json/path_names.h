@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.h"
 #include "toolpath/model/source_location.h"
 
 namespace gsim::path {
@@ -14,11 +15,6 @@ namespace gsim::path {
 /// Names of the paths of a file, and their uses, which may come before the paths.
 class PathNames {
   public:
-    struct Error {
-        SourceLocation location;
-        std::string message;
-    };
-
     /// Adds a path; returns false if the name exists.
     bool add(const std::string& name, std::size_t path) { return by_name_.emplace(name, path).second; }
     /// Notes that the target, a sub-path, uses the path of this name.
@@ -26,8 +22,8 @@ class PathNames {
         uses_.push_back({target, std::move(path_name)});
     }
     void set_root(const std::string& name, const SourceLocation& location) { root_ = Root{name, location}; }
-    /// Sets the indices of the root and of the paths of all sub-paths. Returns the first name that no path
-    /// has.
+    /// Sets the indices of the root and of the paths of all sub-paths. Returns an error at
+    /// the first name that no path has.
     std::optional<Error> resolve(PathFile& file) const;
 
   private:

@@ -13,7 +13,7 @@ void PathReader::start() {
 
 ReadResult PathReader::key(const std::string& name) {
     const auto* const found = std::find(kPathKeys.begin(), kPathKeys.end(), name);
-    if (found == kPathKeys.end()) return tl::unexpected(unknown_key(name, "a path", kPathKeys));
+    if (found == kPathKeys.end()) return Unexpected(unknown_key(name, "a path", kPathKeys));
     const auto index = static_cast<std::size_t>(found - kPathKeys.begin());
     if (present_keys_[index]) return duplicate_key(name);
     present_keys_.set(index);
@@ -35,7 +35,7 @@ ReadResult PathReader::string(const std::string& value) {
 
 ReadResult PathReader::finish(Path& path) const {
     for (std::size_t i = 0; i < kRequiredPathKeys; ++i) {
-        if (!present_keys_[i]) return tl::unexpected(fmt::format("a path lacks the key '{}'", kPathKeys[i]));
+        if (!present_keys_[i]) return Unexpected(fmt::format("a path lacks the key '{}'", kPathKeys[i]));
     }
     path.name = name_;
     return draft_.finish(path);

@@ -10,7 +10,7 @@ namespace gsim::path {
 
 ReadResult ProgramReader::key(const std::string& name) {
     if (std::find(kProgramKeys.begin(), kProgramKeys.end(), name) == kProgramKeys.end())
-        return tl::unexpected(unknown_key(name, "the path file", kProgramKeys));
+        return Unexpected(unknown_key(name, "the path file", kProgramKeys));
     if (std::find(keys_.begin(), keys_.end(), name) != keys_.end()) return duplicate_key(name);
     keys_.push_back(name);
     key_ = name;
@@ -19,7 +19,7 @@ ReadResult ProgramReader::key(const std::string& name) {
 
 ReadResult ProgramReader::number(double value) const {
     if (!is_at("format")) return type_error(expected_type(), "a number");
-    if (auto error = text::format_error(value)) return tl::unexpected(*std::move(error));
+    if (auto error = text::find_format_error(value)) return tl::unexpected(*std::move(error));
     return {};
 }
 

@@ -11,7 +11,7 @@ void TargetReader::start(const SourceLocation& location) {
 
 ReadResult TargetReader::key(const std::string& name) {
     const auto* const found = std::find(kTargetKeys.begin(), kTargetKeys.end(), name);
-    if (found == kTargetKeys.end()) return tl::unexpected(unknown_key(name, "a target", kTargetKeys));
+    if (found == kTargetKeys.end()) return Unexpected(unknown_key(name, "a target", kTargetKeys));
     key_ = static_cast<TargetKey>(found - kTargetKeys.begin());
     if (draft_.mark_present(key_)) return duplicate_key(name);
     return {};

@@ -13,7 +13,7 @@ void TouchReader::start(const SourceLocation& location) {
 
 ReadResult TouchReader::key(const std::string& name) {
     const auto* const found = std::find(kTouchKeys.begin(), kTouchKeys.end(), name);
-    if (found == kTouchKeys.end()) return tl::unexpected(unknown_key(name, "a touch", kTouchKeys));
+    if (found == kTouchKeys.end()) return Unexpected(unknown_key(name, "a touch", kTouchKeys));
     key_ = static_cast<TouchKey>(found - kTouchKeys.begin());
     if (draft_.mark_present(key_)) return duplicate_key(name);
     return {};

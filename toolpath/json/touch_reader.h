@@ -22,7 +22,7 @@ class TouchReader {
     ReadResult vector(const std::vector<double>& values) { return draft_.set_vector(key_, values); }
     bool expects_vector() const { return TouchDraft::value_kind(key_) == TouchDraft::ValueKind::vector; }
     /// Returns the touch, after all its keys are read.
-    tl::expected<Touch, std::string> finish() const { return draft_.finish(); }
+    Result<Touch> finish() const { return draft_.finish(); }
 
     const SourceLocation& location() const { return location_; }
     std::string_view current_key() const { return key_name(key_); }

@@ -32,14 +32,14 @@ bool TouchDraft::mark_present(TouchKey key) {
     return before;
 }
 
-tl::expected<void, std::string> TouchDraft::set_text(TouchKey /*key*/, std::string_view value) {
+Result<void> TouchDraft::set_text(TouchKey /*key*/, std::string_view value) {
     if (value.size() != 1 || value[0] < 'X' || value[0] > 'Z')
-        return tl::unexpected<std::string>("'axis' of a touch must be \"X\", \"Y\" or \"Z\"");
+        return Unexpected("'axis' of a touch must be \"X\", \"Y\" or \"Z\"");
     touch_.axis = value[0];
     return {};
 }
 
-tl::expected<void, std::string> TouchDraft::set_number(TouchKey key, double value) {
+Result<void> TouchDraft::set_number(TouchKey key, double value) {
     switch (key) {
         case TouchKey::to_mm: touch_.to_mm = value; break;
         case TouchKey::surface_mm: touch_.surface_mm = value; break;
@@ -47,27 +47,26 @@ tl::expected<void, std::string> TouchDraft::set_number(TouchKey key, double valu
         case TouchKey::probe_radius_mm: touch_.probe_radius_mm = value; break;
         default:
             if (!(value >= 0 && value <= kMaxToolNumber) || value != std::floor(value)) {
-                return tl::unexpected(fmt::format("'tool' must be a whole number from 0 to {}; it is {}",
-                                                  kMaxToolNumber, value));
+                return Unexpected(fmt::format("'tool' must be a whole number from 0 to {}; it is {}",
+                                              kMaxToolNumber, value));
             }
             touch_.tool = static_cast<int>(value);
     }
     return {};
 }
 
-tl::expected<void, std::string> TouchDraft::set_vector(TouchKey key, const std::vector<double>& values) {
+Result<void> TouchDraft::set_vector(TouchKey key, const std::vector<double>& values) {
     if (values.size() != 3) {
-        return tl::unexpected(
+        return Unexpected(
             fmt::format("'{}' must hold three numbers; it holds {}", key_name(key), values.size()));
     }
     touch_.from_mm = {values[0], values[1], values[2]};
     return {};
 }
 
-tl::expected<Touch, std::string> TouchDraft::finish() const {
+Result<Touch> TouchDraft::finish() const {
     for (std::size_t i = 0; i < kRequiredTouchKeys; ++i) {
-        if (!present_keys_[i])
-            return tl::unexpected(fmt::format("a touch lacks the key '{}'", kTouchKeys[i]));
+        if (!present_keys_[i]) return Unexpected(fmt::format("a touch lacks the key '{}'", kTouchKeys[i]));
     }
     return touch_;
 }
@@ -80,7 +79,7 @@ double contact_mm(const Touch& touch) {
     return touch.surface_mm + (is_upward(touch) ? -touch.probe_radius_mm : touch.probe_radius_mm);
 }
 
-std::optional<std::string> touch_error(const Touch& touch) {
+std::optional<Error> find_touch_error(const Touch& touch) {
     if (touch.axis < 'X' || touch.axis > 'Z') return "a touch is along X, Y or Z";
     for (const double value :
          {touch.from_mm[0], touch.from_mm[1], touch.from_mm[2], touch.to_mm, touch.surface_mm}) {

@@ -22,10 +22,8 @@ constexpr double kMaxMagnitude = 1e6;        // mm or deg; beyond any machine
 constexpr double kMaxRate = 1e9;             // mm/min, s and the like
 constexpr std::size_t kMaxNameLength = 256;  // bytes
 
-using OptionalMessage = std::optional<std::string>;
-
 // Checks a name, because names are written into comments of programs and names of files.
-OptionalMessage name_error(std::string_view what, std::string_view name) {
+std::optional<Error> name_error(std::string_view what, std::string_view name) {
     if (name.size() > kMaxNameLength) return fmt::format("{} is longer than {} bytes", what, kMaxNameLength);
     const bool control = std::any_of(name.begin(), name.end(), [](char c) {
         const auto byte = static_cast<unsigned char>(c);
@@ -36,7 +34,7 @@ OptionalMessage name_error(std::string_view what, std::string_view name) {
     return std::nullopt;
 }
 
-OptionalMessage vector_error(TargetKey key, const Vector& vector) {
+std::optional<Error> vector_error(TargetKey key, const Vector& vector) {
     for (const double value : vector) {
         if (!(std::abs(value) <= kMaxMagnitude)) {
             return fmt::format("'{}' must lie between -1e6 and 1e6; it is {}", key_name(key), value);
@@ -45,12 +43,12 @@ OptionalMessage vector_error(TargetKey key, const Vector& vector) {
     return std::nullopt;
 }
 
-OptionalMessage rate_error(TargetKey key, std::optional<double> value) {
+std::optional<Error> rate_error(TargetKey key, std::optional<double> value) {
     if (!value || (*value > 0 && *value <= kMaxRate)) return std::nullopt;
     return fmt::format("'{}' must be greater than 0 and at most 1e9; it is {}", key_name(key), *value);
 }
 
-OptionalMessage orientation_error(const Orientation& orientation) {
+std::optional<Error> orientation_error(const Orientation& orientation) {
     if (const auto* axis = std::get_if<ToolAxis>(&orientation)) {
         if (auto error = vector_error(TargetKey::tool_axis, axis->direction)) return error;
         if (!(to_eigen(axis->direction).norm() > 1e-9)) return "'tool_axis' must not be 0 0 0";
@@ -66,7 +64,7 @@ OptionalMessage orientation_error(const Orientation& orientation) {
     return std::nullopt;
 }
 
-OptionalMessage arc_values_error(const Point& point) {
+std::optional<Error> arc_values_error(const Point& point) {
     if (point.motion != MotionType::circular) return std::nullopt;
     if (const auto* via = std::get_if<ViaPoint>(&point.arc)) {
         return vector_error(TargetKey::via_mm, via->via_mm);
@@ -76,7 +74,7 @@ OptionalMessage arc_values_error(const Point& point) {
     return vector_error(TargetKey::normal, arc.normal);
 }
 
-OptionalMessage rates_error(const Point& point) {
+std::optional<Error> rates_error(const Point& point) {
     if (auto error = rate_error(TargetKey::feed_mm_min, point.feed_mm_min)) return error;
     if (auto error = rate_error(TargetKey::feed_deg_min, point.feed_deg_min)) return error;
     if (auto error = rate_error(TargetKey::duration_s, point.duration_s)) return error;
@@ -88,7 +86,7 @@ OptionalMessage rates_error(const Point& point) {
 }
 
 // Checks the actions on arrival.
-OptionalMessage arrival_error(double dwell_s, const std::vector<std::string>& actions) {
+std::optional<Error> arrival_error(double dwell_s, const std::vector<std::string>& actions) {
     if (!(dwell_s >= 0 && dwell_s <= kMaxMagnitude))
         return fmt::format("'dwell_s' must be 0 or greater and at most 1e6; it is {}", dwell_s);
     for (const std::string& action : actions) {
@@ -98,7 +96,7 @@ OptionalMessage arrival_error(double dwell_s, const std::vector<std::string>& ac
     return std::nullopt;
 }
 
-OptionalMessage point_error(const Point& point) {
+std::optional<Error> point_error(const Point& point) {
     if (auto error = name_error("the point's name", point.name)) return error;
     if (auto error = vector_error(TargetKey::position_mm, point.position_mm)) return error;
     if (auto error = arc_values_error(point)) return error;
@@ -117,7 +115,7 @@ bool is_valid_point_name(std::string_view name) {
     });
 }
 
-OptionalMessage machine_point_error(const MachinePoint& point) {
+std::optional<Error> machine_point_error(const MachinePoint& point) {
     if (auto error = name_error("the point's name", point.name)) return error;
     const bool is_reference = point.kind == MachinePoint::Kind::reference;
     const int max = is_reference ? kReferencePointCount : kMaxFixedPoint;
@@ -144,10 +142,11 @@ class Validator {
   public:
     explicit Validator(const Program& program) : program_(program), nesting_depth_(program.paths.size()) {}
 
-    std::optional<Error> run() {
-        if (program_.paths.empty()) return Error{{}, "there is no path"};
-        if (program_.root >= program_.paths.size()) return Error{{}, "the root is none of the paths"};
-        if (auto message = name_error("the program's name", program_.name)) return Error{{}, *message};
+    std::optional<TargetError> run() {
+        if (program_.paths.empty()) return TargetError{{}, "there is no path"};
+        if (program_.root >= program_.paths.size()) return TargetError{{}, "the root is none of the paths"};
+        if (auto message = name_error("the program's name", program_.name))
+            return TargetError{{}, std::move(message->message)};
         check_names();
         check_work_offsets();
         check_frames();
@@ -160,8 +159,8 @@ class Validator {
     }
 
   private:
-    void fail(std::size_t path, std::optional<std::size_t> target, std::string message) {
-        if (!error_) error_ = Error{{path, target}, std::move(message)};
+    void fail(std::size_t path, std::optional<std::size_t> target, Error error) {
+        if (!error_) error_ = TargetError{{path, target}, std::move(error.message)};
     }
 
     void check_names() {
@@ -169,7 +168,7 @@ class Validator {
         for (std::size_t i = 0; i < program_.paths.size() && !error_; ++i) {
             const Path& path = program_.paths[i];
             if (path.name.empty()) fail(i, {}, "a path must have a name");
-            if (auto message = name_error("the path's name", path.name)) fail(i, {}, *message);
+            if (auto error = name_error("the path's name", path.name)) fail(i, {}, *std::move(error));
             if (!names.insert(path.name).second) {
                 fail(i, {}, fmt::format("there are two paths of the name '{}'", path.name));
             }
@@ -181,7 +180,8 @@ class Validator {
         for (const auto& [name, offset] : program_.work_offsets) {
             const auto is_out_of_range = [](double value) { return !(std::abs(value) <= kMaxMagnitude); };
             if (name.empty()) fail(program_.root, {}, "a work offset must have a name");
-            if (auto message = name_error("a work offset's name", name)) fail(program_.root, {}, *message);
+            if (auto error = name_error("a work offset's name", name))
+                fail(program_.root, {}, *std::move(error));
             for (const auto& [letter, value] : offset.origin) {
                 if (!is_out_of_range(value)) continue;
                 fail(program_.root, {},
@@ -207,7 +207,7 @@ class Validator {
     // Checks that offsets set by a program are set once, at its beginning.
     void check_frame(const TargetId& id, const WorkFrame& frame) {
         if (frame.name.empty() && !frame.set_offset_mm && frame.touches.empty()) return;
-        if (auto message = frame_error(frame)) return fail(id.path, id.target, *message);
+        if (auto error = frame_error(frame)) return fail(id.path, id.target, *std::move(error));
         check_touches(id, frame);
         if (!frame.set_offset_mm) return;
         const auto [set, is_new] = set_.emplace(frame.name, *frame.set_offset_mm);
@@ -219,7 +219,7 @@ class Validator {
     void check_touches(const TargetId& id, const WorkFrame& frame) {
         if (frame.touches.empty()) return;
         for (const Touch& touch : frame.touches) {
-            if (auto message = touch_error(touch)) fail(id.path, id.target, *message);
+            if (auto error = find_touch_error(touch)) fail(id.path, id.target, *std::move(error));
             if (touch.tool && !program_.paths[program_.root].tool)
                 fail(id.path, id.target,
                      "a touch names its tool, so that the path that the program begins with must name its "
@@ -230,7 +230,7 @@ class Validator {
             fail(id.path, id.target, fmt::format("the work offset '{}' is found in two ways", frame.name));
     }
 
-    OptionalMessage frame_error(const WorkFrame& frame) const {
+    std::optional<Error> frame_error(const WorkFrame& frame) const {
         if (program_.is_recorded())
             return "a path that was recorded from a run has its work offsets at its points, not at paths";
         if (frame.name.empty()) return "'set_offset_mm' and 'probe_offset' go with 'work_offset'";
@@ -256,7 +256,7 @@ class Validator {
     }
 
     // Checks tool actions, because only the paths' tools define what is in the spindle.
-    OptionalMessage tool_action_error(const std::vector<std::string>& actions) const {
+    std::optional<Error> tool_action_error(const std::vector<std::string>& actions) const {
         if (!has_tools_) return std::nullopt;
         const auto change = std::find_if(actions.begin(), actions.end(), is_tool_change);
         if (change == actions.end()) return std::nullopt;
@@ -265,7 +265,7 @@ class Validator {
     }
 
     // Checks that a point's own offset is one of the program's.
-    OptionalMessage work_offset_error(const Point& point) const {
+    std::optional<Error> work_offset_error(const Point& point) const {
         if (!point.work_offset.empty() && !program_.is_recorded())
             return "'work_offset' of a point is for paths that were recorded from a run; otherwise a path "
                    "has it, "
@@ -280,14 +280,14 @@ class Validator {
         const std::vector<Target>& targets = program_.paths[path].targets;
         for (std::size_t i = 0; i < targets.size() && !error_; ++i) {
             if (const auto* point = std::get_if<Point>(&targets[i])) {
-                if (auto message = point_error(*point)) fail(path, i, *message);
-                if (auto message = work_offset_error(*point)) fail(path, i, *message);
-                if (auto message = tool_action_error(point->actions)) fail(path, i, *message);
+                if (auto error = point_error(*point)) fail(path, i, *std::move(error));
+                if (auto error = work_offset_error(*point)) fail(path, i, *std::move(error));
+                if (auto error = tool_action_error(point->actions)) fail(path, i, *std::move(error));
                 continue;
             }
             if (const auto* point = std::get_if<MachinePoint>(&targets[i])) {
-                if (auto message = machine_point_error(*point)) fail(path, i, *message);
-                if (auto message = tool_action_error(point->actions)) fail(path, i, *message);
+                if (auto error = machine_point_error(*point)) fail(path, i, *std::move(error));
+                if (auto error = tool_action_error(point->actions)) fail(path, i, *std::move(error));
                 if (program_.is_recorded())
                     fail(path, i, "a path that was recorded from a run has no fixed or reference points");
                 continue;
@@ -370,11 +370,12 @@ class Validator {
             return fail(id.path, id.target,
                         "the first motion of a program cannot be circular: nothing says where it starts");
         }
-        if (const auto arc = arc_shape(*start.at_mm, *point); !arc) fail(id.path, id.target, arc.error());
+        if (const auto arc = arc_shape(*start.at_mm, *point); !arc)
+            fail(id.path, id.target, arc.error().message);
     }
 
     const Program& program_;
-    std::optional<Error> error_;
+    std::optional<TargetError> error_;
     std::map<std::string_view, Vector> set_;  // work offsets
     std::map<std::string_view, const std::vector<Touch>*> touches_;
     bool has_tools_ = false;
@@ -385,7 +386,7 @@ class Validator {
 
 }  // namespace
 
-std::optional<Error> validate(const Program& program) {
+std::optional<TargetError> validate(const Program& program) {
     return Validator(program).run();
 }
 

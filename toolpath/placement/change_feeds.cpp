@@ -11,8 +11,6 @@ namespace gsim::path {
 
 namespace {
 
-using FeedError = tl::unexpected<std::string>;
-
 /// Path that a feed comes from; nullopt: from the path that uses this one.
 using Source = std::optional<std::size_t>;
 
@@ -104,23 +102,23 @@ std::string unknown_path_message(const Program& program, const std::string& name
 
 }  // namespace
 
-tl::expected<void, std::string> change_feeds(Program& program, const FeedChange& change) {
+Result<void> change_feeds(Program& program, const FeedChange& change) {
     std::size_t changed = 0;
     if (change.path.empty()) {
         for (Path& path : program.paths) changed += change_feeds(path, change);
-        if (changed == 0) return FeedError("no point of the path has a feed");
+        if (changed == 0) return Unexpected("no point of the path has a feed");
         return {};
     }
     const auto path = find_path(program, change.path);
-    if (!path) return FeedError(unknown_path_message(program, change.path));
+    if (!path) return Unexpected(unknown_path_message(program, change.path));
     if (const auto dependent = FeedDependents(program, *path).find()) {
-        return FeedError(
+        return Unexpected(
             fmt::format("the feeds of '{}' cannot be changed alone: '{}' takes one over, and should have "
                         "its own",
                         change.path, program.paths[*dependent].name));
     }
     if (change_feeds(program.paths[*path], change) == 0)
-        return FeedError(fmt::format("no point of '{}' has a feed", change.path));
+        return Unexpected(fmt::format("no point of '{}' has a feed", change.path));
     return {};
 }
 

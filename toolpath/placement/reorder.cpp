@@ -13,7 +13,7 @@ namespace gsim::path {
 
 namespace {
 
-using OrderError = tl::unexpected<Error>;
+using OrderError = tl::unexpected<TargetError>;
 
 /// Returns the first point of a path, also of sub-paths that it begins with; null if it begins with no point.
 const Point* first_point(const Program& program, std::size_t path) {
@@ -54,7 +54,7 @@ bool is_non_modal(const std::string& action) {
 }
 
 /// Returns the effect of a target that lasts after the path, and is not compared.
-std::optional<std::string> modal_error(const Target& target) {
+std::optional<Error> find_modal_error(const Target& target) {
     for (const std::string& action : target_actions(target)) {
         if (!is_non_modal(action)) return fmt::format("'{}' may hold on, so that the order counts", action);
     }
@@ -65,10 +65,11 @@ std::optional<std::string> modal_error(const Target& target) {
     return std::nullopt;
 }
 
-std::optional<Error> find_modal_action(const Program& program) {
+std::optional<TargetError> find_modal_action(const Program& program) {
     for (std::size_t path = 0; path < program.paths.size(); ++path) {
         for (std::size_t i = 0; i < program.paths[path].targets.size(); ++i) {
-            if (auto error = modal_error(program.paths[path].targets[i])) return Error{{path, i}, *error};
+            if (auto error = find_modal_error(program.paths[path].targets[i]))
+                return TargetError{{path, i}, error->message};
         }
     }
     return std::nullopt;
@@ -109,8 +110,8 @@ bool starts_equivalent(const State& one, const State& other) {
 }
 
 /// Returns why a target of the root cannot be at another position.
-std::optional<std::string> reorder_error(const Program& program, const Target& target,
-                                         const MachineSpace& space) {
+std::optional<Error> find_reorder_error(const Program& program, const Target& target,
+                                        const MachineSpace& space) {
     const auto* sub_path_call = std::get_if<SubPath>(&target);
     if (sub_path_call == nullptr) return "what is put in another order must be sub-paths";
     const std::string& name = program.paths[sub_path_call->path].name;
@@ -130,11 +131,11 @@ std::optional<std::string> reorder_error(const Program& program, const Target& t
 
 }  // namespace
 
-tl::expected<void, Error> reorder(Program& program, std::span<const std::size_t> order,
-                                  const MachineSpace& space) {
+tl::expected<void, TargetError> reorder(Program& program, std::span<const std::size_t> order,
+                                        const MachineSpace& space) {
     const std::vector<Target> targets = program.paths[program.root].targets;
     const auto make_error = [&](std::optional<std::size_t> target, std::string reason) {
-        return OrderError(Error{{program.root, target}, std::move(reason)});
+        return OrderError(TargetError{{program.root, target}, std::move(reason)});
     };
     std::vector<std::size_t> all(targets.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
@@ -142,7 +143,7 @@ tl::expected<void, Error> reorder(Program& program, std::span<const std::size_t>
         return make_error(std::nullopt,
                           fmt::format("the order should have each of 0 to {} once", targets.size() - 1));
     for (const std::size_t i : all) {
-        if (auto error = reorder_error(program, targets[i], space)) return make_error(i, *error);
+        if (auto error = find_reorder_error(program, targets[i], space)) return make_error(i, error->message);
     }
     if (auto error = find_modal_action(program)) return OrderError(*std::move(error));
     const States before(program);

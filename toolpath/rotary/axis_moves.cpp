@@ -10,8 +10,8 @@ namespace gsim::path {
 namespace {
 
 // Writes one call, or one for each repeat if the axes unwind in between.
-std::optional<Error> call(const SubPath& sub_path, std::size_t target, const RotarySchedule& turns,
-                          const State& exit_state, MoveGenerator& move_generator, MoveSink& sink) {
+std::optional<TargetError> call(const SubPath& sub_path, std::size_t target, const RotarySchedule& turns,
+                                const State& exit_state, MoveGenerator& move_generator, MoveSink& sink) {
     const AxisValues* to = turns.between_repeats(target);
     if (to == nullptr) {
         sink.call(sub_path);
@@ -29,7 +29,7 @@ std::optional<Error> call(const SubPath& sub_path, std::size_t target, const Rot
 
 }  // namespace
 
-tl::expected<void, Error> AxisMoves::run(std::size_t path, MoveSink& sink) const {
+tl::expected<void, TargetError> AxisMoves::run(std::size_t path, MoveSink& sink) const {
     PathSetup set_up(program_, states_, path, options_.tool_change_stops, jet_, sink);
     MoveGenerator move_generator(space_, turns_[path], options_, jet_, path, path != program_.root,
                                  entries_[path], set_up, sink);

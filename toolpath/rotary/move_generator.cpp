@@ -21,7 +21,7 @@ constexpr double kPositionTolerance_mm = 1e-6;
 
 }  // namespace
 
-std::optional<Error> MoveGenerator::go_to(const Point& point, std::size_t target, const State& before) {
+std::optional<TargetError> MoveGenerator::go_to(const Point& point, std::size_t target, const State& before) {
     target_ = target;
     const AxisValues rotary = turns_.at(target);
     const Vector3d end = to_eigen(point.position_mm);
@@ -30,7 +30,7 @@ std::optional<Error> MoveGenerator::go_to(const Point& point, std::size_t target
     if (before.at_machine_point.value() != false) sink_.retract();
     if (point.acceleration_mm_s2) sink_.acceleration(*point.acceleration_mm_s2);
     if (auto differs = report_work_offset(point, before)) return differs;
-    std::optional<Error> failed;
+    std::optional<TargetError> failed;
     if (point.motion == MotionType::rapid) {
         sink_.move({axes, true, std::nullopt, 0, false});
     } else if (point.motion == MotionType::none) {
@@ -53,14 +53,14 @@ std::optional<Error> MoveGenerator::go_to(const Point& point, std::size_t target
     return failed ? failed : arrive(point.dwell_s, point.actions, before);
 }
 
-std::optional<Error> MoveGenerator::go_to(const MachinePoint& point, std::size_t target,
-                                          const State& before) {
+std::optional<TargetError> MoveGenerator::go_to(const MachinePoint& point, std::size_t target,
+                                                const State& before) {
     target_ = target;
     if (jet_ && before.process_on.value() != false)
         return error(fmt::format("the jet may be on where the machine goes to {}; turn it off before",
                                  point_title(point)));
-    if (std::string range_error = space_.axis_range_error(point.axes); !range_error.empty())
-        return error(std::move(range_error));
+    if (auto range_error = space_.find_axis_range_error(point.axes))
+        return error(std::move(range_error->message));
     const MachineApproach travel = plan_approach(point, options_.retract_mm);
     if (travel.retract_first) sink_.retract();
     sink_.go_to(travel);
@@ -68,16 +68,16 @@ std::optional<Error> MoveGenerator::go_to(const MachinePoint& point, std::size_t
     return arrive(point.dwell_s, point.actions, before);
 }
 
-std::optional<Error> MoveGenerator::arrive(double dwell_s, const std::vector<std::string>& actions,
-                                           const State& before) {
+std::optional<TargetError> MoveGenerator::arrive(double dwell_s, const std::vector<std::string>& actions,
+                                                 const State& before) {
     if (dwell_s > 0) sink_.dwell(dwell_s);
     const auto all = insert_restore_actions(actions, before.active_modes, options_.tool_change_stops);
-    if (!all) return error(all.error());
+    if (!all) return error(all.error().message);
     for (const std::string& each : *all) sink_.action(each);
     return std::nullopt;
 }
 
-std::optional<Error> MoveGenerator::report_work_offset(const Point& point, const State& before) {
+std::optional<TargetError> MoveGenerator::report_work_offset(const Point& point, const State& before) {
     if (point.work_offset.empty() && before.work_offset.differs())
         return error("the point needs 'work_offset': the places that lead here hand over different ones");
     const std::string name =
@@ -88,8 +88,8 @@ std::optional<Error> MoveGenerator::report_work_offset(const Point& point, const
 }
 
 // Handles a point at which the tool already is.
-std::optional<Error> MoveGenerator::set_position(const Point& point, const AxisValues& axes,
-                                                 const State& before) {
+std::optional<TargetError> MoveGenerator::set_position(const Point& point, const AxisValues& axes,
+                                                       const State& before) {
     const std::optional<Vector>& at = before.position_mm.value();
     if (at && (to_eigen(*at) - to_eigen(point.position_mm)).norm() > kPositionTolerance_mm)
         return error("a point of motion \"none\" stands where the point before it does");
@@ -117,7 +117,8 @@ std::optional<MoveGenerator::Feed> MoveGenerator::motion_feed(const TcpMotion& m
     return Feed{*feed, false, std::nullopt, per_rev > 0 ? std::optional(per_rev) : std::nullopt};
 }
 
-std::optional<Error> MoveGenerator::run(const TcpMotion& motion, const Point& point, const State& before) {
+std::optional<TargetError> MoveGenerator::run(const TcpMotion& motion, const Point& point,
+                                              const State& before) {
     // An unknown path to the point is taken for a line of some length.
     const bool is_start_known = before.position_mm.value().has_value();
     const bool is_rotary_only = is_start_known && motion.length_mm() < options_.resolution_mm / 2;
@@ -260,7 +261,7 @@ bool MoveGenerator::arcs(const TcpMotion& motion, const Feed& feed, int parts, A
 }
 
 // Turns the jet off, so that it does not cut a hole at standstill.
-std::optional<Error> MoveGenerator::unwind(std::size_t target, const AxisValues* to, const State& at) {
+std::optional<TargetError> MoveGenerator::unwind(std::size_t target, const AxisValues* to, const State& at) {
     if (to == nullptr) return std::nullopt;
     target_ = target;
     const bool jet = jet_ && at.process_on.value() != false;
@@ -271,7 +272,7 @@ std::optional<Error> MoveGenerator::unwind(std::size_t target, const AxisValues*
     // A TCP off the axes would otherwise swing about them, through the work.
     const Vector3d tcp = to_eigen(*at.position_mm.value());
     const TcpMotion turn(space_, tcp, tcp, rotary_, *to, std::nullopt);
-    std::optional<Error> range_error;
+    std::optional<TargetError> range_error;
     turn.cut(options_.tolerance_mm, [&](double share) {
         const AxisValues axes = turn.at(share);
         if (!range_error) range_error = check_range(axes);

@@ -32,10 +32,10 @@ class MoveGenerator {
 
     /// Moves to a point, which is a target of the path; `before` is the state there. Returns an error if the
     /// machine cannot.
-    std::optional<Error> go_to(const Point& point, std::size_t target, const State& before);
-    std::optional<Error> go_to(const MachinePoint& point, std::size_t target, const State& before);
+    std::optional<TargetError> go_to(const Point& point, std::size_t target, const State& before);
+    std::optional<TargetError> go_to(const MachinePoint& point, std::size_t target, const State& before);
     /// Turns about the TCP, if `to` is not null.
-    std::optional<Error> unwind(std::size_t target, const AxisValues* to, const State& at);
+    std::optional<TargetError> unwind(std::size_t target, const AxisValues* to, const State& at);
     void set_rotary(const AxisValues& rotary) { rotary_ = rotary; }
     /// Updates the state after the call of a sub-path.
     void return_from(std::size_t target) {
@@ -52,25 +52,25 @@ class MoveGenerator {
     };
 
     TargetId target_id() const { return {path_, target_}; }
-    Error error(std::string message) const { return {target_id(), std::move(message)}; }
-    std::optional<Error> check_range(const AxisValues& axes) const {
+    TargetError error(std::string message) const { return {target_id(), std::move(message)}; }
+    std::optional<TargetError> check_range(const AxisValues& axes) const {
         for (const std::string& frame : set_up_.frames()) {
             const auto named = options_.frames_mm.find(frame);
-            std::string message = named == options_.frames_mm.end()
-                                      ? space_.axis_range_error(axes)
-                                      : space_.axis_range_error(axes, named->second);
-            if (!message.empty()) return error(std::move(message));
+            auto range_error = named == options_.frames_mm.end()
+                                   ? space_.find_axis_range_error(axes)
+                                   : space_.find_axis_range_error(axes, named->second);
+            if (range_error) return error(std::move(range_error->message));
         }
         return std::nullopt;
     }
-    std::optional<Error> run(const TcpMotion& motion, const Point& point, const State& before);
+    std::optional<TargetError> run(const TcpMotion& motion, const Point& point, const State& before);
     std::optional<Feed> motion_feed(const TcpMotion& motion, const Point& point, const State& before,
                                     bool is_rotary_only) const;
     Feed axis_feed(const TcpMotion& motion, double from, double to, const Feed& feed) const;
     bool is_printed_equal(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
     bool is_one_line(const TcpMotion& motion, bool is_start_known);
-    std::optional<Error> report_work_offset(const Point& point, const State& before);
-    std::optional<Error> set_position(const Point& point, const AxisValues& axes, const State& before);
+    std::optional<TargetError> report_work_offset(const Point& point, const State& before);
+    std::optional<TargetError> set_position(const Point& point, const AxisValues& axes, const State& before);
     AxisMove feed_move(const AxisValues& axes, const Feed& feed, double share) const;
     void lines(const TcpMotion& motion, const Feed& feed, double tolerance_mm);
     using ArcPartFunction = std::optional<AxisArc> (TcpMotion::*)(double from, double to,
@@ -78,7 +78,8 @@ class MoveGenerator {
     bool arcs(const TcpMotion& motion, const Feed& feed);
     bool arcs(const TcpMotion& motion, const Feed& feed, int parts, ArcPartFunction part_of_arc,
               int turns = 1);
-    std::optional<Error> arrive(double dwell_s, const std::vector<std::string>& actions, const State& before);
+    std::optional<TargetError> arrive(double dwell_s, const std::vector<std::string>& actions,
+                                      const State& before);
 
     const MachineSpace& space_;
     const RotarySchedule& turns_;

@@ -40,14 +40,14 @@ std::vector<double> in_range(const machine::Axis& axis, double value, double nea
 }
 
 // Leaves axes that are not named unchanged.
-tl::expected<AxisValues, std::string> given_values(const MachineSpace& space, const RotaryAxes& given,
-                                                   const AxisValues& before) {
+Result<AxisValues> given_values(const MachineSpace& space, const RotaryAxes& given,
+                                const AxisValues& before) {
     AxisValues values = before;
     for (const auto& [letter, value_deg] : given) {
         std::size_t axis = 0;
         while (axis < space.rotary_count() && space.rotary_axis(axis).letter != letter) ++axis;
         if (axis == space.rotary_count()) {
-            return tl::unexpected(
+            return Unexpected(
                 fmt::format("the machine '{}' has no rotary axis {}", space.machine().name, letter));
         }
         values[static_cast<Eigen::Index>(axis)] = value_deg;
@@ -94,11 +94,9 @@ void add_full_turns(const MachineSpace& space, const AxisValues& values, const A
     for (const AxisValues& each : partial_solutions) add_unique(out, each);
 }
 
-tl::expected<std::vector<AxisValues>, std::string> rotary_candidates(const MachineSpace& space,
-                                                                     const Vector& tcp_mm,
-                                                                     const Orientation& orientation,
-                                                                     const std::vector<AxisValues>& before,
-                                                                     bool is_literal) {
+Result<std::vector<AxisValues>> rotary_candidates(const MachineSpace& space, const Vector& tcp_mm,
+                                                  const Orientation& orientation,
+                                                  const std::vector<AxisValues>& before, bool is_literal) {
     std::vector<AxisValues> found;
     std::vector<AxisValues> checked_bodies;
     std::optional<AxisValues> unreachable;

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "toolpath/rotary/machine_space.h"
 
 namespace gsim::path {
@@ -23,12 +22,9 @@ void add_full_turns(const MachineSpace& space, const AxisValues& values, const A
                     std::vector<AxisValues>& out);
 
 /// Returns all rotary values within the axes' ranges that give a point's orientation, as seen from the
-/// possible axis values before it (at least one). `is_literal`: rotary_deg is taken literally. The error is a
-/// message.
-tl::expected<std::vector<AxisValues>, std::string> rotary_candidates(const MachineSpace& space,
-                                                                     const Vector& tcp_mm,
-                                                                     const Orientation& orientation,
-                                                                     const std::vector<AxisValues>& before,
-                                                                     bool is_literal);
+/// possible axis values before it (at least one). `is_literal`: rotary_deg is taken literally.
+Result<std::vector<AxisValues>> rotary_candidates(const MachineSpace& space, const Vector& tcp_mm,
+                                                  const Orientation& orientation,
+                                                  const std::vector<AxisValues>& before, bool is_literal);
 
 }  // namespace gsim::path

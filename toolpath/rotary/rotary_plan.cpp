@@ -31,7 +31,7 @@ class Planner {
           turns_(program.paths.size(), RotarySchedule(space.rotary_count())),
           entries_(program.paths.size()) {}
 
-    tl::expected<std::vector<RotarySchedule>, Error> run() {
+    tl::expected<std::vector<RotarySchedule>, TargetError> run() {
         const std::vector<std::size_t>& order = states_.topological_order();
         for (auto path = order.rbegin(); path != order.rend(); ++path) {
             if (auto error = plan(*path)) return tl::unexpected(*error);
@@ -40,7 +40,7 @@ class Planner {
     }
 
   private:
-    using OptionalError = std::optional<Error>;
+    using OptionalError = std::optional<TargetError>;
 
     OptionalError plan(std::size_t path) {
         RotarySearch search(space_.rotary_count());
@@ -116,9 +116,10 @@ class Planner {
             const machine::Axis& axis = space_.rotary_axis(static_cast<std::size_t>(i));
             if (unwound_position[i] < axis.min || unwound_position[i] > axis.max ||
                 sub_path.repeats > kMaxUnwoundRepeats) {
-                return Error{id,
-                             "the sub-path cannot be repeated: the rotary axes would have to unwind each "
-                             "time before its first point, and have no room for that"};
+                return TargetError{
+                    id,
+                    "the sub-path cannot be repeated: the rotary axes would have to unwind each "
+                    "time before its first point, and have no room for that"};
             }
         }
         repeat_unwindings_.push_back({*id.target, unwound_position});
@@ -141,10 +142,10 @@ class Planner {
         if (named == 0 && space_.rotary_count() > 0) return keep_position(search, state, id);
         std::vector<AxisValues> from = search.now();
         if (from.empty() && named < space_.rotary_count()) {
-            return Error{id,
-                         fmt::format("{} says of some rotary axes where they stand there, and nothing before "
-                                     "it does of the others; begin with a point that has an orientation",
-                                     point_title(point))};
+            return TargetError{
+                id, fmt::format("{} says of some rotary axes where they stand there, and nothing before "
+                                "it does of the others; begin with a point that has an orientation",
+                                point_title(point))};
         }
         if (from.empty()) from.push_back(space_.home_rotary());
         std::vector<AxisValues> next;
@@ -163,7 +164,7 @@ class Planner {
         if (space_.rotary_count() == 0) {
             if (point.orientation && !std::holds_alternative<ToolAxis>(*point.orientation)) {
                 auto none = candidates(search, point, *point.orientation);
-                if (!none) return Error{id, none.error()};
+                if (!none) return TargetError{id, none.error().message};
             }
             return advance(search, state, cutting, {AxisValues(0)}, id);
         }
@@ -171,9 +172,9 @@ class Planner {
         if (is_unchanged) return advance(search, state, cutting, search.now(), id);
         const std::optional<Orientation> orientation =
             point.orientation ? point.orientation : state.orientation.value();
-        if (!orientation) return Error{id, missing_orientation_message(state)};
+        if (!orientation) return TargetError{id, missing_orientation_message(state)};
         auto found = candidates(search, point, *orientation);
-        if (!found) return Error{id, found.error()};
+        if (!found) return TargetError{id, found.error().message};
         return advance(search, state, cutting, std::move(*found), id);
     }
 
@@ -190,9 +191,8 @@ class Planner {
                "they stand";
     }
 
-    tl::expected<std::vector<AxisValues>, std::string> candidates(const RotarySearch& search,
-                                                                  const Point& point,
-                                                                  const Orientation& orientation) const {
+    Result<std::vector<AxisValues>> candidates(const RotarySearch& search, const Point& point,
+                                               const Orientation& orientation) const {
         const std::vector<AxisValues> home{space_.home_rotary()};
         return rotary_candidates(space_, point.position_mm, orientation,
                                  search.now().empty() ? home : search.now(), options_.is_literal);
@@ -208,9 +208,10 @@ class Planner {
         if (search.step(std::move(next), cutting, jet_off ? kIdleStopCost_deg : kCuttingStopCost_deg)) {
             return std::nullopt;
         }
-        return Error{id,
-                     "out of reach: while the tool cuts, the rotary axes cannot go the short way from the "
-                     "point before within their ranges"};
+        return TargetError{
+            id,
+            "out of reach: while the tool cuts, the rotary axes cannot go the short way from the "
+            "point before within their ranges"};
     }
 
     const Program& program_;
@@ -240,9 +241,10 @@ bool is_cutting(const Point& point, const State& before, bool program_has_jet) {
     return !program_has_jet || before.process_on.value() != false;
 }
 
-tl::expected<std::vector<RotarySchedule>, Error> plan_rotary(const Program& program,
-                                                             const MachineSpace& space, const States& states,
-                                                             const RotaryOptions& options) {
+tl::expected<std::vector<RotarySchedule>, TargetError> plan_rotary(const Program& program,
+                                                                   const MachineSpace& space,
+                                                                   const States& states,
+                                                                   const RotaryOptions& options) {
     return Planner(program, space, states, options).run();
 }
 

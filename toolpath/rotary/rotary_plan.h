@@ -19,9 +19,10 @@ struct RotaryOptions {
 /// least over the complete path (dynamic programming over the points). While the tool cuts, axes take the
 /// short turn. If their ranges do not allow it, the tool stops and the axes unwind, as seldom as possible.
 /// Each path is planned by itself, because all its users share it. Returns one RotarySchedule for each path.
-tl::expected<std::vector<RotarySchedule>, Error> plan_rotary(const Program& program,
-                                                             const MachineSpace& space, const States& states,
-                                                             const RotaryOptions& options);
+tl::expected<std::vector<RotarySchedule>, TargetError> plan_rotary(const Program& program,
+                                                                   const MachineSpace& space,
+                                                                   const States& states,
+                                                                   const RotaryOptions& options);
 
 /// Returns true if a point is reached while the tool cuts: its motion is at feed, and the waterjet is on or
 /// the program has none.

@@ -24,8 +24,6 @@ namespace gsim::solid {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 // A loop that may be cut.
 struct Candidate {
     TopoDS_Face face;
@@ -51,7 +49,7 @@ class ContourReader {
     ContourReader(const ShapeFile& file, const ContourOptions& options)
         : file_(file), options_(options), edges_(file, options.edges) {}
 
-    tl::expected<WallContours, std::string> run(const Bodies& bodies) {
+    Result<WallContours> run(const Bodies& bodies) {
         for (const TopoDS_Solid& solid : bodies.solids) {
             if (auto result = add(solid); !result) return Unexpected(result.error());
         }
@@ -78,7 +76,7 @@ class ContourReader {
         return any;
     }
 
-    tl::expected<void, std::string> add(const TopoDS_Solid& solid) {
+    Result<void> add(const TopoDS_Solid& solid) {
         EdgeFaceMap edge_faces;
         TopExp::MapShapesAndUniqueAncestors(solid, TopAbs_EDGE, TopAbs_FACE, edge_faces);
         const ContourTracer walk(file_, solid, edge_faces, options_);
@@ -89,7 +87,7 @@ class ContourReader {
             if (options_.faces.empty() && walls.Contains(candidate.face)) continue;
             auto contour = walk.walk(candidate.face, candidate.loop);
             if (!contour) {
-                if (auto left = leave_out(candidate, contour.error()); !left) return left;
+                if (auto left = leave_out(candidate, contour.error().message); !left) return left;
             } else if (facing_component(*contour, options_.side) <= kMinFacing) {
                 edges_.mark_rejected(
                     candidate.loop.edges,
@@ -130,7 +128,7 @@ class ContourReader {
     }
 
     // Reports a loop that is not a contour, or returns an error if its face was requested.
-    tl::expected<void, std::string> leave_out(const Candidate& candidate, const std::string& reason) {
+    Result<void> leave_out(const Candidate& candidate, const std::string& reason) {
         if (!is_facing(candidate.face)) return {};
         std::string message = fmt::format("{} of {} {}", candidate.loop.is_hole ? "a hole" : "the outline",
                                           display_text(candidate.face, file_), reason);
@@ -188,8 +186,7 @@ void set_bounding_box(const Bodies& bodies, WallContours& contours) {
 
 }  // namespace
 
-tl::expected<WallContours, std::string> extract_contours(const ShapeFile& file,
-                                                         const ContourOptions& options) {
+Result<WallContours> extract_contours(const ShapeFile& file, const ContourOptions& options) {
     const Bodies bodies = sort_bodies(file.shape());
     if (bodies.solids.empty()) return Unexpected("there is no body in it; contours are those of bodies");
     auto found = options.kind == "edges" ? extract_chains(file, bodies, options)

@@ -72,7 +72,7 @@ void EdgeSelection::mark_rejected(const std::vector<TopoDS_Edge>& edges, const s
     }
 }
 
-std::optional<std::string> EdgeSelection::find_error() const {
+std::optional<Error> EdgeSelection::find_error() const {
     for (const std::string& number : numbers_) {
         std::vector<EdgeMatch> named;
         std::copy_if(found_.begin(), found_.end(), std::back_inserter(named),

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "cam/solid/occ/shape_file.h"
 
 namespace gsim::solid {
@@ -29,8 +30,8 @@ class EdgeSelection {
     void mark_cut(const std::vector<TopoDS_Edge>& edges);
     /// Stores the message why a contour of these edges is not cut.
     void mark_rejected(const std::vector<TopoDS_Edge>& edges, const std::string& reason);
-    /// Returns a message about the first one that is not in the file or not on a contour that is cut.
-    std::optional<std::string> find_error() const;
+    /// Returns an error for the first one that is not in the file or not on a contour that is cut.
+    std::optional<Error> find_error() const;
 
   private:
     struct EdgeMatch {

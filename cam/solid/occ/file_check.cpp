@@ -16,7 +16,7 @@ std::string_view trim_end(std::string_view text) {
 }
 
 // ISO 10303-21, clause 5: comments are allowed before the first word and after the last one.
-std::optional<std::string> find_step_error(std::string_view text) {
+std::optional<Error> find_step_error(std::string_view text) {
     if (text.substr(0, 1000).find("ISO-10303-21") == std::string_view::npos)
         return "this is no STEP file: 'ISO-10303-21;' does not stand at its beginning";
     const std::size_t tail = text.size() - std::min<std::size_t>(text.size(), 1000);
@@ -26,7 +26,7 @@ std::optional<std::string> find_step_error(std::string_view text) {
 }
 
 // IGES 5.3, 2.2: lines of 80 columns, the section's letter in column 73; S comes first and T last.
-std::optional<std::string> find_iges_error(std::string_view text) {
+std::optional<Error> find_iges_error(std::string_view text) {
     const std::string_view first = text.substr(0, text.find('\n'));
     if (first.size() <= kIgesSectionColumn || first[kIgesSectionColumn] != 'S')
         return "this is no IGES file (fixed format): the first line has no 'S' in column 73";
@@ -46,7 +46,7 @@ FileFormat format_by_name(std::string_view name) {
     return iges ? FileFormat::iges : FileFormat::step;
 }
 
-std::optional<std::string> find_file_error(std::string_view text, FileFormat format) {
+std::optional<Error> find_file_error(std::string_view text, FileFormat format) {
     const std::string_view body = trim_end(text);
     if (body.empty()) return "the file is empty";
     if (const std::size_t nul = text.find('\0'); nul != std::string_view::npos) {

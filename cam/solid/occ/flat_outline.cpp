@@ -18,8 +18,6 @@ namespace gsim::solid {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr int kSamplesPerCurve = 9;  // points of a curve that define its position
 
 struct CurveSample {
@@ -76,8 +74,8 @@ std::string edge_name(const ShapeFile& file, const TopoDS_Edge& edge, std::size_
 
 }  // namespace
 
-tl::expected<Plate, std::string> plate_from_curves(std::span<const TopoDS_Edge> edges, const ShapeFile& file,
-                                                   const PlateOptions& options) {
+Result<Plate> plate_from_curves(std::span<const TopoDS_Edge> edges, const ShapeFile& file,
+                                const PlateOptions& options) {
     const std::vector<CurveSample> samples = curve_samples(edges);
     if (samples.empty()) return Unexpected("its curves have no ends");
     const PlateFrame frame = fit_plate_frame(samples, options.flip);
@@ -99,8 +97,8 @@ tl::expected<Plate, std::string> plate_from_curves(std::span<const TopoDS_Edge> 
     return plate;
 }
 
-tl::expected<Plate, std::string> plate_from_faces(std::span<const TopoDS_Face> faces, const ShapeFile& file,
-                                                  const PlateOptions& options) {
+Result<Plate> plate_from_faces(std::span<const TopoDS_Face> faces, const ShapeFile& file,
+                               const PlateOptions& options) {
     for (const TopoDS_Face& face : faces) {
         if (!face_plane(face))
             return Unexpected(

@@ -16,8 +16,6 @@ using geometry::Point;
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr double kFlatTolerance = 1e-9;  // how far the axis of a circle may lean
 
 std::string curve_kind(GeomAbs_CurveType type) {
@@ -68,7 +66,7 @@ void OutlinePen::draw_fitted(const BRepAdaptor_Curve& curve, double from, double
     }
 }
 
-tl::expected<void, std::string> OutlinePen::check(const Contour& drawn_contour) const {
+Result<void> OutlinePen::check(const Contour& drawn_contour) const {
     if (edges_ > drawing::kMaxEdges)
         return Unexpected(fmt::format("the outlines have more than {} lines and arcs", drawing::kMaxEdges));
     for (const geometry::Vertex& vertex : drawn_contour.vertices) {
@@ -82,8 +80,8 @@ tl::expected<void, std::string> OutlinePen::check(const Contour& drawn_contour) 
     return {};
 }
 
-tl::expected<void, std::string> OutlinePen::draw(const BRepAdaptor_Curve& curve, double from, double to,
-                                                 const std::string& name, double bevel_deg) {
+Result<void> OutlinePen::draw(const BRepAdaptor_Curve& curve, double from, double to, const std::string& name,
+                              double bevel_deg) {
     Contour drawn_contour;
     source_ = add_entity(curve, name, bevel_deg);
     const bool flat = curve.GetType() == GeomAbs_Circle &&

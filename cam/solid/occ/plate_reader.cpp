@@ -10,15 +10,12 @@ namespace gsim::solid {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 void note_ignored(std::size_t count, const char* what, Plate& plate) {
     if (count == 0) return;
     plate.drawing.notes.push_back(fmt::format("{} {} beside the bodies left out", count, what));
 }
 
-tl::expected<Plate, std::string> plate_from_solids(const Bodies& bodies, const ShapeFile& file,
-                                                   const PlateOptions& options) {
+Result<Plate> plate_from_solids(const Bodies& bodies, const ShapeFile& file, const PlateOptions& options) {
     const auto frame = find_plate(bodies.solids, options);
     if (!frame) return Unexpected(frame.error());
     Plate plate;
@@ -33,7 +30,7 @@ tl::expected<Plate, std::string> plate_from_solids(const Bodies& bodies, const S
 
 }  // namespace
 
-tl::expected<Plate, std::string> extract_plate(const ShapeFile& file, const PlateOptions& options) {
+Result<Plate> extract_plate(const ShapeFile& file, const PlateOptions& options) {
     const Bodies bodies = sort_bodies(file.shape());
     if (!bodies.solids.empty()) return plate_from_solids(bodies, file, options);
     if (!bodies.faces.empty()) return plate_from_faces(bodies.faces, file, options);

@@ -23,14 +23,11 @@ namespace gsim::solid {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr std::size_t kMaxSolidBytes = std::size_t{256} << 20U;  // as in the calling program
 
 // Returns an OpenCASCADE error of an entity. OpenCASCADE would continue without the entity, so a part of the
 // body would be missing.
-tl::expected<void, std::string> check(const Interface_CheckIterator& list,
-                                      const Interface_InterfaceModel& model) {
+Result<void> check(const Interface_CheckIterator& list, const Interface_InterfaceModel& model) {
     for (list.Start(); list.More(); list.Next()) {
         const Handle(Interface_Check)& found = list.Value();
         if (!found->HasFailed()) continue;
@@ -49,11 +46,11 @@ tl::expected<void, std::string> check(const Interface_CheckIterator& list,
 
 }  // namespace
 
-tl::expected<ShapeFile, std::string> ShapeFile::read(const std::string& name) {
+Result<ShapeFile> ShapeFile::read(const std::string& name) {
     const FileFormat format = format_by_name(name);
     const auto text = os::read_input(name, os::NameSource::in_file, kMaxSolidBytes);
     if (!text) return Unexpected(text.error());
-    if (auto error = find_file_error(*text, format)) return Unexpected(std::move(*error));
+    if (auto error = find_file_error(*text, format)) return tl::unexpected(*std::move(error));
     ShapeFile file;
     if (format == FileFormat::step) {
         file.reader_ = std::make_unique<STEPControl_Reader>();

@@ -19,8 +19,6 @@ namespace gsim::solid {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr double kFaceTolerance_mm = 0.01;  // how far the jet may leave the face
 constexpr double kMaxBevel_deg = 60;
 constexpr double kBevelStep_deg = 0.5;
@@ -41,7 +39,7 @@ class Side {
           plane_(face_plane(face).has_value()),
           surface_(new ShapeAnalysis_Surface(BRep_Tool::Surface(face))) {}
 
-    tl::expected<std::vector<BevelInterval>, std::string> run() {
+    Result<std::vector<BevelInterval>> run() {
         if (!is_through_cut())
             return Unexpected("does not go through the plate from its upper to its lower side");
         const double from = curve_.FirstParameter();
@@ -158,10 +156,8 @@ class Side {
 
 }  // namespace
 
-tl::expected<std::vector<BevelInterval>, std::string> edge_bevels(const TopoDS_Edge& edge,
-                                                                  const TopoDS_Face& side,
-                                                                  const PlateFrame& frame,
-                                                                  double thickness_mm) {
+Result<std::vector<BevelInterval>> edge_bevels(const TopoDS_Edge& edge, const TopoDS_Face& side,
+                                               const PlateFrame& frame, double thickness_mm) {
     return Side(edge, side, frame, thickness_mm).run();
 }
 

@@ -22,8 +22,6 @@ namespace gsim::solid {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr double kAreaTolerance = 1e-6;
 constexpr double kThicknessStep_mm = 1e-6;  // of the thickness, which reports show
 constexpr double kLevelTolerance =
@@ -88,8 +86,7 @@ gp_Pnt lowest_point(std::span<const TopoDS_Solid> solids, const PlateFrame& fram
 
 }  // namespace
 
-tl::expected<PlateFrame, std::string> find_plate(std::span<const TopoDS_Solid> solids,
-                                                 const PlateOptions& options) {
+Result<PlateFrame> find_plate(std::span<const TopoDS_Solid> solids, const PlateOptions& options) {
     std::optional<PlaneFace> best;
     for (const TopoDS_Solid& solid : solids) {
         for (const TopoDS_Face& face : shape_faces(solid)) {
@@ -110,12 +107,12 @@ tl::expected<PlateFrame, std::string> find_plate(std::span<const TopoDS_Solid> s
     return PlateFrame(lowest_point(solids, frame), best->normal.Reversed());
 }
 
-SolidOutline::VoidResult SolidOutline::reject(const TopoDS_Face& face, const std::string& what) const {
+Result<void> SolidOutline::reject(const TopoDS_Face& face, const std::string& what) const {
     return Unexpected(fmt::format("{} {}", display_text(face, file_), what));
 }
 
 // Sorts upper and lower faces, and all others.
-SolidOutline::VoidResult SolidOutline::sort_faces(const TopoDS_Solid& solid) {
+Result<void> SolidOutline::sort_faces(const TopoDS_Solid& solid) {
     upper_.clear();
     lower_.clear();
     depths_mm_.clear();
@@ -142,7 +139,7 @@ SolidOutline::VoidResult SolidOutline::sort_faces(const TopoDS_Solid& solid) {
     return {};
 }
 
-SolidOutline::VoidResult SolidOutline::find_thickness() {
+Result<void> SolidOutline::find_thickness() {
     if (lower_.empty() || upper_.empty()) {
         const TopoDS_Face& face =
             others_.empty() ? (lower_.empty() ? upper_ : lower_).front() : others_.front();
@@ -162,9 +159,9 @@ SolidOutline::VoidResult SolidOutline::find_thickness() {
     return {};
 }
 
-SolidOutline::VoidResult SolidOutline::draw_edge(const TopoDS_Edge& edge, const TopoDS_Face& side) {
+Result<void> SolidOutline::draw_edge(const TopoDS_Edge& edge, const TopoDS_Face& side) {
     const auto sections = edge_bevels(edge, side, frame_, plate_.thickness_mm);
-    if (!sections) return reject(side, sections.error());
+    if (!sections) return reject(side, sections.error().message);
     const BRepAdaptor_Curve curve(edge);
     const std::string label = file_.label(side);
     const std::string name =
@@ -176,7 +173,7 @@ SolidOutline::VoidResult SolidOutline::draw_edge(const TopoDS_Edge& edge, const 
     return {};
 }
 
-SolidOutline::VoidResult SolidOutline::draw_face(const TopoDS_Face& face, const Neighbours& edge_faces) {
+Result<void> SolidOutline::draw_face(const TopoDS_Face& face, const Neighbours& edge_faces) {
     for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
         const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
         for (const TopoDS_Shape& neighbour : edge_faces.FindFromKey(edge)) {
@@ -190,7 +187,7 @@ SolidOutline::VoidResult SolidOutline::draw_face(const TopoDS_Face& face, const 
     return {};
 }
 
-SolidOutline::VoidResult SolidOutline::add(const TopoDS_Solid& solid) {
+Result<void> SolidOutline::add(const TopoDS_Solid& solid) {
     if (auto sorted = sort_faces(solid); !sorted) return sorted;
     if (auto found = find_thickness(); !found) return found;
     Neighbours edge_faces;

@@ -16,14 +16,12 @@ namespace gsim::solid {
 
 namespace {
 
-using Unexpected = tl::unexpected<std::string>;
-
 constexpr double kMaxAngularDeflection_rad = 0.5;  // between neighbours: small round faces keep their form
 
 // A builder that joins the triangles of faces; vertices of an edge are the same in both adjacent faces.
 class MeshBuilder {
   public:
-    tl::expected<void, std::string> add(const TopoDS_Face& face) {
+    Result<void> add(const TopoDS_Face& face) {
         TopLoc_Location position;
         const Handle(Poly_Triangulation) part = BRep_Tool::Triangulation(face, position);
         if (part.IsNull()) return Unexpected("a face of it could not be divided into triangles");
@@ -64,7 +62,7 @@ class MeshBuilder {
 
 }  // namespace
 
-tl::expected<Mesh, std::string> tessellate(const TopoDS_Shape& shape, double tolerance_mm) {
+Result<Mesh> tessellate(const TopoDS_Shape& shape, double tolerance_mm) {
     const BRepMesh_IncrementalMesh mesher(shape, tolerance_mm, false, kMaxAngularDeflection_rad, false);
     MeshBuilder builder;
     for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next()) {

@@ -56,15 +56,13 @@ cutting::CutRules make_cut_rules(const waterjet::CuttingPlan& plan, const Cuttin
     return rules;
 }
 
-tl::expected<ResolvedCutting, std::string> resolve_by_parameters(const CuttingOptions& options) {
+Result<ResolvedCutting> resolve_by_parameters(const CuttingOptions& options) {
     if (!options.speed_mm_min || !options.kerf_mm)
-        return tl::unexpected(std::string("give --material and --thickness, or --speed and --kerf"));
+        return Unexpected("give --material and --thickness, or --speed and --kerf");
     if (options.taper_compensation)
-        return tl::unexpected(
-            std::string("--taper-compensation needs --material and --thickness: the taper is theirs"));
+        return Unexpected("--taper-compensation needs --material and --thickness: the taper is theirs");
     if (options.dynamic_pierce && !options.pierce_s)
-        return tl::unexpected(
-            std::string("--dynamic-pierce needs --material, or how long it takes (--pierce)"));
+        return Unexpected("--dynamic-pierce needs --material, or how long it takes (--pierce)");
     ResolvedCutting resolved;
     resolved.rules.kerf_mm = *options.kerf_mm;
     resolved.rules.speed_mm_min = *options.speed_mm_min;
@@ -75,17 +73,16 @@ tl::expected<ResolvedCutting, std::string> resolve_by_parameters(const CuttingOp
 
 }  // namespace
 
-tl::expected<waterjet::Materials, std::string> read_materials_input(const Host& host,
-                                                                    const std::string& name) {
+Result<waterjet::Materials> read_materials_input(const Host& host, const std::string& name) {
     if (name.empty()) return waterjet::read_materials(waterjet::built_in_materials_toml(), "materials.toml");
     const auto file = resolve_name(host, NameKind::sample, name);
     if (!file) return tl::unexpected(file.error());
     return waterjet::load_materials(*file, os::NameSource::command_line, host.files.impl());
 }
 
-tl::expected<ResolvedCutting, std::string> resolve_cutting_options(
-    const CuttingOptions& options, const std::optional<waterjet::Materials>& materials,
-    double plate_thickness_mm) {
+Result<ResolvedCutting> resolve_cutting_options(const CuttingOptions& options,
+                                                const std::optional<waterjet::Materials>& materials,
+                                                double plate_thickness_mm) {
     if (!materials) return resolve_by_parameters(options);
     return waterjet::plan_cutting(*materials, make_cutting_request(options, plate_thickness_mm))
         .map([&](waterjet::CuttingPlan plan) {

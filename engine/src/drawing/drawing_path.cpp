@@ -118,8 +118,8 @@ tl::expected<void, Error> DrawingPath::State::resolve_cutting(double thickness_m
 }
 
 tl::expected<void, Error> DrawingPath::State::read_surface() {
-    if (std::string error = find_contour_option_error(request_); !error.empty())
-        return tl::unexpected(make_error(DiagnosticKind::usage, std::move(error)));
+    if (auto error = find_contour_option_error(request_))
+        return tl::unexpected(make_error(DiagnosticKind::usage, *std::move(error)));
     auto contours = read_surface_input(request_.host, file_, request_);
     if (!contours)
         return tl::unexpected(make_error(DiagnosticKind::input_file, contours.error(), request_.drawing));
@@ -150,7 +150,7 @@ tl::expected<void, Error> DrawingPath::State::make(const DiagnosticHandler& on_d
     auto result = request_.surface
                       ? surface::surface_path(contours_, cutting_.rules, surface_options(request_))
                       : cutting::autopath(std::move(drawing_), cutting_.rules, make_options(request_));
-    if (!result) return tl::unexpected(drawing_error(result.error()));
+    if (!result) return tl::unexpected(drawing_error(result.error().message));
     const auto note = [&](const std::string& message) {
         if (!on_diagnostic) return;
         on_diagnostic({.severity = Severity::note,
@@ -163,7 +163,7 @@ tl::expected<void, Error> DrawingPath::State::make(const DiagnosticHandler& on_d
     if (cutting_cell_) {
         for (const std::string& message : cutting_cell_->notes()) note(message);
         if (auto clear = cutting_cell_->avoid_collisions(*result, metrics_); !clear)
-            return tl::unexpected(drawing_error(clear.error()));
+            return tl::unexpected(drawing_error(clear.error().message));
     }
     program_ = std::move(result->program);
     return {};

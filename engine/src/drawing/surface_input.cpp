@@ -81,7 +81,7 @@ script::ContourDescription contour_facts(const solid::WallContour& contour) {
     return facts;
 }
 
-std::string find_contour_option_error(const DrawingRequest& request) {
+std::optional<gsim::Error> find_contour_option_error(const DrawingRequest& request) {
     const DrawingOptions& reading = request.reading;
     if (request.cutting.taper_compensation || request.cutting.dynamic_pierce) {
         return fmt::format("{} is for drawings and flat parts: it does not go with --contours",
@@ -91,35 +91,36 @@ std::string find_contour_option_error(const DrawingRequest& request) {
     if (reading.unit_mm != 0 || !reading.layers.empty())
         return "--unit and --layer are for drawings; a STEP or IGES file says its unit";
     if (std::abs(request.ways.bevel_deg) > 0)
-        return "--bevel is for flat parts; with --contours the jet goes along the walls, or leans by --tilt-angle";
+        return "--bevel is for flat parts; with --contours the jet goes along the walls, or leans by "
+               "--tilt-angle";
     const SurfaceCuttingOptions& surface = *request.surface;
     if (surface.contours.kind == "edges" && surface.contours.edges.empty())
         return "--contours edges needs the numbers of edges (--edge)";
     if (surface.contours.along_walls && std::abs(surface.tilt_deg) > 0)
-        return "--tilt-angle is from the face's normal (--axis normal); along walls they say how the jet leans";
+        return "--tilt-angle is from the face's normal (--axis normal); along walls they say how the jet "
+               "leans";
     return {};
 }
 
-tl::expected<solid::WallContours, std::string> read_part_contours(const Host& host, const std::string& file,
-                                                                  const ContourSelection& selection) {
-    if (!solid::is_solid_file(file))
-        return tl::unexpected(std::string("--contours is for STEP and IGES files"));
+Result<solid::WallContours> read_part_contours(const Host& host, const std::string& file,
+                                               const ContourSelection& selection) {
+    if (!solid::is_solid_file(file)) return Unexpected("--contours is for STEP and IGES files");
     if (!host.read_contours) {
-        return tl::unexpected(
+        return Unexpected(
             fmt::format("{}: STEP and IGES files are not read here; DXF and SVG files are", file));
     }
     return host.read_contours(file, selection).map(to_wall_contours);
 }
 
-tl::expected<solid::WallContours, std::string> read_surface_input(const Host& host, const std::string& file,
-                                                                  const DrawingRequest& request) {
+Result<solid::WallContours> read_surface_input(const Host& host, const std::string& file,
+                                               const DrawingRequest& request) {
     ContourSelection selection = request.surface->contours;
     selection.tolerance_mm = request.reading.curve_tolerance_mm;
     return read_part_contours(host, file, selection);
 }
 
-tl::expected<void, std::string> choose_contours(std::string_view script, const std::string& file_name,
-                                                solid::WallContours& part) {
+Result<void> choose_contours(std::string_view script, const std::string& file_name,
+                             solid::WallContours& part) {
     std::vector<script::ContourDescription> facts;
     facts.reserve(part.contours.size());
     for (const solid::WallContour& contour : part.contours) facts.push_back(contour_facts(contour));
@@ -130,7 +131,7 @@ tl::expected<void, std::string> choose_contours(std::string_view script, const s
         if ((*selected)[i]) kept.push_back(std::move(part.contours[i]));
     }
     if (kept.empty()) {
-        return tl::unexpected(
+        return Unexpected(
             fmt::format("{}:1: the script chooses none of the {} contours", file_name, part.contours.size()));
     }
     part.contours = std::move(kept);

@@ -19,7 +19,7 @@ using text::DiagnosticKind;
 
 namespace {
 
-using ExpectedImport = tl::expected<import::ImportResult, std::string>;
+using ExpectedImport = Result<import::ImportResult>;
 
 constexpr const char* kToolTableExtension = ".tbl";
 constexpr const char* kParameterTableExtension = ".var";
@@ -94,10 +94,10 @@ tl::expected<ControllerSettings, Error> ControllerSettings::read(std::string_vie
         }
         auto imported = is_table(name) ? read_table(text, name, options)
                                        : import::import_machine(text, name, files.impl());
-        if (!imported) return unexpected_error(imported.error());
-        tl::expected<std::string, std::string> machine_file;
+        if (!imported) return unexpected_error(imported.error().message);
+        Result<std::string> machine_file;
         if (!is_table(name)) machine_file = import::machine_toml(*imported, name);
-        if (!machine_file) return unexpected_error(machine_file.error());
+        if (!machine_file) return unexpected_error(machine_file.error().message);
         auto left_out = left_out_diagnostics(*imported, name);
         return ControllerSettings(std::make_unique<State>(
             State{*std::move(imported), *std::move(machine_file), std::move(left_out)}));
@@ -123,8 +123,8 @@ bool ControllerSettings::has_machine_data() const {
 
 tl::expected<std::string, Error> ControllerSettings::machine_data() const {
     return guard_exceptions([this] {
-        return import::machine_data_text(state_->imported).map_error([](const std::string& message) {
-            return make_error(DiagnosticKind::input_file, message);
+        return import::machine_data_text(state_->imported).map_error([](const gsim::Error& error) {
+            return make_error(DiagnosticKind::input_file, error.message);
         });
     });
 }

@@ -100,8 +100,8 @@ struct MachineData::State {
     MachineDataDocument document;
 
     /// Returns the result of a change; an error gets the name of the file.
-    tl::expected<void, Error> changed(const MachineDataDocument::EditResult& done) const {
-        if (!done) return unexpected_error(fmt::format("{}: {}", name, done.error()));
+    tl::expected<void, Error> changed(const Result<void>& done) const {
+        if (!done) return unexpected_error(fmt::format("{}: {}", name, done.error().message));
         return {};
     }
 };
@@ -137,9 +137,10 @@ tl::expected<MachineData, Error> MachineData::read(std::string_view text, std::s
         State& state = *data.state_;
         auto document = MachineDataDocument::read(text, state.name, axes_of(state.machine));
         if (!document) {
-            for (const std::string& message : document.error()) {
+            for (const gsim::Error& error : document.error()) {
                 if (on_diagnostic)
-                    on_diagnostic(to_diagnostic(text::to_diagnostic(DiagnosticKind::input_file, message)));
+                    on_diagnostic(
+                        to_diagnostic(text::to_diagnostic(DiagnosticKind::input_file, error.message)));
             }
             Error error = make_error(DiagnosticKind::input_file, document.error().front());
             error.in_program = true;
@@ -155,7 +156,7 @@ tl::expected<MachineData, Error> MachineData::from_json(std::string_view json, s
     return guard_exceptions([&]() -> tl::expected<MachineData, Error> {
         MachineData data(std::move(name), machine);
         auto document = data_from_json(json, data.state_->name, axes_of(data.state_->machine));
-        if (!document) return unexpected_error(document.error());
+        if (!document) return unexpected_error(document.error().message);
         data.state_->document = *std::move(document);
         return data;
     });

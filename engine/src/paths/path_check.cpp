@@ -43,7 +43,7 @@ void PathCheck::note(const path::TargetId& where, std::string_view message) {
     if (++count_ <= kMaxNotes) notes_.push_back(file_.with_location(where, std::string(message)));
 }
 
-tl::expected<PathCheck::PathSummary, std::string> PathCheck::finish() {
+Result<PathCheck::PathSummary> PathCheck::finish() {
     if (count_ > kMaxNotes) notes_.push_back(fmt::format("{} more notes of this kind", count_ - kMaxNotes));
     if (accelerations_ > 0 && post_.acceleration.set.empty()) {
         notes_.push_back(
@@ -88,8 +88,9 @@ std::string PathCheck::error() const {
         names.push_back(count == 1 ? name : fmt::format("{} ({} times)", name, count));
     }
     const std::size_t more = unsupported_actions_.size() - names.size();
-    return fmt::format("the post '{}' has no words for {}{}; with --continue-on-unknown they become comments", post_.name,
-                       text::joined(names, ", "), more > 0 ? fmt::format(" and {} more", more) : "");
+    return fmt::format("the post '{}' has no words for {}{}; with --continue-on-unknown they become comments",
+                       post_.name, text::joined(names, ", "),
+                       more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
 }  // namespace gsim::engine

@@ -5,8 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "codegen/post/action_words.h"
 #include "codegen/post/post.h"
 #include "toolpath/rotary/axis_moves.h"
@@ -45,7 +44,7 @@ class PathCheck final : public path::MoveSink {
 
     /// Completes the check, once after all moves. The error is a message: elements for which the post has no
     /// words.
-    tl::expected<PathSummary, std::string> finish();
+    Result<PathSummary> finish();
 
   private:
     void note_feeds();

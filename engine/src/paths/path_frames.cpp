@@ -29,7 +29,7 @@ void for_each_frame(const path::Program& program, const Visitor& visit) {
     }
 }
 
-std::optional<std::string> find_frame_error(const WorkFrame& frame, const codegen::Post& post) {
+std::optional<gsim::Error> find_frame_error(const WorkFrame& frame, const codegen::Post& post) {
     const std::vector<std::string>& systems = post.offsets.systems;
     if (frame.name.empty()) return std::nullopt;
     if (systems.empty())
@@ -46,7 +46,7 @@ std::optional<std::string> find_frame_error(const WorkFrame& frame, const codege
 }
 
 // Sets the values of the request in a root that has none.
-std::optional<std::string> apply_defaults(path::Program& program, const PathRequest& request,
+std::optional<gsim::Error> apply_defaults(path::Program& program, const PathRequest& request,
                                           const codegen::Post& post) {
     const bool is_requested = !request.work_offset.empty() || request.set_offset_mm || request.tool;
     if (!is_requested) return std::nullopt;
@@ -87,7 +87,7 @@ void PathFrames::add(const TargetId& where, const WorkFrame& frame) {
     if (!frame.touches.empty() && !is_found) found_.push_back({frame.name, &frame.touches, where});
 }
 
-std::optional<path::Error> PathFrames::check_touches(const path::MachineSpace& space) const {
+std::optional<path::TargetError> PathFrames::check_touches(const path::MachineSpace& space) const {
     for (const ProbedFrame& frame : found_) {
         const auto& position_mm = origins_mm_.find(frame.name)->second;
         if (!position_mm) continue;
@@ -95,10 +95,10 @@ std::optional<path::Error> PathFrames::check_touches(const path::MachineSpace& s
             std::map<char, double> at;
             for (std::size_t i = 0; i < 3; ++i)
                 at[static_cast<char>('X' + i)] = touch.from_mm[i] + (*position_mm)[i];
-            std::string error = space.axis_range_error(at);
+            auto error = space.find_axis_range_error(at);
             at[touch.axis] += touch.to_mm - touch.from_mm[static_cast<std::size_t>(touch.axis - 'X')];
-            if (error.empty()) error = space.axis_range_error(at);
-            if (!error.empty()) return path::Error{frame.where, std::move(error)};
+            if (!error) error = space.find_axis_range_error(at);
+            if (error) return path::TargetError{frame.where, std::move(error->message)};
         }
     }
     return std::nullopt;
@@ -134,8 +134,7 @@ std::vector<std::string> PathFrames::notes() const {
         text::joined(names, ", "))};
 }
 
-tl::expected<void, std::string> complete_frames(path::PathFile& file, const PathRequest& request,
-                                                const codegen::Post& post) {
+Result<void> complete_frames(path::PathFile& file, const PathRequest& request, const codegen::Post& post) {
     path::Program& program = file.program;
     if (auto error = apply_defaults(program, request, post)) return tl::unexpected(*error);
     std::optional<std::string> error;
@@ -143,7 +142,7 @@ tl::expected<void, std::string> complete_frames(path::PathFile& file, const Path
     for_each_frame(program, [&](const TargetId& where, const WorkFrame& frame) {
         any = any || !frame.name.empty();
         const auto found = find_frame_error(frame, post);
-        if (found && !error) error = file.with_location(where, *found);
+        if (found && !error) error = file.with_location(where, found->message);
     });
     if (error) return tl::unexpected(*error);
     std::string& root_frame_name = program.paths[program.root].frame.name;

@@ -13,7 +13,6 @@ namespace gsim::engine {
 namespace {
 
 using path::MachinePoint;
-using OptionalMessage = std::optional<std::string>;
 
 constexpr std::size_t kMaxListed = 10;
 
@@ -62,7 +61,7 @@ class Completer {
         for (const machine::Axis& axis : tables.machine.axes) homes_[1][axis.letter] = axis.home;
     }
 
-    OptionalMessage complete(MachinePoint& point) {
+    std::optional<gsim::Error> complete(MachinePoint& point) {
         const bool is_home = point.kind == MachinePoint::Kind::reference && point.alias.empty();
         if (auto error = is_home ? check_home_word(point) : check_point_word(point)) return error;
         return is_home ? complete_home(point) : complete_point(point);
@@ -77,7 +76,7 @@ class Completer {
     }
 
   private:
-    OptionalMessage complete_home(MachinePoint& point) {
+    std::optional<gsim::Error> complete_home(MachinePoint& point) {
         const auto home = homes_.find(point.number);
         if (home == homes_.end()) {
             unknown_.insert(point.number);
@@ -87,7 +86,7 @@ class Completer {
         return std::nullopt;
     }
 
-    OptionalMessage complete_point(MachinePoint& point) const {
+    std::optional<gsim::Error> complete_point(MachinePoint& point) const {
         if (tables_.data == nullptr)
             return fmt::format("nothing says where {} lies; name the machine data by --machine-data",
                                path::point_title(point));
@@ -100,14 +99,14 @@ class Completer {
         return std::nullopt;
     }
 
-    OptionalMessage check_point_word(const MachinePoint& point) const {
+    std::optional<gsim::Error> check_point_word(const MachinePoint& point) const {
         if (!post_.offsets.machine.empty()) return std::nullopt;
         return fmt::format(
             "the post '{}' has no word for machine coordinates ([offsets] machine), by which the "
             "machine would go to {}",
             post_.name, path::point_title(point));
     }
-    OptionalMessage check_home_word(const MachinePoint& point) const {
+    std::optional<gsim::Error> check_home_word(const MachinePoint& point) const {
         const std::size_t count = post_.references.go.size();
         if (static_cast<std::size_t>(point.number) <= count) return std::nullopt;
         if (count == 0)
@@ -137,9 +136,8 @@ class Completer {
 
 }  // namespace
 
-tl::expected<std::vector<std::string>, std::string> complete_points(path::PathFile& file,
-                                                                    const PointTables& tables,
-                                                                    const codegen::Post& post) {
+Result<std::vector<std::string>> complete_points(path::PathFile& file, const PointTables& tables,
+                                                 const codegen::Post& post) {
     Completer completer(tables, post);
     for (std::size_t i = 0; i < file.program.paths.size(); ++i) {
         std::vector<path::Target>& targets = file.program.paths[i].targets;
@@ -147,7 +145,7 @@ tl::expected<std::vector<std::string>, std::string> complete_points(path::PathFi
             auto* point = std::get_if<MachinePoint>(&targets[target]);
             if (point == nullptr) continue;
             if (const auto error = completer.complete(*point))
-                return tl::unexpected(file.with_location({i, target}, *error));
+                return tl::unexpected(file.with_location({i, target}, error->message));
         }
     }
     return completer.notes();

@@ -166,16 +166,14 @@ class PathProgram::Sink : public path::MoveSink {
     int next_label_ = kFirstLabel;
 };
 
-tl::expected<PathProgram, std::string> PathProgram::plan(const path::PathFile& file,
-                                                         const machine::Machine& machine,
-                                                         const codegen::Post& post,
-                                                         const PathProgramOptions& options) {
+Result<PathProgram> PathProgram::plan(const path::PathFile& file, const machine::Machine& machine,
+                                      const codegen::Post& post, const PathProgramOptions& options) {
     auto space = path::MachineSpace::make(machine);
     if (!space) return tl::unexpected(space.error());
     PathProgram program(file, std::move(*space), post, options);
     for (const codegen::WrittenAxis& axis : program.written_axes()) {
         if (post.blocks.axes.empty() || post.blocks.axes.find(axis.letter) != std::string::npos) continue;
-        return tl::unexpected(
+        return Unexpected(
             fmt::format("the post '{}' is for the axes {}, and the machine '{}' has {}; name another machine "
                         "by --machine",
                         post.name, post.blocks.axes, machine.name, axis.letter));
@@ -196,18 +194,18 @@ Offsets PathProgram::offsets() const {
     return options_.offsets.value_or(file_->program.is_recorded() ? Offsets::keep : Offsets::as_path);
 }
 
-tl::expected<void, std::string> PathProgram::check_offsets() const {
+Result<void> PathProgram::check_offsets() const {
     const codegen::OffsetWords& words = post_->offsets;
     if (frames_.any() && offsets() != Offsets::as_path)
-        return tl::unexpected<std::string>(
+        return Unexpected(
             "--offsets says how to write what a run has recorded; this path names its "
             "own work offsets");
     if (frames_.tools() && offsets() == Offsets::machine)
-        return tl::unexpected<std::string>(
+        return Unexpected(
             "--offsets G53 is for paths without tools of their own: no length offset counts in machine "
             "coordinates");
     const auto missing_word_error = [this](std::string_view what) {
-        return tl::unexpected(fmt::format("the post '{}' has no word for {}", post_->name, what));
+        return Unexpected(fmt::format("the post '{}' has no word for {}", post_->name, what));
     };
     switch (offsets()) {
         case Offsets::as_path: return {};
@@ -221,7 +219,7 @@ tl::expected<void, std::string> PathProgram::check_offsets() const {
         case Offsets::keep: break;
     }
     if (!file_->program.is_recorded()) {
-        return tl::unexpected<std::string>(
+        return Unexpected(
             "--offsets keep is for recorded paths (gsim-run --record), which say what offsets were in force");
     }
     for (const auto& [name, offset] : file_->program.work_offsets) {
@@ -230,35 +228,35 @@ tl::expected<void, std::string> PathProgram::check_offsets() const {
     return {};
 }
 
-tl::expected<void, std::string> PathProgram::check_work_offset(const std::string& name) const {
+Result<void> PathProgram::check_work_offset(const std::string& name) const {
     const std::vector<std::string>& systems = post_->offsets.systems;
     const double rotation_deg = file_->program.work_offsets.find(name)->second.rotation_deg;
     if (std::find(systems.begin(), systems.end(), name) == systems.end()) {
-        return tl::unexpected(
+        return Unexpected(
             fmt::format("the post '{}' has no word for the work offset G{}; --offsets none or G53 writes the "
                         "program without",
                         post_->name, name));
     }
     if (rotation_deg == 0) return {};
-    return tl::unexpected(fmt::format(
+    return Unexpected(fmt::format(
         "the work offset G{} is turned by {:.10g} degrees, which is not written; --offsets none or "
         "G53 writes the program without",
         name, rotation_deg));
 }
 
-tl::expected<void, std::string> PathProgram::check_retract() const {
+Result<void> PathProgram::check_retract() const {
     if (post_->offsets.machine.empty()) return {};
     if (!options_.retract_mm && !space_.max_z_mm()) {
-        return tl::unexpected(
+        return Unexpected(
             fmt::format("Z of the machine '{}' has no end that the tool could go up to for changes; "
                         "name a height by --retract",
                         space_.machine().name));
     }
     path::AxisValues up = space_.home();
     up[static_cast<Eigen::Index>(*space_.machine().find('Z'))] = retract_mm();
-    const std::string error = space_.axis_range_error(up);
-    if (error.empty()) return {};
-    return tl::unexpected(fmt::format("--retract: {}", error));
+    const auto error = space_.find_axis_range_error(up);
+    if (!error) return {};
+    return Unexpected(fmt::format("--retract: {}", error->message));
 }
 
 // A thread is a line at its feed if the controller has no threads, but the user wants the program anyway.
@@ -285,8 +283,8 @@ path::MoveOptions PathProgram::move_options() const {
             options_.retract_mm ? options_.retract_mm : space_.max_z_mm()};
 }
 
-tl::expected<void, std::string> PathProgram::check_moves() {
-    const auto with_location = [this](const path::Error& error) {
+Result<void> PathProgram::check_moves() {
+    const auto with_location = [this](const path::TargetError& error) {
         return tl::unexpected(file_->with_location(error.where, error.message));
     };
     if (is_inlined()) {
@@ -305,10 +303,10 @@ tl::expected<void, std::string> PathProgram::check_moves() {
     notes_.insert(notes_.end(), found->notes.begin(), found->notes.end());
     options_.words.feed_modes = found->feed_modes;
     has_accelerations_ = found->accelerations;
-    return found->retracts ? check_retract() : tl::expected<void, std::string>();
+    return found->retracts ? check_retract() : Result<void>();
 }
 
-tl::expected<void, path::Error> PathProgram::check_size() const {
+tl::expected<void, path::TargetError> PathProgram::check_size() const {
     std::vector<double> sizes(file_->program.paths.size(), 0);
     const std::vector<std::size_t>& order = states_.topological_order();
     for (auto path = order.rbegin(); path != order.rend(); ++path) {
@@ -319,7 +317,7 @@ tl::expected<void, path::Error> PathProgram::check_size() const {
     }
     const double size = sizes[file_->program.root];
     if (size <= kMaxTargets) return {};
-    return tl::unexpected(path::Error{
+    return tl::unexpected(path::TargetError{
         {file_->program.root, std::nullopt},
         fmt::format("the post '{}' has no subprograms, and all sub-paths written where they are used "
                     "come to {:.3g} points; {:.0e} is the most",

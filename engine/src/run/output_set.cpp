@@ -36,8 +36,7 @@ void OutputSet::add_output(std::unique_ptr<simulation::RunOutput> output) {
     simulator_.add_output(*outputs_.emplace_back(std::move(output)));
 }
 
-tl::expected<void, std::string> OutputSet::add(OutputKind output_kind, TextSink sink,
-                                               const OutputOptions& options) {
+Result<void> OutputSet::add(OutputKind output_kind, TextSink sink, const OutputOptions& options) {
     const machine::Machine& machine = simulator_.machine();
     switch (output_kind) {
         case OutputKind::moves:
@@ -55,11 +54,11 @@ tl::expected<void, std::string> OutputSet::add(OutputKind output_kind, TextSink 
         case OutputKind::path: add_path(std::move(sink)); return {};
         case OutputKind::plot: return add_plot(std::move(sink), options);
     }
-    return tl::unexpected(std::string("there is no such document"));
+    return Unexpected("there is no such document");
 }
 
-tl::expected<void, std::string> OutputSet::add_trajectory(TextStream& out, const OutputOptions& options) {
-    if (auto error = check_step(options.step_s)) return tl::unexpected(*std::move(error));
+Result<void> OutputSet::add_trajectory(TextStream& out, const OutputOptions& options) {
+    if (auto error = find_step_error(options.step_s)) return tl::unexpected(*std::move(error));
     trajectory_name_ = options.name;
     auto trajectory = std::make_unique<simulation::TrajectoryWriter>(
         out, simulator_.machine(), options.step_s, simulator_.outcome().limits().max_time_s);
@@ -77,13 +76,12 @@ tl::expected<void, std::string> OutputSet::add_trajectory(TextStream& out, const
     return {};
 }
 
-tl::expected<void, std::string> OutputSet::add_plot(TextSink sink, const OutputOptions& options) {
+Result<void> OutputSet::add_plot(TextSink sink, const OutputOptions& options) {
     const machine::Machine& machine = simulator_.machine();
     const auto plane = find_plane(options.plane);
     if (!plane)
-        return tl::unexpected(
-            fmt::format("'{}' is no plane of a plot; there are xy, zx and yz", options.plane));
-    if (auto missing_axes = simulation::PlotData::missing_axes_error(machine, *plane))
+        return Unexpected(fmt::format("'{}' is no plane of a plot; there are xy, zx and yz", options.plane));
+    if (auto missing_axes = simulation::PlotData::find_missing_axes_error(machine, *plane))
         return tl::unexpected(*missing_axes);
     plot_ = std::make_unique<Plot>(machine, *plane, options.bitmap, std::move(sink));
     if (simulator_.monitors().dynamics() != nullptr)
@@ -144,15 +142,16 @@ std::optional<Error> OutputSet::check_output_size() const {
     return std::nullopt;
 }
 
-tl::expected<void, std::string> OutputSet::write_path(const std::string& program) {
+Result<void> OutputSet::write_path(const std::string& program) {
     if (path_ == nullptr) return {};
     return path_->recorder.finish(std::filesystem::path(program).stem().string())
         .map([this](const path::Program& recorded_program) {
             path::write_json(recorded_program,
                              [this](std::string_view text) { static_cast<void>(path_->sink(text)); });
         })
-        .map_error(
-            [](const std::string& message) { return fmt::format("no path is recorded: {}", message); });
+        .map_error([](const gsim::Error& error) {
+            return gsim::Error(fmt::format("no path is recorded: {}", error.message));
+        });
 }
 
 void OutputSet::write_plot(const simulation::Report& report) {

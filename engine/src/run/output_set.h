@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include <tl/expected.hpp>
-
+#include "base/error.h"
 #include "engine/run.h"
 #include "runtime/monitors/path_bound.h"
 #include "runtime/outputs/dxf_writer.h"
@@ -41,7 +40,7 @@ class OutputSet {
     OutputSet& operator=(const OutputSet&) = delete;
 
     /// Adds an output. The error is a message: this machine has no such output.
-    tl::expected<void, std::string> add(OutputKind output_kind, TextSink sink, const OutputOptions& options);
+    Result<void> add(OutputKind output_kind, TextSink sink, const OutputOptions& options);
     /// Makes the report explain the time consumption.
     void explain();
     void add_output(std::unique_ptr<simulation::RunOutput> output);
@@ -52,12 +51,12 @@ class OutputSet {
     std::vector<Error> finish(const simulation::Report& report);
 
   private:
-    tl::expected<void, std::string> add_trajectory(simulation::TextStream& out, const OutputOptions& options);
-    tl::expected<void, std::string> add_plot(TextSink sink, const OutputOptions& options);
+    Result<void> add_trajectory(simulation::TextStream& out, const OutputOptions& options);
+    Result<void> add_plot(TextSink sink, const OutputOptions& options);
     void add_path(TextSink sink);
     simulation::TextStream& stream(TextSink sink);
     std::optional<Error> check_output_size() const;
-    tl::expected<void, std::string> write_path(const std::string& program);
+    Result<void> write_path(const std::string& program);
     void write_plot(const simulation::Report& report);
 
     /// The inputs of an explanation.

@@ -64,8 +64,9 @@ constexpr std::array kOverrideKinds{
          }},
 };
 
-/// Returns why the controller rejects a value; empty if it accepts it.
-std::string override_error(const Kind& kind, double percent, const rrs::ControllerRules& controller) {
+/// Returns an error if the controller rejects a value.
+std::optional<gsim::Error> find_override_error(const Kind& kind, double percent,
+                                               const rrs::ControllerRules& controller) {
     const rrs::PlannerCapabilities& planner = controller.capabilities();
     if (!planner.speed_factor_word.empty() && percent != 100)
         return fmt::format("the planner \"{}\" follows no override; {} in the program sets its speed factor",
@@ -116,8 +117,8 @@ class ChangesReader {
     bool read_share(base::TomlSection& section, const Kind& kind, Overrides& to) {
         if (!section.has(kind.key)) return false;
         const double percent = section.number(kind.key, 100, NumberRule::not_negative);
-        if (const std::string error = override_error(kind, percent, controller_); !error.empty())
-            section.fail(kind.key, fmt::format("'{}' is {:g}: {}", kind.key, percent, error));
+        if (const auto error = find_override_error(kind, percent, controller_))
+            section.fail(kind.key, fmt::format("'{}' is {:g}: {}", kind.key, percent, error->message));
         to.*kind.share = percent / 100;
         return true;
     }
@@ -130,10 +131,9 @@ class ChangesReader {
 
 }  // namespace
 
-tl::expected<OverrideSchedule, std::string> read_override_changes(std::string_view toml_text,
-                                                                  std::string_view file_name,
-                                                                  const Overrides& first,
-                                                                  const rrs::ControllerRules& controller) {
+Result<OverrideSchedule> read_override_changes(std::string_view toml_text, std::string_view file_name,
+                                               const Overrides& first,
+                                               const rrs::ControllerRules& controller) {
     base::FirstError error(file_name);
     const toml::table root = base::parse_toml(error, toml_text);
     std::vector<OverrideChange> changes = ChangesReader(error, first, controller).read(root);
@@ -147,17 +147,16 @@ tl::expected<OverrideSchedule, std::string> read_override_changes(std::string_vi
     return OverrideSchedule(std::move(changes));
 }
 
-tl::expected<OverrideSchedule, std::string> read_overrides(const os::Files& files,
-                                                           const OverrideOptions& options,
-                                                           const rrs::ControllerRules& controller) {
+Result<OverrideSchedule> read_overrides(const os::Files& files, const OverrideOptions& options,
+                                        const rrs::ControllerRules& controller) {
     Overrides first;
     for (const Kind& kind : kOverrideKinds) {
         const auto& percent = options.*kind.percent;
         if (!percent) continue;
-        if (const std::string error = override_error(kind, *percent, controller); !error.empty())
-            return tl::unexpected(fmt::format("{} {:g}: {}", kind.option, *percent, error));
+        if (const auto error = find_override_error(kind, *percent, controller))
+            return Unexpected(fmt::format("{} {:g}: {}", kind.option, *percent, error->message));
         if (*percent <= 0) {
-            return tl::unexpected(
+            return Unexpected(
                 fmt::format("{} 0 would hold the machine for ever; a file of changes (--overrides) may hold "
                             "it for a time",
                             kind.option));

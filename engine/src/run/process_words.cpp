@@ -33,7 +33,7 @@ std::vector<const grammar::Dialect*> block_dialects() {
     return dialects;
 }
 
-std::optional<std::string> check_word(const SwitchWord& word) {
+std::optional<gsim::Error> find_word_error(const SwitchWord& word) {
     const std::vector<const grammar::Dialect*> dialects = block_dialects();
     const auto has_word = [&](const grammar::Dialect* dialect) { return is_word_in_dialect(word, *dialect); };
     if (std::any_of(dialects.begin(), dialects.end(), has_word)) return std::nullopt;
@@ -63,16 +63,17 @@ std::string texts(const std::vector<SwitchWord>& words) {
 
 }  // namespace
 
-std::optional<std::string> check_process(const machine::Process& process) {
+std::optional<gsim::Error> find_process_error(const machine::Process& process) {
     for (const auto* words : {&process.on, &process.off}) {
         for (const SwitchWord& word : *words) {
-            if (auto error = check_word(word)) return error;
+            if (auto error = find_word_error(word)) return error;
         }
     }
     return std::nullopt;
 }
 
-std::optional<std::string> check_process(const machine::Process& process, const grammar::Dialect& dialect) {
+std::optional<gsim::Error> find_process_error(const machine::Process& process,
+                                              const grammar::Dialect& dialect) {
     for (const auto& [words, state] : {std::pair{&process.on, "on"}, {&process.off, "off"}}) {
         if (has_word_in_dialect(*words, dialect)) continue;
         return fmt::format("[process]: the {} is switched {} by {}, and {} has none of these",

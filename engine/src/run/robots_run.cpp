@@ -18,14 +18,13 @@ namespace gsim::engine {
 
 namespace {
 
-tl::unexpected<InputError> unexpected_error(std::string message) {
-    return tl::unexpected(
-        InputError{.message = std::move(message), .kind = text::DiagnosticKind::input_file});
+tl::unexpected<Error> unexpected_error(const gsim::Error& error) {
+    return tl::unexpected(make_error(text::DiagnosticKind::input_file, error));
 }
 
 }  // namespace
 
-tl::expected<std::unique_ptr<simulation::CellMonitor>, std::string> RobotsRun::read_cell(
+Result<std::unique_ptr<simulation::CellMonitor>> RobotsRun::read_cell(
     const process::RobotEntry& entry, const machine::Machine& machine,
     const std::vector<std::string>& conveyors) const {
     const Request& request = found_->request;
@@ -40,7 +39,7 @@ tl::expected<std::unique_ptr<simulation::CellMonitor>, std::string> RobotsRun::r
     });
 }
 
-tl::expected<RobotsRun::Station, InputError> RobotsRun::make_station(
+tl::expected<RobotsRun::Station, Error> RobotsRun::make_station(
     const process::RobotEntry& entry, const std::vector<std::string>& conveyors) const {
     const Request& request = found_->request;
     const os::Files& files = request.host.files.impl();
@@ -65,11 +64,12 @@ tl::expected<RobotsRun::Station, InputError> RobotsRun::make_station(
     station.language.cpu = &run_context_->cpu;
     station.language.memory_bytes = request.limits.memory_bytes;
     if (machine->process) {
-        if (const auto error = check_process(*machine->process, *station.language.dialect))
+        if (const auto error = find_process_error(*machine->process, *station.language.dialect))
             return unexpected_error(*error);
     }
     auto overrides = read_overrides(files, request.overrides, machine->controller);
-    if (!overrides) return unexpected_error(fmt::format("robot {}: {}", entry.name, overrides.error()));
+    if (!overrides)
+        return unexpected_error(fmt::format("robot {}: {}", entry.name, overrides.error().message));
     auto cell = read_cell(entry, *machine, conveyors);
     if (!cell) return unexpected_error(cell.error());
     station.cell = *std::move(cell);
@@ -83,7 +83,7 @@ tl::expected<RobotsRun::Station, InputError> RobotsRun::make_station(
     return station;
 }
 
-tl::expected<RobotsRun, InputError> RobotsRun::open(const ResolvedRequest& found, const RunContext& tools) {
+tl::expected<RobotsRun, Error> RobotsRun::open(const ResolvedRequest& found, const RunContext& tools) {
     const std::string& name = found.request.robots;
     auto file = found.request.host.files.impl()
                     .read_text(name, os::NameSource::command_line)
@@ -140,7 +140,7 @@ std::vector<script::Robot> RobotsRun::robots() {
     return robots;
 }
 
-tl::expected<void, InputError> RobotsRun::prepare(OpenedScript& opened, ProgressHandler progress) {
+tl::expected<void, Error> RobotsRun::prepare(OpenedScript& opened, ProgressHandler progress) {
     const Language& language = stations_.front().language;
     auto input = read_script(opened, language, run_context_->on_diagnostic);
     if (!input) return tl::unexpected(input.error());

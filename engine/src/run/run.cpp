@@ -16,8 +16,8 @@ using text::DiagnosticKind;
 
 tl::expected<Run, Error> Run::open(Request request, DiagnosticHandler on_diagnostic) {
     return guard_exceptions([&]() -> tl::expected<Run, Error> {
-        if (std::string error = find_contradiction(request); !error.empty())
-            return tl::unexpected(make_error(DiagnosticKind::usage, std::move(error)));
+        if (auto error = find_contradiction(request))
+            return tl::unexpected(make_error(DiagnosticKind::usage, *std::move(error)));
         const std::string cell = request.cell;
         auto found = resolve_files(std::move(request));
         if (!found)
@@ -30,8 +30,8 @@ tl::expected<Run, Error> Run::open(Request request, DiagnosticHandler on_diagnos
 
 tl::expected<Run, Error> Run::open(Request request, const Machine& machine, DiagnosticHandler on_diagnostic) {
     return guard_exceptions([&]() -> tl::expected<Run, Error> {
-        if (std::string error = find_contradiction(request); !error.empty())
-            return tl::unexpected(make_error(DiagnosticKind::usage, std::move(error)));
+        if (auto error = find_contradiction(request))
+            return tl::unexpected(make_error(DiagnosticKind::usage, *std::move(error)));
         auto resolved_request = resolve_names(std::move(request));
         if (!resolved_request)
             return tl::unexpected(
@@ -74,7 +74,7 @@ tl::expected<void, Error> Run::write(OutputKind output_kind, TextSink sink, cons
         return state_->outputs(robot)
             .add(output_kind, std::move(sink), options)
             .map_error(
-                [](std::string error) { return make_error(DiagnosticKind::output, std::move(error)); });
+                [](const gsim::Error& error) { return make_error(DiagnosticKind::output, error.message); });
     });
 }
 
@@ -126,7 +126,7 @@ const std::vector<std::string>& Run::files(std::size_t robot) const {
 }
 
 tl::expected<void, Error> Run::on_samples(SamplesHandler callback, double step_s, std::size_t robot) {
-    if (auto error = check_step(step_s))
+    if (auto error = find_step_error(step_s))
         return tl::unexpected(make_error(DiagnosticKind::usage, *std::move(error)));
     const simulation::Simulator& simulator = state_->simulator(robot);
     state_->outputs(robot).add_output(make_samples_output(std::move(callback), simulator.machine(), step_s,

@@ -21,7 +21,6 @@ tl::expected<void, Error> Run::State::open() {
             for (const RobotsRun::Station& station : robots_->stations())
                 names_.push_back(station.entry.name);
         })
-        .map_error([](const InputError& error) { return make_error(error); })
         .and_then([this] { return open_program(); });
 }
 
@@ -89,20 +88,20 @@ tl::expected<void, Error> Run::State::open_program() {
     auto file = resolve_name(request.host, NameKind::sample, request.program);
     if (!file) return tl::unexpected(make_error(DiagnosticKind::file, file.error(), request.program));
     request.program = *std::move(file);
-    return open_script(request.host.files.impl(), request.program)
-        .map([this](OpenedScript opened) { program_ = std::move(opened); })
-        .map_error([](const InputError& error) { return make_error(error); });
+    return open_script(request.host.files.impl(), request.program).map([this](OpenedScript opened) {
+        program_ = std::move(opened);
+    });
 }
 
 tl::expected<void, Error> Run::State::prepare() {
     if (robots_ != nullptr) {
         if (auto prepared = robots_->prepare(*program_, progress()); !prepared)
-            return tl::unexpected(make_error(prepared.error()));
+            return tl::unexpected(prepared.error());
         for (RobotsRun::Station& station : robots_->stations()) add(*station.simulator);
         return {};
     }
     auto inputs = read_run_inputs(found_, MachineInput(*machine_), cell_, *program_, run_context_);
-    if (!inputs) return tl::unexpected(make_error(inputs.error()));
+    if (!inputs) return tl::unexpected(inputs.error());
     inputs->module = std::exchange(module_, std::nullopt);
     program_run_ = std::make_unique<ProgramRun>(found_, *std::move(inputs), run_context_, progress());
     program_run_->simulator().monitors().set_dynamics(dynamics_);
@@ -149,9 +148,11 @@ tl::expected<ProgramRun*, Error> Run::State::kept() {
 
 tl::expected<std::string, Error> Run::State::variables() {
     return kept().and_then([](ProgramRun* run) {
-        return run->engine().permanent_variables().map(variables_text).map_error([](std::string message) {
-            return make_error(DiagnosticKind::output, std::move(message));
-        });
+        return run->engine()
+            .permanent_variables()
+            .map(variables_text)
+            .map_error(
+                [](const gsim::Error& error) { return make_error(DiagnosticKind::output, error.message); });
     });
 }
 
@@ -162,7 +163,7 @@ tl::expected<std::string, Error> Run::State::machine_data() {
             .and_then([&](const machine::MachineData& data) { return run->document().update(data); })
             .map([&] { return run->document().text(); })
             .map_error(
-                [](std::string message) { return make_error(DiagnosticKind::output, std::move(message)); });
+                [](const gsim::Error& error) { return make_error(DiagnosticKind::output, error.message); });
     });
 }
 

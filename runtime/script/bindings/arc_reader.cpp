@@ -91,8 +91,8 @@ class ArcReader {
         interpreter_.alarm(state_, kind, message);
     }
     template <typename Value>
-    Value unwrap(tl::expected<Value, std::string> result) {
-        if (!result) alarm(DiagnosticKind::arc, result.error());
+    Value unwrap(Result<Value> result) {
+        if (!result) alarm(DiagnosticKind::arc, result.error().message);
         return *result;
     }
 

@@ -30,8 +30,8 @@ rrs::CartPos check_rpy_pose(lua_State* state, int index) {
 /// degrees; groups of axes, by their names, are at the pose's values, or else at their current ones.
 int pose_axes(lua_State* state) {
     Interpreter& interpreter = bound_interpreter(state);
-    const tl::expected<simulation::AxisVector, std::string> axes = interpreter.simulator().poses().solve_axes(
-        check_rpy_pose(state, 1), check_group_targets(state, interpreter, 1));
+    const auto axes = interpreter.simulator().poses().solve_axes(check_rpy_pose(state, 1),
+                                                                 check_group_targets(state, interpreter, 1));
     if (!axes) interpreter.alarm(state, DiagnosticKind::unreachable, axes.error());
     interpreter.simulator().poses().warn_if_singular(*axes, interpreter.location());
     push_axes(state, interpreter, *axes);

@@ -142,24 +142,24 @@ int Engine::next_script(lua_State* state) {
     return 1;
 }
 
-tl::expected<std::map<int, double>, std::string> Engine::permanent_variables() {
+Result<std::map<int, double>> Engine::permanent_variables() {
     permanent_.clear();
     return read_retained([](Engine& engine) { engine.read_permanent(); }).map([this] { return permanent_; });
 }
 
-tl::expected<machine::MachineData, std::string> Engine::machine_data() {
+Result<machine::MachineData> Engine::machine_data() {
     stored_ = options_.data;
     return read_retained([](Engine& engine) { engine.read_stored(); }).map([this] { return stored_; });
 }
 
 /// Restarts the steps and ends the time limit, because a run that has used them up has none left for this.
-tl::expected<void, std::string> Engine::read_retained(void (*read)(Engine&)) {
+Result<void> Engine::read_retained(void (*read)(Engine&)) {
     lua_.restart_steps();
     lua_.set_time_limit(nullptr);
     error_.clear();
     if (call_protected(read) == LUA_OK) return {};
-    return tl::unexpected(fmt::format("what the control keeps cannot be read: {}",
-                                      error_.empty() ? "the script has used up its memory" : error_));
+    return Unexpected(fmt::format("what the control keeps cannot be read: {}",
+                                  error_.empty() ? "the script has used up its memory" : error_));
 }
 
 void Engine::read_permanent() {

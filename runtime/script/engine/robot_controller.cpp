@@ -177,8 +177,8 @@ void load_file(lua_State* state, const Library& library, const std::string& file
     const std::string chunk = "=lua_lib/" + file_name;
     const auto compiled = library.compiled() == nullptr ? nullptr : library.compiled()->find(file_name);
     if (compiled != nullptr) return load_chunk(state, *compiled, chunk.c_str(), "b");
-    const tl::expected<std::string, std::string> text = library.read(file_name);
-    if (!text) throw std::runtime_error(text.error());
+    const Result<std::string> text = library.read(file_name);
+    if (!text) throw std::runtime_error(text.error().message);
     load_chunk(state, *text, chunk.c_str(), "t");
     if (library.compiled() != nullptr) library.compiled()->keep(file_name, compiled_function(state));
 }

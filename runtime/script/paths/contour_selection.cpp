@@ -99,11 +99,9 @@ std::string stop_error(const LuaState& lua, const ContourTask& task) {
 
 }  // namespace
 
-tl::expected<std::vector<bool>, std::string> choose_contours(std::string_view lua_text,
-                                                             const std::string& file_name,
-                                                             std::span<const ContourDescription> contours,
-                                                             const LuaState::Limits& limits,
-                                                             os::CpuLimit* cpu) {
+Result<std::vector<bool>> choose_contours(std::string_view lua_text, const std::string& file_name,
+                                          std::span<const ContourDescription> contours,
+                                          const LuaState::Limits& limits, os::CpuLimit* cpu) {
     LuaState lua(limits);
     lua_State* state = lua.get();
     ContourTask task{lua_text, file_name, contours, cpu};

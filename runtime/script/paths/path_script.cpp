@@ -121,8 +121,8 @@ int make_point(lua_State* state) {
         }
         lua_pop(state, 1);
     }
-    tl::expected<path::Target, std::string> target = draft.finish();
-    if (!target) raise(state, target.error());
+    Result<path::Target> target = draft.finish();
+    if (!target) raise(state, target.error().message);
     LuaState::of(state).add_external_bytes(state, memory_size(*target), kPathMemoryLabel);
     builder.points.push_back({*std::move(target), calling_location(state)});
     push(state, {Handle::Kind::point, builder.points.size() - 1, 1});
@@ -140,7 +140,7 @@ std::optional<std::size_t> read_frame(lua_State* state) {
             raise(state, path::unknown_key(name, "a use of a path", kFrameKeys));
     }
     auto frame = read_set_up(state, 3, kFrameKeys.size()).finish_frame();
-    if (!frame) raise(state, frame.error());
+    if (!frame) raise(state, frame.error().message);
     auto& frames = bound<Builder>(state).frames;
     LuaState::of(state).add_external_bytes(state, 2 * memory_size(*frame), kPathMemoryLabel);
     frames.push_back(*std::move(frame));
@@ -249,8 +249,7 @@ int run_path_task(lua_State* state) {
 
 // Leaves the result of the script on the stack. Everything that needs memory runs inside lua_pcall(), because
 // an error before it would end the program.
-tl::expected<void, std::string> run(LuaState& lua, std::string_view text, Builder& builder,
-                                    os::CpuLimit* cpu) {
+Result<void> run(LuaState& lua, std::string_view text, Builder& builder, os::CpuLimit* cpu) {
     lua_State* state = lua.get();
     lua.on_last_step([&builder](lua_State* at) { builder.last_line = calling_location(at, 0).line; });
     PathTask task{text, builder, cpu};
@@ -267,16 +266,16 @@ tl::expected<void, std::string> run(LuaState& lua, std::string_view text, Builde
 
 }  // namespace
 
-tl::expected<PathFile, std::string> run_path_script(std::string_view text, std::string file_name,
-                                                    const LuaState::Limits& limits, os::CpuLimit* cpu) {
+Result<PathFile> run_path_script(std::string_view text, std::string file_name, const LuaState::Limits& limits,
+                                 os::CpuLimit* cpu) {
     LuaState lua(limits);
     Builder builder;
     builder.file.file_name = std::move(file_name);
     if (auto done = run(lua, text, builder, cpu); !done) return tl::unexpected(done.error());
     const Handle* root = handle_at(lua.get(), -1);
     if (root == nullptr || root->kind != Handle::Kind::path) {
-        return tl::unexpected(fmt::format("{}:1: the script must return the root path, what path{{..}} made",
-                                          builder.file.file_name));
+        return Unexpected(fmt::format("{}:1: the script must return the root path, what path{{..}} made",
+                                      builder.file.file_name));
     }
     builder.file.program.root = root->index;
     builder.file.program.name = builder.file.program.paths[root->index].name;

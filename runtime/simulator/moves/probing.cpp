@@ -70,11 +70,9 @@ Probing::SignalOrError Probing::make_cell_signal(bool away) {
         if (!frame) return tl::unexpected(frame.error());
         tcp_mm = frame->tcp_mm();
     }
-    return cell_.monitor()
-        ->touch_search(tcp_mm, motion_.source().time_s())
-        .map([away](cell::TouchSearch search) {
-            return std::unique_ptr<ProbeSignal>(std::make_unique<ContactSignal>(std::move(search), away));
-        });
+    auto search = cell_.monitor()->touch_search(tcp_mm, motion_.source().time_s());
+    if (!search) return tl::unexpected(search.error().message);
+    return std::make_unique<ContactSignal>(*std::move(search), away);
 }
 
 bool Probing::ends_at_target(const ProbeMove& move) const {

@@ -25,7 +25,7 @@ using testing::IsEmpty;
 
 machine::Machine read(const std::string& axes) {
     const auto machine = machine::read_machine("[machine]\nname = \"m\"\n" + axes, "m.toml");
-    EXPECT_TRUE(machine) << machine.error();
+    EXPECT_TRUE(machine) << machine.error().message;
     return machine.value_or(machine::Machine{});
 }
 

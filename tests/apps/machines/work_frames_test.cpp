@@ -184,7 +184,8 @@ TEST_F(WorkFrames, WhatCannotBeIsRefusedWithWhatThereIs) {
     EXPECT_EQ(rejected({"--dialect", "grbl", "--work-offset", "G59.1"}),
               "error: the post 'grbl' has no work offset G59.1; it has G54, G55, G56, G57, G58, G59\n");
     EXPECT_EQ(rejected({"--dialect", "grbl", "--tool", "3"}),
-              "error: the post 'grbl' has no words for 'tool_change T3', 'tool_length H3'; with --continue-on-unknown they "
+              "error: the post 'grbl' has no words for 'tool_change T3', 'tool_length H3'; with "
+              "--continue-on-unknown they "
               "become comments\n");
     EXPECT_TRUE(contains(rejected({"--tool", "3.5"}, 2), "--tool takes a whole number"));
     EXPECT_EQ(rejected({"--tool", "3", "--retract", "9"}),

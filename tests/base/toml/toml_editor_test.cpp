@@ -11,11 +11,11 @@ using nlohmann::ordered_json;
 template <typename Change>
 std::string after(const std::string& text, const Change& change) {
     auto edit = TomlEditor::read(text, "part.toml");
-    if (!edit) return edit.error();
-    const TomlEditor::VoidResult done = change(*edit);
+    if (!edit) return edit.error().message;
+    const Result<void> done = change(*edit);
     if (!done) {
         EXPECT_EQ(edit->text(), text);
-        return done.error();
+        return done.error().message;
     }
     EXPECT_EQ(edit->value(), *toml_json(edit->text(), "again"));
     return edit->text();

@@ -80,11 +80,11 @@ Nurbs parabola() {
 std::string fault_with(const std::function<void(Nurbs&)>& spoil) {
     Nurbs curve = parabola();
     spoil(curve);
-    return curve_error(curve).value_or("");
+    return find_curve_error(curve).value_or("").message;
 }
 
 TEST(RareDxf, CurvesThatAreNoneSayWhy) {
-    EXPECT_EQ(curve_error(parabola()), std::nullopt);
+    EXPECT_EQ(find_curve_error(parabola()), std::nullopt);
     EXPECT_THAT(fault_with([](Nurbs& curve) { curve.degree = 0; }), HasSubstr("has degree 0; 1 to "));
     EXPECT_EQ(fault_with([](Nurbs& curve) { curve.points.pop_back(); }),
               "has 2 control points; degree 2 needs 3 at least");

@@ -35,7 +35,7 @@ cell::Cell cell_of(const machine::Machine& machine, const std::string& objects) 
         "}\n" +
         objects;
     auto cell = cell::read_cell(text, "cell.toml", machine);
-    EXPECT_TRUE(cell) << (cell ? "" : cell.error());
+    EXPECT_TRUE(cell) << (cell ? "" : cell.error().message);
     return *std::move(cell);
 }
 

@@ -19,13 +19,13 @@ constexpr double kPi = std::numbers::pi;
 
 Mesh read_solid_mesh(const std::filesystem::path& file, double tolerance_mm = 0.05) {
     auto mesh = read_mesh(file, tolerance_mm);
-    EXPECT_TRUE(mesh) << mesh.error();
+    EXPECT_TRUE(mesh) << mesh.error().message;
     return mesh ? *std::move(mesh) : Mesh{};
 }
 
 std::string error_of(const std::filesystem::path& file) {
     const auto mesh = read_mesh(file, 0.05);
-    return mesh ? "" : mesh.error();
+    return mesh ? "" : mesh.error().message;
 }
 
 // Returns the volume by the divergence theorem; above 0 if the triangles face outwards.

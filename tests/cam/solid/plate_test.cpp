@@ -22,13 +22,13 @@ constexpr double kPi = std::numbers::pi;
 
 Plate plate_of(const std::filesystem::path& file, const PlateOptions& options = {}) {
     auto plate = read_plate(file, options);
-    EXPECT_TRUE(plate) << plate.error();
+    EXPECT_TRUE(plate) << plate.error().message;
     return plate ? *std::move(plate) : Plate{};
 }
 
 std::string error_of(const std::filesystem::path& file) {
     const auto plate = read_plate(file, {});
-    return plate ? "" : plate.error();
+    return plate ? "" : plate.error().message;
 }
 
 // Areas of the closed contours, the largest first.
@@ -49,7 +49,7 @@ std::vector<double> areas_mm2(const Plate& plate) {
 // Returns the areas of the paths.
 std::vector<double> offset_areas_mm2(const Plate& plate, double kerf_mm) {
     const auto layout = cutting::make_layout(plate.drawing, {kerf_mm, 0.02});
-    EXPECT_TRUE(layout) << layout.error();
+    EXPECT_TRUE(layout) << layout.error().message;
     std::vector<Contour> contours;
     if (!layout) return {};
     for (const cutting::Loop& loop : layout->loops) contours.push_back(loop.contour);

@@ -24,7 +24,7 @@ CuttingRequest make_request(std::string material, double thickness_mm) {
 
 std::string error_of(const CuttingRequest& request) {
     const auto plan = plan_cutting(sample_materials(), request);
-    return plan ? "" : plan.error();
+    return plan ? "" : plan.error().message;
 }
 
 const ResolvedValue& settled_value(const CuttingPlan& plan, std::string_view name) {

@@ -23,7 +23,7 @@ std::string error_with(std::string_view fragment, std::string_view other) {
     EXPECT_NE(at, std::string::npos) << fragment;
     text.replace(at, fragment.size(), other);
     const auto materials = read_materials(text, "f");
-    return materials ? "" : materials.error();
+    return materials ? "" : materials.error().message;
 }
 
 TEST(MaterialsFile, Sample) {
@@ -108,7 +108,7 @@ TEST(MaterialsFile, Mangled) {
     for (int i = 0; i < 2000; ++i) {
         const auto materials = read_materials(test::mangled(random, full), "f");
         if (!materials) {
-            EXPECT_TRUE(test::is_located(materials.error())) << materials.error();
+            EXPECT_TRUE(test::is_located(materials.error().message)) << materials.error().message;
             continue;
         }
         for (const Material& material : materials->materials) {

@@ -24,7 +24,7 @@ constexpr const char* kRouter =
 
 ImportResult import_text(const std::string& text) {
     const auto imported = import_grbl(text, "router.txt");
-    EXPECT_TRUE(imported) << imported.error();
+    EXPECT_TRUE(imported) << imported.error().message;
     return imported.value_or(ImportResult{});
 }
 
@@ -80,13 +80,13 @@ TEST(GrblDump, StoredPointsAreInTheUnitOfReports) {
 TEST(GrblDump, FaultsAreSentences) {
     EXPECT_TRUE(is_grbl_dump("ok\n$110=500\n"));
     EXPECT_FALSE(is_grbl_dump("[machine]\nname = \"m\"\n"));
-    EXPECT_EQ(import_grbl("$100=80\nhello\n", "router.txt").error(),
+    EXPECT_EQ(import_grbl("$100=80\nhello\n", "router.txt").error().message,
               "router.txt:2: 'hello' is no line of what grbl answers to $$ and $#");
-    EXPECT_EQ(import_grbl("$100=80\n$110=500\n", "router.txt").error(),
+    EXPECT_EQ(import_grbl("$100=80\n$110=500\n", "router.txt").error().message,
               "router.txt: $120, which axis X needs, is not there");
-    EXPECT_EQ(import_grbl("$100=80\n$110=0\n", "router.txt").error(),
+    EXPECT_EQ(import_grbl("$100=80\n$110=0\n", "router.txt").error().message,
               "router.txt:2: $110, which axis X needs, is not above 0");
-    EXPECT_EQ(import_grbl(std::string(kRouter) + "[G54:1.000]\n", "router.txt").error(),
+    EXPECT_EQ(import_grbl(std::string(kRouter) + "[G54:1.000]\n", "router.txt").error().message,
               "router.txt:17: '[G54:1.000]' has no numbers for its axes, parted by commas");
 }
 

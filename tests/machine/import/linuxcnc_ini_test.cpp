@@ -47,18 +47,18 @@ std::string recorded(double speed, double acceleration, double turn_acceleration
 
 ImportResult import_text(const std::string& ini) {
     const auto imported = import_linuxcnc(ini, "mill.ini");
-    EXPECT_TRUE(imported) << imported.error();
+    EXPECT_TRUE(imported) << imported.error().message;
     return imported.value_or(ImportResult{});
 }
 
-tl::expected<ImportResult, std::string> import_file(const std::filesystem::path& path) {
+Result<ImportResult> import_file(const std::filesystem::path& path) {
     return os::read_text_file(path).and_then(
         [&](const std::string& text) { return import_machine(text, path); });
 }
 
 std::string error_of(const std::string& ini) {
     const auto imported = import_linuxcnc(ini, "mill.ini");
-    return imported ? "no error" : imported.error();
+    return imported ? "no error" : imported.error().message;
 }
 
 // All values that decide on positions and times are those of the samples that match recordings.
@@ -127,7 +127,8 @@ TEST(LinuxcncIni, LimitsOfNothingAndNumbersOfJointsBeyondAnyAreTold) {
          {"[TRAJ]\nARC_BLEND_OPTIMIZATION_DEPTH = 1e300\n", "[EMCMOT]\nSERVO_PERIOD = -5\n"}) {
         const auto imported = import_machine(mill() + std::string(setting), "mill.ini");
         ASSERT_FALSE(imported) << setting;
-        EXPECT_THAT(imported.error(), testing::StartsWith("mill.ini: its settings make no machine: "));
+        EXPECT_THAT(imported.error().message,
+                    testing::StartsWith("mill.ini: its settings make no machine: "));
     }
 }
 
@@ -241,7 +242,7 @@ TEST_F(LinuxcncFiles, ItsTablesAndIncludedFilesAreRead) {
                                             "[EMCIO]\nTOOL_TABLE = mill.tbl\n");
     ASSERT_TRUE(is_controller_file("", path));
     const auto imported = import_file(path);
-    ASSERT_TRUE(imported) << imported.error();
+    ASSERT_TRUE(imported) << imported.error().message;
     EXPECT_EQ(imported->machine.axes.size(), 3U);
     EXPECT_TRUE(imported->has_data);
     const machine::AxisValues& offset = imported->data.offsets.at("54");
@@ -265,16 +266,16 @@ TEST_F(LinuxcncFiles, FilesThatIncludeEachOtherOftenAreAnError) {
     write(fmt::format("{}.inc", kFiles), "");
     const auto imported = import_file(write("mill.ini", mill() + "#INCLUDE 0.inc\n"));
     ASSERT_FALSE(imported);
-    EXPECT_THAT(imported.error(), testing::EndsWith("more than 1000 files are included"));
+    EXPECT_THAT(imported.error().message, testing::EndsWith("more than 1000 files are included"));
 }
 
 // The machine file reads back as the machine, and names its source.
 TEST_F(LinuxcncFiles, TheMachineFileIsTheMachine) {
     const auto path = write("mill.ini", mill() + "[HAL]\nHALFILE = a.hal\n");
     const auto imported = import_file(path);
-    ASSERT_TRUE(imported) << imported.error();
+    ASSERT_TRUE(imported) << imported.error().message;
     const auto toml = machine_toml(*imported, path);
-    ASSERT_TRUE(toml) << toml.error();
+    ASSERT_TRUE(toml) << toml.error().message;
     EXPECT_EQ(machine::read_machine(*toml, "mill.toml").value(), imported->machine);
     EXPECT_THAT(*toml,
                 testing::StartsWith("# Made from mill.ini.\n#\n# Not taken over:\n#   [HAL] HALFILE\n"));

@@ -20,14 +20,14 @@ struct ImportedTable {
 ImportedTable parameters(const std::string& text, double unit_mm = 1, std::string_view axes = "XYZ") {
     ImportedTable taken;
     const auto done = import_parameters(text, "mill.var", unit_mm, axes, taken.data, taken.notes);
-    if (!done) taken.error = done.error();
+    if (!done) taken.error = done.error().message;
     return taken;
 }
 
 ImportedTable tools(const std::string& text, double unit_mm = 1, std::string_view axes = "XYZ") {
     ImportedTable taken;
     const auto done = import_tools(text, "mill.tbl", unit_mm, axes, taken.data, taken.notes);
-    if (!done) taken.error = done.error();
+    if (!done) taken.error = done.error().message;
     return taken;
 }
 

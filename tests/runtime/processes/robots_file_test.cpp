@@ -30,7 +30,7 @@ frame = { x_mm = 350.0 }
 
 TEST(RobotsFile, IsReadInItsOrder) {
     const auto file = read_robots(kGood, "cells/r.toml", kDialects);
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     ASSERT_EQ(file->robots.size(), 2U);
     EXPECT_EQ(file->robots[0].name, "left");
     EXPECT_TRUE(file->robots[0].machine.empty());
@@ -50,8 +50,8 @@ TEST(RobotsFile, IsReadInItsOrder) {
 void expect_error(const std::string& text, const std::string& part) {
     const auto file = read_robots(text, "r.toml", kDialects);
     ASSERT_FALSE(file) << text;
-    EXPECT_NE(file.error().find(part), std::string::npos) << file.error();
-    EXPECT_EQ(file.error().rfind("r.toml:", 0), 0U) << file.error();
+    EXPECT_NE(file.error().message.find(part), std::string::npos) << file.error().message;
+    EXPECT_EQ(file.error().message.rfind("r.toml:", 0), 0U) << file.error().message;
 }
 
 TEST(RobotsFile, FaultsAreToldWithTheirPlace) {

@@ -350,7 +350,7 @@ TEST(PathRecorder, FeedsAndLeadsByTheTurnAreKept) {
 TEST(PathRecorder, ToolCentrePointControlIsRefused) {
     RunOf run(sample("mill-head-table"));
     run.simulator.tcp_control().set(Eigen::Vector3d(0, 0, 50), {});
-    EXPECT_EQ(run.recorder.finish("p").error(),
+    EXPECT_EQ(run.recorder.finish("p").error().message,
               "tool-centre-point control (G43.4) moves the tip, not the axes");
 }
 
@@ -382,13 +382,13 @@ TEST(PathRecorder, MotionByServicesIsRefused) {
     RunOf run(sample("af5"));
     run.line(run.axes({10, 0, 0, 0, 0}));
     run.recorder.on_unrecordable_motion("the script moves by services (SetNextTarget)");
-    EXPECT_THAT(run.recorder.finish("p").error(), testing::HasSubstr("SetNextTarget"));
+    EXPECT_THAT(run.recorder.finish("p").error().message, testing::HasSubstr("SetNextTarget"));
 }
 
 TEST(PathRecorder, NothingMakesNoPath) {
     const machine::Machine machine = sample("af5");
     PathRecorder recorder(machine);
-    EXPECT_THAT(recorder.finish("p").error(), testing::HasSubstr("neither moves nor switches"));
+    EXPECT_THAT(recorder.finish("p").error().message, testing::HasSubstr("neither moves nor switches"));
 }
 
 }  // namespace

@@ -25,13 +25,13 @@ std::vector<ContourDescription> two() {
 
 std::vector<bool> selected(const std::string& lua) {
     const auto found = choose_contours(lua, "choose.lua", two());
-    EXPECT_TRUE(found) << found.error();
+    EXPECT_TRUE(found) << found.error().message;
     return found.value_or(std::vector<bool>{});
 }
 
 std::string error(const std::string& lua, const LuaState::Limits& limits = {}) {
     const auto found = choose_contours(lua, "choose.lua", two(), limits);
-    return found ? "" : found.error();
+    return found ? "" : found.error().message;
 }
 
 TEST(ContourSelection, TheFunctionIsAskedOfEachInTheirOrder) {

@@ -19,7 +19,7 @@ TEST(PathScript, BuildsPointsAndSubPathsInLoops) {
                     rotary_deg = {B = 1, C = 2}}, repeated(4, part)}
     )lua",
                                       "f.lua");
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     const path::Program& program = file->program;
     ASSERT_EQ(program.paths.size(), 2U);
     EXPECT_EQ(program.paths[program.root].name, "part");
@@ -41,7 +41,7 @@ TEST(PathScript, PathsAndUsesHaveFramesAndTools) {
                     repeated(2, part, {work_offset = "G55", set_offset_mm = {4, 5, 6}})}
     )lua",
                                       "f.lua");
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     const path::Program& program = file->program;
     EXPECT_EQ(program.paths[0].tool, (path::Tool{3, 3, 4}));
     EXPECT_EQ(program.paths[1].frame, (path::WorkFrame{"54", path::Vector{1, 2, 3}}));
@@ -59,7 +59,7 @@ TEST(PathScript, MachinePointsAndTouches) {
         }}), point{fixed = "CLAMP1", name = "left", dwell_s = 2, actions = {"clamp"}}, point{fixed = 7}}
     )lua",
                                       "f.lua");
-    ASSERT_TRUE(file) << file.error();
+    ASSERT_TRUE(file) << file.error().message;
     const path::Program& program = file->program;
     EXPECT_EQ(std::get<path::MachinePoint>(program.paths[0].targets[0]).number, 2);
     const std::vector<path::Touch>& touches =
@@ -132,7 +132,7 @@ TEST(PathScript, ErrorsNameTheLine) {
     for (const Wrong& each : cases) {
         const auto file = run_path_script(each.script, "f.lua", limits);
         ASSERT_FALSE(file) << each.script;
-        EXPECT_EQ(file.error().substr(0, each.error.size()), each.error) << each.script;
+        EXPECT_EQ(file.error().message.substr(0, each.error.size()), each.error) << each.script;
     }
 }
 

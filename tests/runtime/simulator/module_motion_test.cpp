@@ -31,7 +31,7 @@ rrs::RcsModule module_of(HostProcess location, const std::string& path, const ma
     if (location == HostProcess::separate_process)
         return rrs::start_rcs_process(tests::program_path("gsim-rcs-host"), path, described.get()).value();
     auto library = rrs::RcsLibrary::load(path, described.get());
-    if (!library) throw std::runtime_error(library.error());
+    if (!library) throw std::runtime_error(library.error().message);
     return rrs::RcsModule::create(*library, described.get()).value();
 }
 

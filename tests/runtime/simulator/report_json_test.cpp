@@ -46,8 +46,8 @@ TEST(ReportJson, KeysInTheirOrder) {
     const auto json = text::parse_json<ordered_json>(to_json(sample()));
     EXPECT_THAT(keys(json),
                 ElementsAre("format", "program", "machine", "controller", "status", "alarm", "violations",
-                            "violation_count", "suggested_fix", "cycle_time_s", "valid_until_s", "time", "process",
-                            "length", "blocks", "moves", "blends", "bounds", "events", "warnings",
+                            "violation_count", "suggested_fix", "cycle_time_s", "valid_until_s", "time",
+                            "process", "length", "blocks", "moves", "blends", "bounds", "events", "warnings",
                             "diagnostics", "findings", "slowest"));
     EXPECT_THAT(keys(json["time"]), ElementsAre("rapid_s", "feed_s", "dwell_s"));
     EXPECT_THAT(keys(json["length"]), ElementsAre("rapid_mm", "feed_mm", "process_on_mm"));

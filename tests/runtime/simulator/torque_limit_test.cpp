@@ -58,13 +58,13 @@ mass_kg = 20
 
 machine::Machine read(const std::string& text) {
     auto machine = machine::read_machine(text, "m.toml");
-    EXPECT_TRUE(machine) << machine.error();
+    EXPECT_TRUE(machine) << machine.error().message;
     return *std::move(machine);
 }
 
 std::string rejection(const std::string& text) {
     const auto machine = machine::read_machine(text, "m.toml");
-    return machine ? "" : machine.error();
+    return machine ? "" : machine.error().message;
 }
 
 std::unique_ptr<Simulator> simulator_of(const machine::Machine& machine) {
@@ -286,7 +286,7 @@ TEST(TorqueLimit, RandomProgramsKeepThePeaks) {
         constexpr std::array kModels{"exact-stop", "ab9", "blend"};
         std::mt19937 random(program);
         const machine::Machine machine = heavy(random, kModels[program % kModels.size()]);
-        if (const auto error = machine::find_torque_limit_error(machine)) FAIL() << *error;
+        if (const auto error = machine::find_torque_limit_error(machine)) FAIL() << error->message;
         const auto simulator = simulator_of(machine);
         RandomMoves(random, *simulator).make(12);
         const Report report = simulator->finish("random");

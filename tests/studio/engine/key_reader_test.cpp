@@ -34,7 +34,7 @@ ConsumedKeys taken(const json& object) {
     keys.numbers("numbers", -9, 9, all.numbers);
     keys.point("point", -9, 9, all.point);
     keys.require("text");
-    if (const auto done = keys.end(); !done) all.error = done.error();
+    if (const auto done = keys.end(); !done) all.error = done.error().message;
     return all;
 }
 

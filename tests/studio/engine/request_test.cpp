@@ -9,7 +9,7 @@ using nlohmann::json;
 
 std::string error_message(const json& request_json) {
     const auto request = run_request(request_json);
-    return request ? "" : request.error();
+    return request ? "" : request.error().message;
 }
 
 TEST(RunRequest, TakesWhatAPageMayAskFor) {
@@ -20,7 +20,7 @@ TEST(RunRequest, TakesWhatAPageMayAskFor) {
                                       {"blocks", 1000},
                                       {"collisions", false},
                                       {"explain", true}});
-    ASSERT_TRUE(request) << request.error();
+    ASSERT_TRUE(request) << request.error().message;
     EXPECT_EQ(request->program, "part.nc");
     EXPECT_EQ(request->machine, "mine.toml");
     EXPECT_EQ(request->language.dialect, "rs274ngc");
