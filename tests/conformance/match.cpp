@@ -133,10 +133,9 @@ Mismatch find_mismatch(const ExpectedMove& expected, const Move& found, const Ev
         return fmt::format("kind: {}, {} is expected", name(found.kind), name(expected_value.kind));
     }
     if (expected_value.kind == Kind::dwell) {
-        if (std::abs(found.dwell_s - expected_value.standstill.dwell_s) <= kPrintedSeconds + kSeconds)
+        if (std::abs(found.dwell_s - expected_value.dwell_s) <= kPrintedSeconds + kSeconds)
             return std::nullopt;
-        return fmt::format("dwell: {:.6f} s, {:.4f} s are expected", found.dwell_s,
-                           expected_value.standstill.dwell_s);
+        return fmt::format("dwell: {:.6f} s, {:.4f} s are expected", found.dwell_s, expected_value.dwell_s);
     }
     if (Mismatch mismatch = end_mismatch(expected, found, state)) return mismatch;
     if (expected_value.arc) {
