@@ -35,7 +35,7 @@ void add_process_on_mm(void* total_mm, const gsim_move* moves, size_t count) {
 
 TEST(RenamedNames, AProgramInCOfVersion01RunsAsBefore) {
     gsim_request* request = gsim_request_create();
-    const std::string program = "G0 X10\nM3\nG1 X60 F6000\nM5\nG1 X70\nM2\n";
+    const std::string program = "G0 X10\nM8\nG1 X60 F6000\nM9\nG1 X70\nM2\n";
     gsim_request_set_program(request, program.data(), program.size(), "part.nc");
     gsim_run* run = gsim_run_open(request, nullptr, nullptr);
     gsim_request_destroy(request);

@@ -72,7 +72,7 @@ TEST(DataForm, TellsWhatFieldsThereAre) {
     const json& walls = sections[7]["fields"];
     EXPECT_EQ(walls[0]["open"], true);
     EXPECT_EQ(walls[6]["choices"], json({"ENTER", "LEAVE"}));
-    EXPECT_EQ(walls[8]["greatest"], 99);
+    EXPECT_EQ(walls[8]["max"], 99);
 }
 
 TEST(DataForm, AnEntryIsChangedInItsLineAlone) {
