@@ -60,7 +60,7 @@ Result<void> restrict_access(os::SandboxPolicy policy) {
     if (kReadsOwnProcess) policy.read.emplace_back("/proc/self");
     if (kCoverageFolder != nullptr) policy.changed.emplace_back(kCoverageFolder);
     return os::confine(policy).map([](bool) {}).map_error([](const Error& error) {
-        return Error(error.message + "; --no-confine runs without");
+        return Error(error.message + "; --no-confine runs without confinement");
     });
 }
 
@@ -112,10 +112,9 @@ Result<void> confine_to_folders(std::span<const fs::path> folders) {
 }
 
 void add_confine_option(CommandLine& line, bool& no_confine) {
-    line.add(
-        "--no-confine", &no_confine,
-        "do not take from the program, before it reads its input, what it does not need: all other files but "
-        "those in the folders of its outputs, other programs, the network (Linux, landlock)");
+    line.add("--no-confine", &no_confine,
+             "do not confine the program before it reads its input; confinement blocks files outside the "
+             "folders of its outputs, other programs and the network (Linux, landlock)");
 }
 
 }  // namespace gsim::apps

@@ -128,7 +128,7 @@ class Command {
             return data.to_json().map_error(to_error).and_then(
                 [this](const std::string& json) { return write_result(arguments_.output, json); });
         }
-        if (!unit()) return Unexpected("convert takes --inch, --metric, --json or --from-json FILE");
+        if (!unit()) return Unexpected("convert requires --inch, --metric, --json or --from-json FILE");
         return save(data.convert(*unit()), data);
     }
 

@@ -44,7 +44,7 @@ bool imports_table(const DataArguments& arguments) {
 Result<int> import_settings(const DataArguments& arguments, const engine::Machine* machine,
                             Findings& findings) {
     const std::string& source = import_source(arguments);
-    if (source.empty()) return Unexpected("import needs a file: gsim-data import mill.ini");
+    if (source.empty()) return Unexpected("import requires a file: gsim-data import mill.ini");
     const auto text = os::read_text_file(source, os::NameSource::command_line);
     if (!text) return tl::unexpected(text.error());
     const engine::LengthUnit unit = arguments.inch ? engine::LengthUnit::inch : engine::LengthUnit::mm;

@@ -44,19 +44,19 @@ std::string product_destination(const std::string& output) {
 
 std::optional<Error> sarif_conflict(const FindingOptions& options, const std::string& product) {
     if (options.sarif != os::kStandardStream || product != os::kStandardStream) return std::nullopt;
-    return "--sarif - and the product both want standard output; give one of them a file";
+    return "--sarif - and the output both use standard output; write one of them to a file";
 }
 
 void add_sarif_option(CommandLine& line, FindingOptions& options) {
     line.add("--sarif", &options.sarif,
-             "write what was found as SARIF too, which code hosts show; - for standard output")
+             "also write the diagnostics as SARIF, for code hosts; - for standard output")
         .takes_file(FileKind::output, {".sarif"});
 }
 
 void add_finding_options(CommandLine& line, FindingOptions& options) {
     line.add("--json", &options.json,
-             "what was found as JSON in place of text: on standard output, or on standard error where the "
-             "product goes to standard output");
+             "print the diagnostics as JSON instead of text: to standard output, or to standard error if the "
+             "output is written to standard output");
     add_sarif_option(line, options);
 }
 

@@ -34,7 +34,7 @@ struct BuiltInCommand {
 };
 
 // Commands of gsim itself, for users and for packages.
-constexpr BuiltInCommand kHelp{"help", "tell what gsim, or a command, can be told"};
+constexpr BuiltInCommand kHelp{"help", "print the help of gsim, or of a command"};
 constexpr BuiltInCommand kCompletion{"completion", "print the completion for a shell: bash, zsh or fish"};
 constexpr BuiltInCommand kManual{"manual", "print the man page of a command, for man -l -"};
 
@@ -47,23 +47,22 @@ int print_and_succeed(const std::string& text) {
 }
 
 CommandLine front_command_line(const FrontPrograms& front) {
-    CommandLine line(kFrontName,
-                     "Tells what a part program will do on a machine, how long it takes and what goes wrong");
+    CommandLine line(kFrontName, "Simulates part programs on a machine: motion, cycle time and errors");
     for (const ProgramEntry& entry : front.programs) {
         const std::string description = entry.make()->command_line().description();
         line.add_command(std::string(entry.command), fmt::format("{} ({})", description, entry.name));
     }
     for (const BuiltInCommand& built_in : {kHelp, kCompletion, kManual})
         line.add_command(built_in.name, built_in.description);
-    line.add_example("gsim run part.nc", "simulate a part program; the report");
+    line.add_example("gsim run part.nc", "simulate a part program and print the report");
     line.add_example("gsim check --machine mine.toml *.nc",
-                     "what is wrong with these programs on this machine");
-    line.add_example("gsim translate part.nc -o part.lua", "as a script, to read and to change");
+                     "print the errors of these programs on this machine");
+    line.add_example("gsim translate part.nc -o part.lua", "as a script, to read and to edit");
     line.add_example("gsim path plate.svg --material aluminum --thickness 12 -o plate.path.json",
-                     "how a waterjet cuts a drawing out");
+                     "the waterjet path of a drawing");
     line.add_example("gsim write plate.path.json --dialect rs274ngc -o plate.ngc",
                      "a path as a part program");
-    line.add_example("gsim help run", "all that a command can be told");
+    line.add_example("gsim help run", "all options of a command");
     return line;
 }
 
@@ -89,7 +88,7 @@ int report_error_of(const ProgramEntry& entry, Arguments arguments, text::Diagno
     Findings findings(std::string(entry.name), {.json = json, .sarif = {}});
     const int status = findings.fail(kind, message);
     if (!json && kind == text::DiagnosticKind::usage)
-        print_to_standard_error(fmt::format("{0}: {0} --help tells what there is\n", entry.name));
+        print_to_standard_error(fmt::format("{0}: see {0} --help\n", entry.name));
     return findings.finish(status, Findings::Stream::standard_output);
 }
 
@@ -108,9 +107,8 @@ int unknown_command(const FrontPrograms& front, const std::string& word) {
     const CommandLine line = front_command_line(front);
     std::vector<std::string_view> known;
     for (const CommandLine& command : line.commands()) known.emplace_back(command.program());
-    return usage_error(kFrontName,
-                       fmt::format("there is no command '{}'{}\n{}: gsim --help tells what there is", word,
-                                   did_you_mean(word, known), kFrontName));
+    return usage_error(kFrontName, fmt::format("unknown command '{}'{}\n{}: see gsim --help", word,
+                                               did_you_mean(word, known), kFrontName));
 }
 
 int print_help(const FrontPrograms& front, Arguments words) {
@@ -145,7 +143,7 @@ int print_completion(const FrontPrograms& front, Arguments words) {
     if (shell == "bash") return print_and_succeed(bash_completion(front_command_line(front), completed));
     if (shell == "zsh") return print_and_succeed(zsh_completion(front_command_line(front), completed));
     if (shell == "fish") return print_and_succeed(fish_completion(front_command_line(front), completed));
-    return usage_error(kFrontName, "completion is for bash, zsh or fish; name one of them");
+    return usage_error(kFrontName, "completion supports bash, zsh or fish; name one of them");
 }
 
 int run_command(const FrontPrograms& front, Arguments arguments) {

@@ -48,13 +48,13 @@ void add_translate_options(apps::CommandLine& line, TranslateArguments& argument
     line.add("--machine-data", &arguments.request.machine_data, "machine data (NCFILE) with aliases")
         .takes_file(FileKind::input, {".txt"});
     line.begin_group("Output");
-    line.add("-o,--output", &arguments.output, "write the Lua to this file; it appears only if all went well")
+    line.add("-o,--output", &arguments.output, "write the Lua to this file; it is created only on success")
         .takes_file(FileKind::output, {".lua"});
-    line.add("--annotate", &arguments.request.annotate, "each whole source block as a trailing comment");
+    line.add("--annotate", &arguments.request.annotate, "add each source block as a trailing comment");
     line.begin_group("Instead of a translation");
-    line.add("--check", &arguments.check, "only look for errors, write nothing");
+    line.add("--check", &arguments.check, "only check for errors, write nothing");
     line.add("--print-language", &arguments.print_language,
-             "print the reference of both dialects (docs/language.md) and end");
+             "print the reference of both dialects (docs/language.md) and exit");
     line.begin_group("Diagnostics");
     apps::add_finding_options(line, arguments.findings);
     line.begin_group("Limits");

@@ -38,7 +38,7 @@ void add_check_options(CommandLine& line, CheckArguments& a) {
     add_limit_options(line, a.run);
     line.add_example("gsim-check part.nc", "errors, limits and zones on the built-in machine");
     line.add_example("gsim-check --machine mine.toml --cell cell.toml *.nc",
-                     "each program on its own, with collisions");
+                     "each program separately, with collisions");
 }
 
 // Warnings are reported, but do not affect the status, except those of the process.
@@ -60,7 +60,7 @@ int check_program(engine::Request request, const engine::Machine& machine, Findi
     findings.add_program({report->program, std::string(name(report->status)), report->cycle_time_s});
     if (report->is_file_missing()) return kUsageError;
     if (!report->passes_check()) return kProgramError;
-    findings.print_text(fmt::format("{}: nothing wrong, {:.3f} s\n", report->program, report->cycle_time_s));
+    findings.print_text(fmt::format("{}: no errors, {:.3f} s\n", report->program, report->cycle_time_s));
     return kSuccess;
 }
 
@@ -100,8 +100,8 @@ int run_check(const CheckArguments& arguments) {
 
 std::unique_ptr<Program> make_gsim_check() {
     return std::make_unique<ProgramWithArguments<CheckArguments>>(
-        kCheck, "Finds what is wrong with part programs on a machine: errors, limits, zones, collisions",
-        add_check_options, run_check);
+        kCheck, "Checks part programs on a machine: errors, limits, zones, collisions", add_check_options,
+        run_check);
 }
 
 }  // namespace gsim::apps

@@ -80,7 +80,7 @@ class Run {
             return apps::kSuccess;
         }
         if (!arguments_.studies.any())
-            return findings_.fail(text::DiagnosticKind::usage, "no program given; gsim-run --help tells how");
+            return findings_.fail(text::DiagnosticKind::usage, "no program given; see gsim-run --help");
         const auto report_end = apps::run_studies(
             arguments_.studies, *machine, {.json = arguments_.findings.json, .quiet = arguments_.quiet});
         if (!report_end) return findings_.fail(text::DiagnosticKind::input_file, report_end.error().message);
@@ -209,6 +209,6 @@ int run_simulation(const RunArguments& given) {
 
 std::unique_ptr<apps::Program> apps::make_gsim_run() {
     return std::make_unique<ProgramWithArguments<RunArguments>>(
-        kGsimRun, "Simulates a script or a part program: cycle time, moves, trajectory, what goes wrong",
+        kGsimRun, "Simulates a script or a part program: cycle time, moves, trajectory, errors",
         add_run_options, run_simulation);
 }

@@ -8,8 +8,7 @@ namespace gsim::apps {
 
 void add_wait_option(CommandLine& line, double& wait_s) {
     constexpr double kMax_s = 86'400;
-    line.add("--wait", &wait_s,
-             "how long to wait for a file that is to be changed and that another program is changing")
+    line.add("--wait", &wait_s, "max time to wait for a file that another program is changing")
         .with_value_name("SECONDS")
         .within(0, kMax_s)
         .show_default();

@@ -45,7 +45,8 @@ Result<void> write_envelopes(const std::vector<std::string>& files, engine::Mach
                              const StudyOutput& output) {
     for (const std::string& file : files) {
         if (!envelope_kind(file))
-            return Unexpected(fmt::format("{}: an envelope's file ends in .stl, .csv or .svg", file));
+            return Unexpected(
+                fmt::format("{}: the file of an envelope must end in .stl, .csv or .svg", file));
         if (auto writable = os::OutputFile::check(file); !writable) return writable;
     }
     for (const std::string& file : files) {
@@ -59,7 +60,7 @@ Result<void> write_envelopes(const std::vector<std::string>& files, engine::Mach
 
 Result<void> draw_axes(const std::string& file, const engine::Machine& machine) {
     if (file_extension(file) != ".svg")
-        return Unexpected(fmt::format("{}: the picture of the axes is a file that ends in .svg", file));
+        return Unexpected(fmt::format("{}: the picture of the axes must be a file that ends in .svg", file));
     return machine.axes_svg().map_error(to_error).and_then(
         [&](const std::string& svg) { return os::write_file(file, svg); });
 }
@@ -67,18 +68,16 @@ Result<void> draw_axes(const std::string& file, const engine::Machine& machine) 
 }  // namespace
 
 void add_study_options(CommandLine& line, MachineStudies& studies) {
-    line.add(
-            "--check-machine", &studies.check,
-            "check this machine file, without a program: limits, inverse, singular ranges, collisions of its "
-            "bodies (with --cell: of the cell's) whatever the joints do")
+    line.add("--check-machine", &studies.check,
+             "check this machine file, without a program: limits, inverse, singular ranges, collisions of "
+             "its bodies (with --cell: of the cell's) for all joint values")
         .takes_file(FileKind::input, {".toml"});
-    line.add(
-            "--envelope", &studies.envelopes,
-            "write what the tool's tip can reach, without a program, to this .stl file (the volume), .csv or "
-            ".svg file (for each pair of joints); may be given several times")
+    line.add("--envelope", &studies.envelopes,
+             "write the range of the TCP, without a program, to this .stl file (the volume), .csv or .svg "
+             "file (for each pair of joints); may be given more than once")
         .takes_file(FileKind::output, {".stl", ".csv", ".svg"});
     line.add("--draw-axes", &studies.axes,
-             "draw which way each axis moves the tool, without a program, into this .svg file")
+             "draw the direction in which each axis moves the tool, without a program, to this .svg file")
         .takes_file(FileKind::output, {".svg"});
 }
 

@@ -44,7 +44,7 @@ bool OutputNames::on_standard_output() const {
 
 std::optional<Error> OutputNames::conflict() const {
     if (plot == os::kStandardStream)
-        return "--plot needs the name of a file, whose ending says which kind of picture it is";
+        return "--plot requires a file name, whose extension selects the type of picture";
     return std::nullopt;
 }
 

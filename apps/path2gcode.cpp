@@ -83,69 +83,64 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
     line.add("part.path.json|part.lua", &a.input, "path, or - for a path file on standard input")
         .takes_file(FileKind::input, {".json", ".lua"})
         .show_default();
-    line.begin_group("Control and machine");
+    line.begin_group("Controller and machine");
     line.add("--dialect", &a.post,
-             fmt::format("how the controller wants programs: {}, or a file that ends in .toml",
+             fmt::format("post (rules for the controller's programs): {}, or a file that ends in .toml",
                          text::joined(engine::post_names(), ", ")))
         .with_value_name("NAME|FILE")
         .takes_file(FileKind::input, {".toml"})
         .or_builtin_name()
         .show_default();
-    line.add(
-            "--machine", &a.machine,
-            "machine file (TOML), or a LinuxCNC .ini; without it the 5-axis waterjet gantry that is built in")
+    line.add("--machine", &a.machine,
+             "machine file (TOML), or a LinuxCNC .ini; default: the built-in 5-axis waterjet gantry")
         .takes_file(FileKind::input, {".toml"});
     line.add("--machine-data", &a.machine_data,
-             "machine data (NCFILE), which say where the fixed points of the path lie")
+             "machine data (NCFILE) with the positions of the fixed points of the path")
         .takes_file(FileKind::input, {".txt"});
     line.add("--rotary", &a.setup.rotary,
-             "least-turn: rotary axes go the way that turns least; as-given: rotary_deg is taken as it is, "
-             "the default for recorded paths")
+             "least-turn: rotary axes turn through the smallest angle; as-given: rotary_deg is used "
+             "unchanged, the default for recorded paths")
         .one_of({kLeastTurn, kAsGiven});
     line.add("--offsets", &a.setup.offsets,
-             "keep: the work offsets that the recorded run used, the default there; none: all offsets are "
-             "taken back; G53: machine coordinates, in which there are no arcs")
+             "keep: the work offsets of the recorded run, the default for recorded paths; none: all offsets "
+             "are cancelled; G53: machine coordinates, without arcs")
         .one_of({kOffsets[0].first, kOffsets[1].first, kOffsets[2].first});
     line.add("--work-offset", &a.setup.work_offset,
-             "work offset of paths that name none and that no run has recorded; without it the one that the "
-             "control's programs begin in")
+             "work offset of paths that name none and are not recorded; default: the one that is active at "
+             "the start of the controller's programs")
         .with_value_name("G54")
         .suggest_values({"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"});
     line.add("--set-offset", &a.setup.set_offset_mm,
-             "the program puts the work offset that it begins in there, in machine coordinates (G10)")
+             "the program sets its initial work offset to this position, in machine coordinates (G10)")
         .with_value_name("X Y Z")
         .within(-1e6, 1e6);
-    line.add(
-            "--tool", &a.setup.tool,
-            "tool of paths that name none and that no run has recorded, with the length offset of its number")
+    line.add("--tool", &a.setup.tool,
+             "tool of paths that name none and are not recorded, with the length offset of its number")
         .with_value_name("NUMBER")
         .within(0, kMaxTool);
     line.add("--retract", &a.setup.retract_mm,
-             "machine coordinate of Z that the tool goes up to before it or the work offset changes; without "
-             "it the "
-             "end of the axis")
+             "Z machine coordinate to which the tool retracts before the tool or the work offset changes; "
+             "default: the end of the axis")
         .with_value_name("MM")
         .within(-1e6, 1e6);
     line.add("--continue-on-unknown", &a.continue_on_unknown,
-             "what the control has no word for becomes a comment, counted and listed, instead of an error")
+             "actions that the controller does not support become comments, counted and listed, instead of "
+             "errors")
         .formerly("--go-on");
-    line.add("--tolerance", &a.tolerance_mm, "by which lines in place of an arc may be off it")
+    line.add("--tolerance", &a.tolerance_mm, "max deviation of lines that replace an arc")
         .with_value_name("MM")
         .within(1e-4, 10)
         .show_default();
     line.begin_group("Output");
-    line.add("-o,--output", &a.product.file,
-             "write the program to this file; it appears only if all went well")
+    line.add("-o,--output", &a.product.file, "write the program to this file; it is created only on success")
         .takes_file(FileKind::output, {".nc", ".ngc"});
     line.add("--separate-files", &a.product.separate_files,
-             "each sub-path in a file of its own beside the output");
-    line.add("--overwrite", &a.product.overwrite,
-             "files of sub-paths may replace files that are there already");
-    line.add("--decimals", &a.product.decimals,
-             "digits behind the point of lengths in mm, in place of the post's")
+             "write each sub-path to a separate file next to the output");
+    line.add("--overwrite", &a.product.overwrite, "files of sub-paths may replace existing files");
+    line.add("--decimals", &a.product.decimals, "decimals of lengths in mm, instead of the post's")
         .one_of({"1", "2", "3", "4", "5", "6"});
     line.add("--inch", &a.product.inch, "the program is in inches");
-    line.add("--verbose-words", &a.product.verbose_words, "write words though they have not changed");
+    line.add("--verbose-words", &a.product.verbose_words, "write words even if they have not changed");
     line.add("--quiet", &a.quiet, "no notes on standard error");
     line.begin_group("Limits");
     apps::add_cpu_option(line, a.limits.max_cpu_s);
@@ -155,7 +150,7 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
     apps::add_finding_options(line, a.findings);
     line.add_example("path2gcode plate.path.json -o plate.nc", "a path for the built-in machine");
     line.add_example("gsim-run --record - part.nc | path2gcode --dialect grbl -",
-                     "what was run, for another control");
+                     "the path of a run, for another controller");
 }
 
 int write_program(const engine::PathTranslation& program, const WriteArguments& a, apps::Findings& findings) {
@@ -165,7 +160,7 @@ int write_program(const engine::PathTranslation& program, const WriteArguments& 
                                                     {"the machine file", a.machine},
                                                     {"the machine data", a.machine_data},
                                                     {"the post", a.post},
-                                                    {"what --sarif names", a.findings.sarif}};
+                                                    {"the file of --sarif", a.findings.sarif}};
     auto files = apps::ProgramFiles::open(output, program.file_names(), used_files, a.product.overwrite);
     if (!files) return findings.fail(Kind::output, files.error().message);
     const auto written = program.write([&](const std::string& name) {
@@ -234,12 +229,12 @@ int write_path_program(const WriteArguments& a, apps::Findings& findings) {
             apps::sarif_conflict(findings.options(), apps::product_destination(a.product.file)))
         return findings.fail(Kind::usage, conflict->message);
     if (a.product.overwrite && !a.product.separate_files)
-        return findings.fail(Kind::usage,
-                             "--overwrite is for the files of --separate-files; --output replaces");
+        return findings.fail(
+            Kind::usage, "--overwrite applies to the files of --separate-files; --output always replaces");
     if (a.setup.tool && *a.setup.tool != std::floor(*a.setup.tool))
-        return findings.fail(Kind::usage, "--tool takes a whole number");
+        return findings.fail(Kind::usage, "--tool must be an integer");
     if (a.product.separate_files && to_standard_output)
-        return findings.fail(Kind::usage, "--separate-files needs --output");
+        return findings.fail(Kind::usage, "--separate-files requires --output");
     auto program = engine::PathTranslation::open(make_request(a, to_standard_output));
     if (!program) return findings.fail(program.error());
     if (auto confined = confine_writing(a, program->path_file()); !confined)

@@ -20,21 +20,17 @@ std::optional<Error> find_subprogram_file_error(const fs::path& path, const std:
     for (const UsedFile& file : used_files) {
         if (file.path.empty() || !identity || identity != os::file_identity(file.path)) continue;
         return fmt::format(
-            "the post calls the file of a subprogram '{}', which is {}; give the output another name or "
-            "another folder",
+            "the subprogram file '{}' of the post is also {}; choose another name or folder for the output",
             name, file.what);
     }
     std::error_code ignored;
     const fs::file_status status = fs::symlink_status(path, ignored);
     if (!fs::exists(status)) return std::nullopt;
     if (!fs::is_regular_file(status)) {
-        return fmt::format("the post calls the file of a subprogram '{}', which is there and no regular file",
-                           name);
+        return fmt::format("the subprogram file '{}' of the post exists and is not a regular file", name);
     }
     if (overwrite) return std::nullopt;
-    return fmt::format(
-        "the post calls the file of a subprogram '{}', which is there already; --overwrite replaces it",
-        name);
+    return fmt::format("the subprogram file '{}' of the post already exists; --overwrite replaces it", name);
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ std::optional<Error> conflict(const std::vector<WrittenFile>& written, const eng
             return fmt::format("{} '{}' is {}, which would be overwritten; give it another name",
                                output.option, output.name, file.what);
         }
-        return fmt::format("'{}', of the robot {}, is {}, too; give one of them another name", output.name,
+        return fmt::format("'{}' of the robot {} is also {}; give one of them another name", output.name,
                            file.robot, file.what);
     }
     return std::nullopt;
@@ -54,9 +54,9 @@ std::vector<engine::Run::NamedFile> protected_files(const RunArguments& argument
     std::vector<engine::Run::NamedFile> others = {
         {arguments.outputs.report, "the report", robot},
         {arguments.outputs.view, "the page", robot},
-        {arguments.findings.sarif, "the findings", robot},
+        {arguments.findings.sarif, "the file of --sarif", robot},
         {arguments.request.program, "the program", robot},
-        {arguments.request.robots, "the file of robots", robot},
+        {arguments.request.robots, "the robots file", robot},
         {arguments.request.setup, "the setup", robot},
     };
     for (engine::Run::NamedFile& file : run.named_files()) {

@@ -65,7 +65,7 @@ Result<Plan> plan_from_file(const Arguments& arguments) {
                                    !arguments.cell.empty() || !arguments.dialect.empty() ||
                                    arguments.no_collisions;
     if (has_other_options)
-        return Unexpected("a plan says itself which machines and options there are; take those away");
+        return Unexpected("a plan defines the machines and options; remove the other options");
     return os::read_text_file(arguments.inputs.front(), os::NameSource::command_line)
         .and_then([&](const std::string& text) { return read_plan(text, arguments.inputs.front()); });
 }
@@ -189,16 +189,16 @@ int run_plan(const Arguments& arguments) {
     if (is_shown) apps::print_to_standard_error("\n");
     if (!tally) return report_usage_error(tally.error().message);
     if (!arguments.quiet)
-        apps::print_to_standard_error(
-            fmt::format("{} of {} jobs: {} run in {:.2f} s, {} there already; {} failed\n", tally->done(),
-                        tally->jobs, tally->ran, tally->wall_s, tally->reused, tally->failed));
+        apps::print_to_standard_error(fmt::format("{} of {} jobs: {} run in {:.2f} s, {} reused; {} failed\n",
+                                                  tally->done(), tally->jobs, tally->ran, tally->wall_s,
+                                                  tally->reused, tally->failed));
     if (tally->missing_pictures > 0)
         apps::report_error(kName, fmt::format("{} pictures could not be drawn: {}", tally->missing_pictures,
                                               tally->first_picture_error));
     if (const Result<void> done = write_outputs(arguments); !done)
         return report_usage_error(done.error().message);
     if (!tally->complete) {
-        apps::report_error(kName, "cut off; the same command goes on from here");
+        apps::report_error(kName, "interrupted; the same command continues from here");
         return apps::kProgramError;
     }
     return tally->failed > 0 ? apps::kProgramError : apps::kSuccess;
@@ -263,8 +263,7 @@ int run_command(const std::string& program_name, const std::vector<std::string>&
     if (program_name == kOptimiseName) return optimise(words);
     Arguments arguments;
     apps::CommandLine line(
-        kName,
-        "Runs many programs on many machines in many variants, and keeps what comes of it in one file");
+        kName, "Runs many programs on many machines in many variants, and stores the results in one file");
     add_options(line, arguments);
     const std::vector<std::string> others{"gsim", "gsim-run", "gsim-check", kOptimiseName};
     if (const auto printed = apps::print_standalone_pages(line, words, others)) return *printed;
@@ -272,12 +271,12 @@ int run_command(const std::string& program_name, const std::vector<std::string>&
     if (!parsed) return report_usage_error(parsed.error().message);
     if (*parsed) return **parsed;
     if (const auto conflict = apps::find_file_conflict(line)) return report_usage_error(conflict->message);
-    if (arguments.views && arguments.pages.empty()) return report_usage_error("--views goes with --pages");
+    if (arguments.views && arguments.pages.empty()) return report_usage_error("--views requires --pages");
     if (arguments.status) return report_status(query_state(arguments.results));
     if (arguments.cancel) return report_status(cancel(arguments.results));
     if (!arguments.inputs.empty()) return arguments.slurm ? submit_plan(arguments) : run_plan(arguments);
     if (arguments.slurm || !arguments.machines.empty() || arguments.retry)
-        return report_usage_error("name a plan or programs; --slurm, --machine and --retry are of them");
+        return report_usage_error("name a plan or programs; --slurm, --machine and --retry require one");
     const Result<void> done = write_outputs(arguments);
     return done ? apps::kSuccess : report_usage_error(done.error().message);
 }

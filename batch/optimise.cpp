@@ -49,35 +49,36 @@ struct OptimiseArguments : RunArguments {
 
 void add_search_options(apps::CommandLine& line, OptimiseArguments& a) {
     using apps::FileKind;
-    line.add("plan.toml", &a.plan, "what may change, what counts, and which limits are to be kept")
+    line.add("plan.toml", &a.plan, "plan: settings that may change, objective, and limits")
         .takes_file(FileKind::input, {".toml"});
     line.begin_group("Results");
-    line.add("--results", &a.results, "file of all runs (SQLite): what is in it is not run again")
+    line.add("--results", &a.results, "file of all runs (SQLite): runs that it contains are not repeated")
         .takes_file(FileKind::changed, {".sqlite"})
         .with_value_name("FILE")
         .show_default();
-    line.add("--best", &a.best, "folder for the files of the best variant, from which it is run once more")
+    line.add("--best", &a.best,
+             "folder for the files of the best variant, which are used for the verification run")
         .with_value_name("FOLDER")
         .takes_file(FileKind::folder);
-    line.add("--overwrite", &a.overwrite, "files of --best may replace files that are there already");
-    line.add("--json", &a.json, "write what was found as JSON; -: standard output")
+    line.add("--overwrite", &a.overwrite, "files of --best may replace existing files");
+    line.add("--json", &a.json, "write the result as JSON; -: standard output")
         .takes_file(FileKind::output, {".json"});
-    line.add("--page", &a.page, "write it as one HTML page with a picture of all trials; -: standard output")
+    line.add("--page", &a.page,
+             "write the result as one HTML page with a picture of all variants; -: standard output")
         .takes_file(FileKind::output, {".html"});
     line.add("-q,--quiet", &a.quiet, "no progress");
     line.begin_group("Search");
-    line.add("--variants", &a.variants, "how many are tried at most; 0: as the plan says")
-        .within(0, 10'000'000);
-    line.add("--seed", &a.seed, "of what is drawn by lot; 0: as the plan says").within(0, 10'000'000);
-    line.begin_group("Here");
+    line.add("--variants", &a.variants, "max number of variants; 0: as in the plan").within(0, 10'000'000);
+    line.add("--seed", &a.seed, "seed of the random numbers; 0: as in the plan").within(0, 10'000'000);
+    line.begin_group("On this computer");
     add_worker_options(line, a);
     line.begin_group("On a cluster (Slurm)");
-    add_cluster_options(
-        line, a,
-        "submit the variants that are tried at once as an array, wait until it is gathered, and go on");
-    line.add_example("gsim-optimise place.toml --best best --page place.html", "the best, with its files");
-    line.add_example("gsim-optimise place.toml --variants 1000", "the same search goes on");
-    line.add_example("sqlite3 gsim-optimise.sqlite 'SELECT * FROM evaluations'", "all that was tried");
+    add_cluster_options(line, a,
+                        "submit each set of variants as an array, wait for its results, and continue");
+    line.add_example("gsim-optimise place.toml --best best --page place.html",
+                     "the best variant, with its files");
+    line.add_example("gsim-optimise place.toml --variants 1000", "the same search continues");
+    line.add_example("sqlite3 gsim-optimise.sqlite 'SELECT * FROM evaluations'", "all evaluated variants");
 }
 
 int report_search_error(const std::string& message) {
@@ -121,7 +122,7 @@ Result<EvaluatedBatch> evaluate_on_cluster(const OptimiseArguments& a, const Pla
     }
     if (stop_flag()) return EvaluatedBatch{};
     return Unexpected(
-        fmt::format("the cluster has lost runs {} times; gsim-batch --results '{}' --status tells more",
+        fmt::format("the cluster has lost runs {} times; see gsim-batch --results '{}' --status",
                     kMaxAttempts, a.results));
 }
 
@@ -130,7 +131,7 @@ void print_search_progress(const SearchPlan& search, const SearchState& state, b
         return value ? fmt::format("{:.6g}", *value) : std::string("-");
     };
     apps::print_to_standard_error(
-        fmt::format("{}{} of {} variants, {} without a fault; best {}, start {}{}", is_terminal ? "\r" : "",
+        fmt::format("{}{} of {} variants, {} without errors; best {}, start {}{}", is_terminal ? "\r" : "",
                     state.trials, search.variants + 1, state.feasible, format_value(state.best.score.value),
                     format_value(state.start.score.value), is_terminal ? "   " : "\n"));
 }
@@ -173,8 +174,9 @@ int finish_search(const OptimiseArguments& a, const SearchPlan& search, const Se
     }
     if (const Result<void> done = write_search_result(a, search, state, verification_run); !done)
         return report_search_error(done.error().message);
-    if (!verification_error.empty()) apps::report_error(kOptimiseName, "not proven: " + verification_error);
-    if (!state.complete) apps::report_error(kOptimiseName, "cut off; the same command goes on from here");
+    if (!verification_error.empty()) apps::report_error(kOptimiseName, "not verified: " + verification_error);
+    if (!state.complete)
+        apps::report_error(kOptimiseName, "interrupted; the same command continues from here");
     return verification_run ? apps::kSuccess : apps::kProgramError;
 }
 
@@ -198,7 +200,7 @@ int run_search(const OptimiseArguments& a) {
     if (is_terminal && !a.quiet) apps::print_to_standard_error("\n");
     if (!state) return report_search_error(state.error().message);
     if (state->trials == 0) {
-        apps::report_error(kOptimiseName, "cut off before anything was run");
+        apps::report_error(kOptimiseName, "interrupted before the first run");
         return apps::kProgramError;
     }
     return finish_search(a, *search, *state, evaluate);
@@ -208,10 +210,9 @@ int run_search(const OptimiseArguments& a) {
 
 int optimise(const std::vector<std::string>& words) {
     OptimiseArguments arguments;
-    apps::CommandLine line(
-        kOptimiseName,
-        "Looks for the values of settings for which programs are fastest, or best in another "
-        "way, without a fault");
+    apps::CommandLine line(kOptimiseName,
+                           "Searches for the settings with which programs are fastest, or best by another "
+                           "criterion, without errors");
     add_search_options(line, arguments);
     const std::vector<std::string> others{"gsim", "gsim-batch", "gsim-run"};
     if (const auto printed = apps::print_standalone_pages(line, words, others)) return *printed;

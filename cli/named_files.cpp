@@ -95,20 +95,20 @@ class NamedFiles {
             if (allowed) return std::nullopt;
             if (a.is_written() && b.is_written() && is_standard_stream(a.value) &&
                 is_standard_stream(b.value)) {
-                return fmt::format("{} - and {} - both want standard output; give one of them a file",
+                return fmt::format("{} - and {} - both use standard output; write one of them to a file",
                                    a.option->long_name(), b.option->long_name());
             }
         }
         if (!a.identity || a.identity != b.identity) return std::nullopt;
         if (a.is_written() && b.is_written()) {
-            return fmt::format("{} and {} are the same file; give each output a file of its own",
+            return fmt::format("{} and {} are the same file; use a separate file for each output",
                                a.description(), b.description());
         }
         const NamedFile& output = a.is_written() ? a : b;
         const NamedFile& input = a.is_written() ? b : a;
         return fmt::format(
-            "{} and {} are the same file, which would be read and overwritten; give the output a file of its "
-            "own",
+            "{} and {} are the same file, which would be read and overwritten; use a separate file for the "
+            "output",
             output.description(), input.description());
     }
 
@@ -120,7 +120,7 @@ class NamedFiles {
 
 std::optional<Error> find_file_conflict(const CommandLine& line) {
     if (is_given(line, "--json") && is_given(line, "--sarif"))
-        return "--json and --sarif - both want standard output; give --sarif a file";
+        return "--json and --sarif - both use standard output; write --sarif to a file";
     return NamedFiles(line).find_conflict();
 }
 

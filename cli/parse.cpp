@@ -83,7 +83,7 @@ std::string unknown_word_error(const std::string& word, const CLI::App& app, con
     if (const CommandLine& on_selected = selected_command(app, line); &on_selected != &line)
         add_words(on_selected, known);
     const std::string option_name = word.substr(0, is_option ? word.find('=') : std::string::npos);
-    return fmt::format("{} '{}'{}", is_option ? "there is no option" : "nothing takes", option_name,
+    return fmt::format("{} '{}'{}", is_option ? "unknown option" : "unexpected argument", option_name,
                        did_you_mean(option_name, known));
 }
 

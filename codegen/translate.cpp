@@ -15,7 +15,7 @@ namespace {
 std::string leader_warning(std::uint32_t lines) {
     const std::string subject = lines == 1 ? "the line before the first % is"
                                            : fmt::format("the {} lines before the first % are", lines);
-    return subject + " left out: no program, but the leader of a tape";
+    return subject + " skipped: the leader of a tape, not a program";
 }
 
 std::string_view file_name(const TranslateOptions& options) {

@@ -40,7 +40,7 @@ std::string_view name(Group group) {
         case Group::input_output: return "inputs and outputs";
         case Group::extrusion: return "extruder mode";
         case Group::user: return "user M codes";
-        case Group::non_modal: return "one action a block";
+        case Group::non_modal: return "one action per block";
     }
     return "";
 }
@@ -65,7 +65,7 @@ std::string_view name(Phase phase) {
         case Phase::dwell: return "dwell";
         case Phase::data: return "data and offsets";
         case Phase::polar: return "polar programming";
-        case Phase::one_shot: return "what holds for this block";
+        case Phase::one_shot: return "settings for this block only";
         case Phase::motion: return "motion";
         case Phase::switch_off: return "switches off";
         case Phase::spindle_stop: return "spindle off";

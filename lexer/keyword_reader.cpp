@@ -42,7 +42,7 @@ Token KeywordReader::identifier(std::string_view text, std::size_t& kept, Value&
     }
     if (name == "DPRNT") {
         errors_.fail(cursor_.column(), DiagnosticKind::syntax,
-                     "DPRNT takes its text in brackets, as in DPRNT[X#100[53]]");
+                     "DPRNT requires its text in brackets, as in DPRNT[X#100[53]]");
         return kBad;
     }
     // GOTO100, DO1, END1: the digits are a separate token.
@@ -79,7 +79,7 @@ Token KeywordReader::print_text(std::string_view text, Value& value) {
     const std::size_t begin = text.find('[') + 1;
     if (text.rfind(']') - begin > kMaxPrinted) {
         errors_.fail(cursor_.column(), DiagnosticKind::too_large,
-                     fmt::format("DPRNT takes at most {} characters", kMaxPrinted));
+                     fmt::format("DPRNT accepts at most {} characters", kMaxPrinted));
         return kBad;
     }
     block_.print = block_.add(text.substr(begin, text.rfind(']') - begin));

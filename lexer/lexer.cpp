@@ -46,7 +46,7 @@ Token Lexer::next(Value& value) {
     last_ = scan_token(value, scanner_);
     if (extent_.has_dos_file_ended() && last_ != kEob && last_ != kEnd)
         errors_.fail(cursor_.column(), DiagnosticKind::syntax,
-                     "there is text behind the byte 0x1A, which ends a file of DOS");
+                     "there is text after the byte 0x1A, which ends a DOS file");
     if (last_ != kEob && last_ != kEnd && ++tokens_ > kMaxTokens) {
         errors_.exceed(cursor_.column(), DiagnosticKind::too_large,
                        fmt::format("the block has more than {} symbols", kMaxTokens));
@@ -81,7 +81,7 @@ Token Lexer::tape() {
         extent_.add_tape_mark();
         return kTape;
     }
-    errors_.fail(cursor_.column(), DiagnosticKind::syntax, "a tape mark % stands at the start of a line");
+    errors_.fail(cursor_.column(), DiagnosticKind::syntax, "a tape mark % must be at the start of a line");
     return kBad;
 }
 

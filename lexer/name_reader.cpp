@@ -17,7 +17,7 @@ namespace gsim::lexer {
 Token reject_character(char character, BlockErrors& errors, const TextCursor& cursor) {
     if (character == ')') {
         errors.fail(cursor.column(), DiagnosticKind::syntax,
-                    "')' without '('; a comment ends at its first ')', also where it holds another '('");
+                    "')' without '('; a comment ends at its first ')', even if it contains another '('");
         return kBad;
     }
     const bool visible = character > ' ' && character < 0x7f;
@@ -89,7 +89,7 @@ Token NameReader::variable(std::string_view text, Value& value) {
 Token NameReader::unterminated() {
     if (!rules_.names_in_angle_brackets) return reject_character('<', errors_, cursor_);
     errors_.fail(cursor_.column(), DiagnosticKind::syntax,
-                 "the name has no '>' behind it, or more than 100 characters");
+                 "the name has no '>' after it, or more than 100 characters");
     return kBad;
 }
 
@@ -139,10 +139,10 @@ Token NameReader::of_expression(std::string_view text, std::size_t& kept, Value&
 Token NameReader::reject(std::string_view text) {
     const std::string name = text::upper(text);
     if (rules_.separate_assignments && !nesting_.in_brackets() && name.size() == 1) {
-        errors_.fail(cursor_.column(), DiagnosticKind::code_conflict,
-                     fmt::format("the word {} stands in the same block as an assignment; give it a block of "
-                                 "its own",
-                                 name));
+        errors_.fail(
+            cursor_.column(), DiagnosticKind::code_conflict,
+            fmt::format("the word {} is in the same block as an assignment; move it to a separate block",
+                        name));
         return kBad;
     }
     std::vector<std::string> names;
@@ -155,8 +155,8 @@ Token NameReader::reject(std::string_view text) {
     const std::string nearest = nearest_name(name, names);
     errors_.fail(
         cursor_.column(), DiagnosticKind::syntax,
-        fmt::format("'{}' is no {}{}", text.substr(0, 40),
-                    flow_expected ? "keyword behind an O-word" : "function or operator of an expression",
+        fmt::format("'{}' is not a {}{}", text.substr(0, 40),
+                    flow_expected ? "keyword after an O-word" : "function or operator of an expression",
                     nearest.empty() ? "" : fmt::format("; did you mean {}?", nearest)));
     return kBad;
 }

@@ -37,7 +37,7 @@ inline constexpr std::array kFlowNames = {
     FlowName{"REPEAT", Flow::repeat, "`o100 repeat [count]`"},
     FlowName{"ENDREPEAT", Flow::end_repeat, "`o100 endrepeat`"},
     FlowName{"BREAK", Flow::break_, "`o100 break`: leaves the loop"},
-    FlowName{"CONTINUE", Flow::continue_, "`o100 continue`: goes on with its next pass"},
+    FlowName{"CONTINUE", Flow::continue_, "`o100 continue`: starts the next pass"},
 };
 
 /// Keywords of the 9/Series.

@@ -29,8 +29,9 @@ Token NumberReader::variable(std::string_view text, Value& value) {
     const std::string digits = remove_blanks(text.substr(1));
     const std::size_t dot = std::min(digits.find('.'), digits.size());
     if (dot == 0 || digits.find_first_not_of('0', dot + 1) != std::string::npos) {
-        errors_.fail(cursor_.column(), DiagnosticKind::number,
-                     fmt::format("the number of a variable is whole, not {}", digits.substr(0, 40)));
+        errors_.fail(
+            cursor_.column(), DiagnosticKind::number,
+            fmt::format("the number of a variable must be an integer, not {}", digits.substr(0, 40)));
         return kBad;
     }
     const std::optional<std::uint32_t> number = parse_small_number(std::string_view(digits).substr(0, dot));
@@ -60,7 +61,7 @@ Token NumberReader::skip(std::string_view text, Value& value) {
     const std::uint32_t level = digits.empty() ? 1 : parse_small_number(digits).value_or(10);
     if (level < 1 || level > 9) {
         errors_.fail(cursor_.column(), DiagnosticKind::number,
-                     fmt::format("block delete is / or /1 to /9, not {}", text.substr(0, 20)));
+                     fmt::format("block delete must be / or /1 to /9, not {}", text.substr(0, 20)));
         return kBad;
     }
     value.index = level;

@@ -46,7 +46,8 @@ tl::expected<Source, std::string> Source::spool(std::FILE* stream, std::string n
     // A confined program may have no access to a folder for temporary files.
     if (!source.file_) source.file_ = os::open_memory_file("spool");
     if (!source.file_)
-        return tl::unexpected("no temporary file for " + source.name_ + ": " + std::strerror(errno));
+        return tl::unexpected("cannot create a temporary file for " + source.name_ + ": " +
+                              std::strerror(errno));
     std::array<char, 65536> buffer;
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), stream)) {
         if (std::fwrite(buffer.data(), 1, count, source.file_.get()) != count) {

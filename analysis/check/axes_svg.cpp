@@ -150,7 +150,9 @@ class Picture {
             label(colour, {kLineHeight, y}, text);
             y += kLineHeight;
         };
-        line(kFrameColour, "blue: the tool moves; brown: the work moves, drawn is how the tool goes over it");
+        line(kFrameColour,
+             "blue: the tool moves; brown: the workpiece moves, drawn as the motion of the tool relative to "
+             "it");
         for (const AxisMotion& motion : motions_) line(axis_colour(motion), to_message(motion));
         for (const std::string& error : errors_) line(kErrorColour, error);
     }

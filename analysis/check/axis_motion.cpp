@@ -90,12 +90,13 @@ std::string to_message(const AxisMotion& motion) {
     if (motion.is_rotary) {
         if (!motion.carries_work)
             return fmt::format("+{} turns the tool {}", motion.letter, turn(motion.direction));
-        return fmt::format("+{} turns the work {}, so that the tool goes round it the other way",
-                           motion.letter, turn(work_direction));
+        return fmt::format(
+            "+{} turns the workpiece {}, so the tool moves around it in the opposite direction",
+            motion.letter, turn(work_direction));
     }
     if (!motion.carries_work)
         return fmt::format("+{} moves the tool {}", motion.letter, direction_text(motion.direction));
-    return fmt::format("+{} moves the work {}, so that the tool goes {} over it", motion.letter,
+    return fmt::format("+{} moves the workpiece {}, so the tool moves {} relative to it", motion.letter,
                        direction_text(work_direction), direction_text(motion.direction));
 }
 
@@ -107,10 +108,10 @@ std::vector<std::string> find_left_handed(const std::vector<AxisMotion>& motions
         const AxisMotion* third = find_motion(motions, set[2], false);
         if (first == nullptr || second == nullptr || third == nullptr) continue;
         if (first->direction.cross(second->direction).dot(third->direction) > -kFlatTolerance) continue;
-        found.push_back(fmt::format(
-            "{0} {1} {2} are left-handed: +{0} turned into +{1} screws against +{2}, so that parts come out "
-            "mirrored; turn one of them round, or exchange two letters",
-            set[0], set[1], set[2]));
+        found.push_back(
+            fmt::format("{0} {1} {2} are left-handed: turning +{0} to +{1} advances a right-hand screw "
+                        "against +{2}, so parts are mirrored; reverse one axis, or exchange two letters",
+                        set[0], set[1], set[2]));
     }
     return found;
 }
@@ -123,10 +124,9 @@ std::vector<std::string> find_left_turns(const std::vector<AxisMotion>& motions)
         if (rotary == nullptr || line == nullptr ||
             rotary->direction.dot(line->direction) > kDirectionTolerance - 1)
             continue;
-        found.push_back(
-            fmt::format("+{0} turns against the right-hand rule about +{1}; ISO 841 has it the "
-                        "other way",
-                        pair[0], pair[1]));
+        found.push_back(fmt::format(
+            "+{0} turns against the right-hand rule about +{1}; ISO 841 requires the opposite direction",
+            pair[0], pair[1]));
     }
     return found;
 }

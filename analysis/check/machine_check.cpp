@@ -16,18 +16,18 @@ const char* unit(const machine::Axis& axis) {
 }
 
 void note_limits(const machine::Axis& axis, std::vector<std::string>& notes) {
-    if (axis.min == axis.max) notes.push_back(fmt::format("axis {} has no range to move in", axis.letter));
+    if (axis.min == axis.max) notes.push_back(fmt::format("axis {} has a range of zero", axis.letter));
     std::string missing;
-    if (std::isinf(axis.max_speed)) missing = "no limit of speed";
+    if (std::isinf(axis.max_speed)) missing = "no speed limit";
     if (std::isinf(axis.max_acceleration))
-        missing += missing.empty() ? "no limit of acceleration" : " nor of acceleration";
+        missing += missing.empty() ? "no acceleration limit" : " and no acceleration limit";
     if (!missing.empty()) notes.push_back(fmt::format("axis {} has {}", axis.letter, missing));
 }
 
 void note_box(const MachineCheck& check, std::vector<std::string>& notes) {
     for (const int joint : check.box.cut) {
         const machine::Axis& axis = check.machine.axes[static_cast<std::size_t>(joint)];
-        notes.push_back(fmt::format("axis {} has a range without end; looked at is {:.6g} .. {:.6g} {}",
+        notes.push_back(fmt::format("axis {} has an unlimited range; checked from {:.6g} to {:.6g} {}",
                                     axis.letter, machine::axis_value(axis, check.box.low[joint]),
                                     machine::axis_value(axis, check.box.high[joint]), unit(axis)));
     }
@@ -39,10 +39,10 @@ std::vector<std::string> find_notes(const MachineCheck& check) {
     note_box(check, notes);
     for (const std::string& turn : find_left_turns(check.motions)) notes.push_back(turn);
     if (check.inverse.poses == 0)
-        notes.emplace_back("there is no inverse: programs move joints, and poses are refused");
-    if (check.singular.at_home) notes.emplace_back("home is a singular stance, or next to one");
+        notes.emplace_back("the machine has no inverse: programs move joints, and poses are rejected");
+    if (check.singular.at_home) notes.emplace_back("home is at or near a singularity");
     if (check.bodies.empty())
-        notes.emplace_back("there are no bodies ([[shape]]), so that nothing is known of collisions");
+        notes.emplace_back("the machine has no bodies ([[shape]]), so collisions are not checked");
     return notes;
 }
 

@@ -66,7 +66,7 @@ void append_panel(std::string& svg, const std::string& title, const PairOutline&
                         title, direction_text(view.right), direction_text(view.up),
                         outline.flat ? "" : ", a curved surface");
     if (outline.curves.empty()) {
-        text::append_format(svg, "<text x=\"{}\" y=\"{}\">closed in itself, without a border</text>\n", left,
+        text::append_format(svg, "<text x=\"{}\" y=\"{}\">closed surface, without a border</text>\n", left,
                             top + 12);
         return;
     }

@@ -72,10 +72,10 @@ Volume reached_volume(const TcpChain& chain, int nodes) {
 Result<TcpChain> envelope_chain(const machine::Machine& machine) {
     const machine::JointBox box = machine::joint_box(machine);
     TcpChain chain = tcp_chain(machine, box);
-    if (chain.joints.empty()) return Unexpected("there is no envelope: no axis moves the tool's tip");
+    if (chain.joints.empty()) return Unexpected("the machine has no envelope: no axis moves the TCP");
     for (const TcpJoint& joint : chain.joints) {
         if (std::find(box.cut.begin(), box.cut.end(), joint.joint) == box.cut.end()) continue;
-        return Unexpected(fmt::format("there is no envelope: axis {} has a range without end",
+        return Unexpected(fmt::format("the machine has no envelope: axis {} has an unlimited range",
                                       machine.axes[static_cast<std::size_t>(joint.joint)].letter));
     }
     return chain;

@@ -11,14 +11,14 @@ namespace {
 struct NoArguments {};
 
 int report_no_studio(const NoArguments& /*arguments*/) {
-    return usage_error("gsim-studio", "this build serves no page");
+    return usage_error("gsim-studio", "this build does not serve pages");
 }
 
 }  // namespace
 
 std::unique_ptr<Program> make_gsim_studio() {
     return std::make_unique<ProgramWithArguments<NoArguments>>(
-        "gsim-studio", "Shows a machine run a program, and changes both, in a browser",
+        "gsim-studio", "Simulates a program on a machine, and edits both, in a browser",
         [](CommandLine&, NoArguments&) {}, report_no_studio);
 }
 

@@ -11,7 +11,7 @@ ViewPage::ViewPage(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ViewPage::~ViewPage() = default;
 
 Result<std::unique_ptr<ViewPage>> ViewPage::open(const std::string& /*file*/) {
-    return Unexpected("this build makes no pages (--view); make build builds the program that does");
+    return Unexpected("this build does not create pages (--view); make build builds the program that does");
 }
 
 Result<void> ViewPage::attach(engine::Run& /*run*/) {

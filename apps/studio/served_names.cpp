@@ -38,10 +38,8 @@ Result<std::string> served_name(const fs::path& folder, NameKind kind, const std
     for (const fs::path& data : os::data_folders(os::program_folder())) {
         if (const std::string name = is_below(data / "samples"); !name.empty()) return "samples/" + name;
     }
-    return Unexpected(
-        fmt::format("'{}' lies outside of '{}', the folder that is served; name a folder that "
-                    "has both",
-                    file, folder.string()));
+    return Unexpected(fmt::format("'{}' is outside the served folder '{}'; name a folder that contains both",
+                                  file, folder.string()));
 }
 
 Result<std::string> served_module(const std::string& name) {

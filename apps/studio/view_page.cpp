@@ -86,16 +86,16 @@ ViewPage::ViewPage(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ViewPage::~ViewPage() = default;
 
 Result<std::unique_ptr<ViewPage>> ViewPage::open(const std::string& file) {
-    std::string reason = "it is not known where the program lies";
+    std::string reason = "the folder of the program is unknown";
     for (const auto& folder : os::data_folders(os::program_folder())) {
         const std::string page = folder / kPageFile;
         auto text = os::read_input(page, os::NameSource::in_file, kMaxPageBytes);
         if (text && text->find(kRunPlaceholder) != std::string::npos)
             return std::unique_ptr<ViewPage>(new ViewPage(std::make_unique<State>(file, *std::move(text))));
-        reason = text ? fmt::format("'{}' has no place for a run", page) : text.error().message;
+        reason = text ? fmt::format("'{}' has no placeholder for a run", page) : text.error().message;
     }
     return Unexpected(fmt::format(
-        "--view needs the page of the studio, which is not there ({}); `make studio` makes it", reason));
+        "--view requires the Studio page, which is not installed ({}); `make studio` builds it", reason));
 }
 
 Result<void> ViewPage::attach(engine::Run& run) {

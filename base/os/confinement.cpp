@@ -111,7 +111,7 @@ Result<bool> confine(const SandboxPolicy& policy) {
     Ruleset rules(
         static_cast<int>(::syscall(SYS_landlock_create_ruleset, &all, attributes_size(version), 0U)),
         all.files);
-    if (rules.number() < 0) return confinement_error("make rules");
+    if (rules.number() < 0) return confinement_error("create rules");
     constexpr std::uint64_t kReadRights = kReadFile | kReadFolder;
     constexpr std::uint64_t kWriteRights = kWriteFile | kTruncate;
     for (const auto& [paths, rights] :
@@ -121,7 +121,7 @@ Result<bool> confine(const SandboxPolicy& policy) {
           {&policy.changed, kReadRights | kWriteRights | kMakeFile | kRemoveFile}}) {
         if (auto result = rules.allow(*paths, rights); !result) return tl::unexpected(result.error());
     }
-    if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return confinement_error("give up privileges");
+    if (::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return confinement_error("drop privileges");
     if (::syscall(SYS_landlock_restrict_self, rules.number(), 0U) != 0)
         return confinement_error("apply rules");
     return true;

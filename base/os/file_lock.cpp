@@ -81,8 +81,8 @@ Result<FileLock> FileLock::get(const fs::path& file, std::chrono::milliseconds m
         std::this_thread::sleep_for(kPause);
     }
     return Unexpected(
-        fmt::format("cannot change '{}': another program is changing it, and has not ended within {:.6g} s "
-                    "(its lock is '{}')",
+        fmt::format("cannot change '{}': another program is changing it, and has not finished within {:.6g} "
+                    "s (its lock is '{}')",
                     file.string(), std::chrono::duration<double>(max_wait).count(), path.string()));
 }
 

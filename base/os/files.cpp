@@ -63,7 +63,7 @@ const Files& disk() {
 Result<std::string> CallbackFiles::read(const std::filesystem::path& path, NameSource /*name_source*/,
                                         std::size_t max_bytes) const {
     std::optional<std::string> bytes = provider_(path.lexically_normal().string());
-    if (!bytes) return Unexpected("cannot read '" + path.string() + "': there is no such file");
+    if (!bytes) return Unexpected("cannot read '" + path.string() + "': file not found");
     if (bytes->size() > max_bytes) return tl::unexpected(too_large(path, max_bytes));
     return *std::move(bytes);
 }

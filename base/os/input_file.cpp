@@ -35,7 +35,7 @@ std::optional<Error> find_error(int descriptor, NameSource name_source) {
     if (S_ISDIR(info.st_mode)) return reason(EISDIR);
     if (S_ISREG(info.st_mode) || name_source == NameSource::command_line) return {};
     return std::string("it is ") + file_type_text(info.st_mode) +
-           "; a file or script may name regular files only, the command line anything";
+           "; a file or script may name only regular files, the command line any file";
 }
 
 std::string input_error(const std::filesystem::path& path, const std::string& cause) {

@@ -37,8 +37,9 @@ tl::unexpected<DirectoryError> make_error(Kind kind, std::string message, Conten
 /// Returns the error of an operation on the file `name`; `what` is its verb ("written").
 tl::unexpected<DirectoryError> folder_error(int error, const char* what, const std::string& name) {
     if (error == ELOOP || error == ENOTDIR)
-        return make_error(Kind::name,
-                          fmt::format("'{}' is a link, or leads over one: links are not followed", name));
+        return make_error(
+            Kind::name,
+            fmt::format("'{}' is a link, or its path contains one: links are not followed", name));
     const bool is_absent = error == ENOENT;
     const bool is_full = error == ENOSPC || error == EDQUOT || error == EFBIG;
     const Kind kind = is_absent ? Kind::absent : is_full ? Kind::no_space : Kind::other;
@@ -195,10 +196,9 @@ tl::expected<void, DirectoryError> replace(const ParentAndName& resolved_path, T
     if (is_expected) return {};  // the temporary file is the old content now; it is removed
     if (exchange() != 0) {
         temporary_file.release();  // its content belongs to another program
-        return make_error(Kind::other,
-                          fmt::format("'{}' was changed meanwhile by another program, whose content is "
-                                      "now in '{}'",
-                                      name, temporary_file.name()));
+        return make_error(Kind::other, fmt::format("'{}' was changed by another program in the meantime; the "
+                                                   "content of that program is now in '{}'",
+                                                   name, temporary_file.name()));
     }
     return conflict(resolved_path, name);
 }
@@ -351,7 +351,7 @@ tl::expected<ContentTag, DirectoryError> RootedDirectory::write(
     });
     if (error != 0) return folder_error(error, "written", name);
     if (!is_complete)
-        return make_error(Kind::other, fmt::format("'{}' is not written: its content ended too soon", name));
+        return make_error(Kind::other, fmt::format("'{}' was not written: its content is incomplete", name));
     if (!before.empty()) ::fchmod(temporary_file->number(), old.st_mode & 07777U);
     struct stat new_file {};
     if (::fsync(temporary_file->number()) != 0 || ::fstat(temporary_file->number(), &new_file) != 0)

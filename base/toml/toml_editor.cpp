@@ -17,18 +17,18 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr const char* kCannotEdit = "this change cannot be made in the text as it is written";
+constexpr const char* kCannotEdit = "this change is not possible in the text as it is written";
 
 std::string_view value_type_text(const json& value) {
     if (value.is_object()) return "a table";
     if (value.is_array()) return "a list";
-    if (value.is_string()) return "a text";
+    if (value.is_string()) return "a string";
     return value.is_number() ? "a number" : "true or false";
 }
 
 Unexpected no_entry(const TomlPath& list, const json& value) {
-    return Unexpected(fmt::format("'{}' is a list of tables; {} cannot be one of them", display_text(list),
-                                  value_type_text(value)));
+    return Unexpected(fmt::format("'{}' is a list of tables; {} cannot be an element of it",
+                                  display_text(list), value_type_text(value)));
 }
 
 TomlPath path_prefix(const TomlPath& path, std::size_t steps = 1) {
@@ -37,7 +37,7 @@ TomlPath path_prefix(const TomlPath& path, std::size_t steps = 1) {
 
 std::optional<Error> find_path_error(const TomlPath& path) {
     if (path.size() <= kMaxTomlBrackets) return std::nullopt;
-    return fmt::format("a path leads through {} tables and lists at most", kMaxTomlBrackets);
+    return fmt::format("a path may lead through at most {} tables and lists", kMaxTomlBrackets);
 }
 
 /// Returns the value inside the tables and lists of the path from step `first` on; nothing if a list would
@@ -101,13 +101,13 @@ Result<void> TomlEditor::apply_atomically(const Change& change) {
 Result<void> TomlEditor::set(const TomlPath& path, const ordered_json& value) {
     if (const auto error = find_path_error(path)) return Unexpected(*error);
     if (const auto error = find_value_error(value)) return Unexpected(*error);
-    if (path.empty() && !value.is_object()) return Unexpected("a document is a table, with keys");
+    if (path.empty() && !value.is_object()) return Unexpected("a document must be a table, with keys");
     return apply_atomically([&]() -> Result<void> {
         if (Result<void> done = write_value(path, value); !done) return done;
         const json* const now = at(path);
         if (now != nullptr && *now == json(value)) return {};
         return Unexpected(
-            fmt::format("'{}' is made by its entries; an empty one is removed", display_text(path)));
+            fmt::format("'{}' is created by its entries; an empty one is removed", display_text(path)));
     });
 }
 
@@ -118,7 +118,7 @@ Result<void> TomlEditor::write_value(const TomlPath& path, const ordered_json& v
     if (old->is_object() && value.is_object()) return merge_objects(path, value);
     if (old->is_array() && value.is_array()) return merge_lists(path, value);
     if (text_editor_.find(path) == nullptr) {
-        return Unexpected(fmt::format("'{}' is {} on lines of its own; {} cannot stand in its place",
+        return Unexpected(fmt::format("'{}' is {} on separate lines; {} cannot replace it",
                                       display_text(path), value_type_text(*old), value_type_text(value)));
     }
     text_editor_.replace(path, value);
@@ -213,8 +213,8 @@ Result<void> TomlEditor::make(const TomlPath& path, const ordered_json& value) {
     const TomlStep& step = path[outer.size()];
     const auto inner = wrap_in_tables(path, outer.size() + 1, value);
     if (!inner)
-        return Unexpected(
-            fmt::format("'{}' cannot be made: the first element of a new list is 0", display_text(path)));
+        return Unexpected(fmt::format("'{}' cannot be created: the first index of a new list must be 0",
+                                      display_text(path)));
     if (const auto* index = std::get_if<std::size_t>(&step)) {
         if (!json_node.is_array())
             return Unexpected(fmt::format("'{}' is {}, and has no elements", display_text(outer),
@@ -234,7 +234,7 @@ Result<void> TomlEditor::make(const TomlPath& path, const ordered_json& value) {
 Result<void> TomlEditor::make_element(const TomlPath& list, std::size_t index, const ordered_json& value) {
     json& json_node = *at(list);
     if (index > json_node.size()) {
-        return Unexpected(fmt::format("'{}' has {} elements; the next one is {}", display_text(list),
+        return Unexpected(fmt::format("'{}' has {} elements; the next index is {}", display_text(list),
                                       json_node.size(), json_node.size()));
     }
     if (text_editor_.find(list) != nullptr) {
@@ -260,8 +260,9 @@ Result<void> TomlEditor::add(const TomlPath& list, const ordered_json& value) {
 }
 
 Result<void> TomlEditor::remove(const TomlPath& path) {
-    if (path.empty()) return Unexpected("a document itself is not removed");
-    if (at(path) == nullptr) return Unexpected(fmt::format("there is no '{}' to remove", display_text(path)));
+    if (path.empty()) return Unexpected("the document itself cannot be removed");
+    if (at(path) == nullptr)
+        return Unexpected(fmt::format("'{}' does not exist and cannot be removed", display_text(path)));
     return apply_atomically([&] { return remove_value(path); });
 }
 
@@ -284,13 +285,14 @@ Result<void> TomlEditor::remove_value(const TomlPath& path) {
 Result<void> TomlEditor::move(const TomlPath& path, std::size_t to) {
     const json* const value = at(path);
     if (path.empty() || value == nullptr)
-        return Unexpected(fmt::format("there is no '{}' to move", display_text(path)));
+        return Unexpected(fmt::format("'{}' does not exist and cannot be moved", display_text(path)));
     const auto* const from = std::get_if<std::size_t>(&path.back());
-    if (from == nullptr) return Unexpected(fmt::format("'{}' is no element of a list", display_text(path)));
+    if (from == nullptr)
+        return Unexpected(fmt::format("'{}' is not an element of a list", display_text(path)));
     const TomlPath list = path_prefix(path);
     const std::size_t size = at(list)->size();
     if (to >= size)
-        return Unexpected(fmt::format("'{}' has {} elements, from 0 on; there is no place {}",
+        return Unexpected(fmt::format("'{}' has {} elements, from 0 on; index {} does not exist",
                                       display_text(list), size, to));
     if (to == *from) return {};
     return apply_atomically([&]() -> Result<void> {

@@ -62,15 +62,16 @@ std::optional<Error> find_nested_error(const ordered_json& value, std::size_t de
         if (depth == kMaxTomlBrackets)
             return fmt::format("lists and objects are nested deeper than {}", kMaxTomlBrackets);
         for (const auto& [key, inner] : value.items()) {
-            if (value.is_object() && !text::is_utf8(key)) return "a key is no UTF-8";
+            if (value.is_object() && !text::is_utf8(key)) return "a key is not UTF-8";
             if (auto error = find_nested_error(inner, depth + 1)) return error;
         }
         return std::nullopt;
     }
-    if (value.is_string() && !text::is_utf8(value.get_ref<const std::string&>())) return "a text is no UTF-8";
-    if (value.is_null()) return "null is no value of TOML; a key is taken away by removing it";
+    if (value.is_string() && !text::is_utf8(value.get_ref<const std::string&>()))
+        return "a string is not UTF-8";
+    if (value.is_null()) return "TOML has no null; remove the key instead";
     if (value.is_number_float() && !std::isfinite(value.get<double>())) return "a number is not finite";
-    if (value.is_binary() || value.is_discarded()) return "there is no such value in TOML";
+    if (value.is_binary() || value.is_discarded()) return "TOML does not support this value";
     return std::nullopt;
 }
 

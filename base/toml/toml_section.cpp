@@ -70,7 +70,7 @@ std::optional<std::string_view> TomlSection::find_error(double value, NumberRule
             return std::nullopt;
         case NumberRule::count:
             if (value < 1 || value > kMaxCount || value != std::floor(value))
-                return "a whole number between 1 and 100000";
+                return "an integer between 1 and 100000";
             return std::nullopt;
     }
     return std::nullopt;

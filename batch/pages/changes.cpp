@@ -48,7 +48,7 @@ Result<bool> has_different_findings(const Case& of, RunHistory& run_history) {
 
 std::string describe_file_change(const std::string& file, const std::string& before, const std::string& now) {
     return fmt::format("'{}'{}", file,
-                       before.empty() ? " is there now" : (now.empty() ? " is there no more" : ""));
+                       before.empty() ? " now exists" : (now.empty() ? " no longer exists" : ""));
 }
 
 /// Classifies a case that was run again.
@@ -114,7 +114,7 @@ std::vector<std::string> rerun_reasons(const RunDetails& before, const RunDetail
         if (file.name != now.program && !is_machine)
             reasons.push_back(describe_file_change(file.name, other->second, file.sha256));
     }
-    if (before.version != now.version) reasons.emplace_back("gsim itself");
+    if (before.version != now.version) reasons.emplace_back("the version of gsim");
     return reasons;
 }
 

@@ -30,7 +30,7 @@ class NightlyReportReader {
         run_ = *std::move(run);
         auto batches = read_batches(fmt::format("ORDER BY id DESC LIMIT {}", kMaxBatches));
         if (!batches) return Unexpected(batches.error());
-        if (batches->empty()) return Unexpected(fmt::format("there is no batch in '{}'", results_.file()));
+        if (batches->empty()) return Unexpected(fmt::format("'{}' contains no batch", results_.file()));
         auto before = find_previous_batch(*batches, since);
         if (!before) return Unexpected(before.error());
         NightlyReport report(batches->front());

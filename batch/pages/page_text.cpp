@@ -88,7 +88,7 @@ std::string plain_batch_label(const BatchFacts& batch) {
 }
 
 std::string outcome(const RunFacts& run) {
-    if (run.is_clean()) return "<span class=\"good\">without a fault</span>";
+    if (run.is_clean()) return "<span class=\"good\">without errors</span>";
     const std::string status = fmt::format("<span class=\"bad\">{}</span>", escape_html(run.status));
     return run.cause.empty() || run.cause == run.status
                ? status
@@ -162,7 +162,7 @@ std::string full_page(std::string_view name, std::string_view title, std::string
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>{}</title>"
         "<style>{}</style></head>\n<body>",
         page_marker(name), escape_html(title), kStyle);
-    if (!breadcrumbs.empty()) page += fmt::format("<nav aria-label=\"Above\">{}</nav>\n", breadcrumbs);
+    if (!breadcrumbs.empty()) page += fmt::format("<nav aria-label=\"Breadcrumb\">{}</nav>\n", breadcrumbs);
     return page + fmt::format("<main><h1>{}</h1>\n{}</main></body></html>\n", escape_html(title), body);
 }
 

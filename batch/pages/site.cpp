@@ -40,7 +40,7 @@ std::string page_head(const fs::path& file) {
 Result<Site> Site::open(const std::string& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) return folder_error("make the folder", folder, error);
+    if (error) return folder_error("create the folder", folder, error);
     return Site(folder);
 }
 
@@ -54,8 +54,8 @@ Result<void> Site::save(const std::string& name, std::string_view page) {
         const std::string content{std::istreambuf_iterator<char>(stream), {}};
         if (content == page) return {};
         if (!is_own_page(name, content)) {
-            return Unexpected(fmt::format("'{}' is no page that was written here before; name another folder",
-                                          file.string()));
+            return Unexpected(
+                fmt::format("'{}' is not a page written by --pages; choose another folder", file.string()));
         }
     } else if (fs::exists(status)) {
         return folder_error("write", file, std::make_error_code(std::errc::file_exists));

@@ -55,13 +55,14 @@ Result<std::vector<std::string>> Views::make_command(const RunFacts& facts, cons
     if (run.moves > kMaxMoves) return Unexpected(fmt::format("it has more than {} moves", kMaxMoves));
     if (run.version != maker_.version) return Unexpected("it was run by another version of gsim");
     OpenCommand command = view_command(run_inputs(run));
-    if (command.words.empty()) return Unexpected("a path is its program, which gsim run does not take");
+    if (command.words.empty()) return Unexpected("its program is a path, which gsim run does not support");
     if (!command.left_out.empty())
-        return Unexpected(fmt::format("gsim run has no word for {}", command.left_out.front()));
+        return Unexpected(fmt::format("gsim run has no option for {}", command.left_out.front()));
     const auto other = std::find_if(run.files.begin(), run.files.end(), [&](const ReadFile& file) {
         return files_.file_hash(file.name) != file.sha256;
     });
-    if (other != run.files.end()) return Unexpected(fmt::format("'{}' is another one by now", other->name));
+    if (other != run.files.end())
+        return Unexpected(fmt::format("'{}' has changed since the run", other->name));
     command.words.front() = maker_.program;
     return std::move(command.words);
 }
@@ -84,7 +85,7 @@ Result<std::string> Views::make(const RunFacts& facts, const RunDetails& run) {
     const auto ended = os::run_child(*words, null_device.get(), null_device.get());
     // If the program has an error, its page is written as well.
     if (fs::exists(file, error)) return view_address();
-    return Unexpected(ended ? "gsim run has written none" : ended.error().message);
+    return Unexpected(ended ? "gsim run wrote no page" : ended.error().message);
 }
 
 Result<void> remove_views(const std::string& folder, const Views* current) {

@@ -88,7 +88,7 @@ Result<Names> find_matches(const std::string& pattern, const fs::path& folder) {
 Result<Names> check_utf8(Names names) {
     for (const std::string& name : names) {
         if (!text::is_utf8(name))
-            return Unexpected(fmt::format("'{}' has a name that is not UTF-8", text::printable(name)));
+            return Unexpected(fmt::format("the name of '{}' is not UTF-8", text::printable(name)));
     }
     return names;
 }
@@ -101,13 +101,12 @@ Result<Names> find_programs(const std::string& name, const fs::path& folder) {
     if (fs::is_regular_file(plain, ignored)) return check_utf8({plain});
     const bool is_folder = fs::is_directory(plain, ignored);
     if (!is_folder && !is_pattern(name))
-        return Unexpected(
-            fmt::format("cannot read '{}': there is no such file or folder", text::printable(plain)));
+        return Unexpected(fmt::format("cannot read '{}': file or folder not found", text::printable(plain)));
     auto found = is_folder ? find_files(plain, is_program_file) : find_matches(name, folder);
     if (found && found->empty())
-        return Unexpected(is_folder ? fmt::format("'{}' has no part programs ({})", plain,
+        return Unexpected(is_folder ? fmt::format("'{}' contains no part programs ({})", plain,
                                                   text::joined(kProgramExtensions, ", "))
-                                    : fmt::format("nothing is called '{}'", plain));
+                                    : fmt::format("no file matches '{}'", plain));
     return found.and_then(check_utf8);
 }
 

@@ -92,7 +92,7 @@ Result<Plan> read_plan_json(std::string_view text) {
         read.at("pictures").get_to(plan.stored_documents.picture);
         return plan;
     } catch (const json::exception& error) {
-        return Unexpected(fmt::format("no plan: {}", error.what()));
+        return Unexpected(fmt::format("not a plan: {}", error.what()));
     }
 }
 

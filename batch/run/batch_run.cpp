@@ -116,7 +116,7 @@ class BatchRun {
 
     Result<void> collect(const RunRow& row) {
         const auto pending = pending_jobs_.find(row.number);
-        if (pending == pending_jobs_.end()) return Unexpected("a row of no job");
+        if (pending == pending_jobs_.end()) return Unexpected("a result row without a job");
         const auto run = results_->add(pending->second.job, pending->second.key, row, run_cache_.version());
         const std::vector<std::uint64_t> others = std::move(pending->second.others);
         jobs_in_progress_.erase(pending->second.key.key);

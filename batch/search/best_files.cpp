@@ -186,12 +186,13 @@ std::optional<Error> find_output_folder_error(const Plan& plan, const std::strin
         std::error_code error;
         if (!fs::exists(fs::symlink_status(file, error))) continue;
         if (!overwrite)
-            return fmt::format("'{}' is there already; take another folder for --best, or --overwrite", file);
+            return fmt::format("'{}' already exists; use another folder for --best, or --overwrite", file);
         const bool is_input = std::any_of(inputs.begin(), inputs.end(), [&](const std::string& input) {
             std::error_code other;
             return fs::equivalent(file, input, other);
         });
-        if (is_input) return fmt::format("'{}' is read by the search; take another folder for --best", file);
+        if (is_input)
+            return fmt::format("'{}' is an input of the search; use another folder for --best", file);
     }
     std::error_code error;
     fs::create_directories(folder, error);

@@ -109,8 +109,8 @@ std::optional<Error> find_missing_metric(const SearchPlan& search, std::span<con
         for (const std::string& metric : required) {
             if (!run.metrics.at(metric))
                 return fmt::format(
-                    "runs of '{}' have no '{}' (docs/optimise.md tells what each figure needs)", run.program,
-                    metric);
+                    "runs of '{}' have no '{}' (docs/optimise.md lists the requirements of each metric)",
+                    run.program, metric);
         }
     }
     return {};

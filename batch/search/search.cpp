@@ -161,7 +161,8 @@ class BestSearch {
         interrupted_ = ranking->empty();
         if (interrupted_) return {};
         if (!rejection_.empty() && started_runs_ == 0)
-            return Unexpected(fmt::format("each of the {} first variants is refused: {}", count, rejection_));
+            return Unexpected(
+                fmt::format("each of the {} first variants is rejected: {}", count, rejection_));
         start_point_ = points[ranking->front()];
         return {};
     }

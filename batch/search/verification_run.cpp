@@ -49,7 +49,8 @@ class Verifier {
     Result<std::vector<RunMetrics>> evaluate_runs(const Plan& plan) {
         const auto evaluated_batch = evaluate_(plan, true);
         if (!evaluated_batch) return Unexpected(evaluated_batch.error());
-        if (!evaluated_batch->complete) return Unexpected("cut off before the best variant was proven");
+        if (!evaluated_batch->complete)
+            return Unexpected("interrupted before the verification run of the best variant ended");
         auto results = Database::open(results_, true);
         if (!results) return Unexpected(results.error());
         return read_metrics(*results, evaluated_batch->batch, Jobs(plan).size());
@@ -74,7 +75,7 @@ class Verifier {
     static std::string difference(const RunMetrics& original, const RunMetrics& verify_variant) {
         if (original.status != verify_variant.status || original.cause != verify_variant.cause)
             return fmt::format(
-                "a run of its own of '{}' ends otherwise than in the search: {} {} in place of {} {}{}",
+                "the verification run of '{}' differs from the search: {} {} instead of {} {}{}",
                 verify_variant.program, verify_variant.status, verify_variant.cause, original.status,
                 original.cause, verify_variant.message.empty() ? "" : " (" + verify_variant.message + ")");
         for (const auto& [metric, value] : original.metrics) {
@@ -82,7 +83,7 @@ class Verifier {
             if (!value ||
                 (other && std::abs(*other - *value) <= kTolerance * std::max(1.0, std::abs(*value))))
                 continue;
-            return fmt::format("a run of its own of '{}' has {} {} where the search had {}",
+            return fmt::format("the verification run of '{}' has {} {}, but the search had {}",
                                verify_variant.program, metric, other ? fmt::format("{}", *other) : "none",
                                *value);
         }

@@ -67,12 +67,12 @@ Result<Shards> find_pending_jobs(const Plan& plan, const ClusterOptions& options
 
 Result<void> check_limits(const ClusterOptions& options, const ClusterLimits& limits) {
     if (limits.time_min && options.time_limit_min > *limits.time_min)
-        return Unexpected(fmt::format("partition '{}' allows {} minutes; {} are asked for (--time-limit)",
+        return Unexpected(fmt::format("partition '{}' allows {} minutes; {} are requested (--time-limit)",
                                       limits.partition, *limits.time_min, options.time_limit_min));
     const std::uint64_t memory_mb = options.memory_mb.value_or(0) * options.workers;
     if (limits.memory_mb.value_or(0) >= kMinNode_mb && memory_mb + kTaskOverhead_mb > *limits.memory_mb)
         return Unexpected(
-            fmt::format("the largest node of partition '{}' has {} MB; {} workers of {} MB are asked for",
+            fmt::format("the largest node of partition '{}' has {} MB; {} workers of {} MB are requested",
                         limits.partition, *limits.memory_mb, options.workers, *options.memory_mb));
     return {};
 }
@@ -204,16 +204,16 @@ Result<void> clear_earlier_batch(const fs::path& folder) {
     if (!state) return Unexpected(state.error());
     if (!state->has_ended())
         return Unexpected(
-            fmt::format("a batch of '{}' is under way: {}; --status tells more, --cancel ends it",
+            fmt::format("a batch of '{}' is running: {}; --status shows its state, --cancel cancels it",
                         shards->results, to_text(*state)));
     if (shards->gathered) return {};
     const auto gathered = gather(folder.string());
     if (!gathered)
         return Unexpected(
-            fmt::format("{}; what is there of it is in {}", gathered.error().message, folder.string()));
+            fmt::format("{}; the available results are in {}", gathered.error().message, folder.string()));
     if (gathered->errors.empty()) return {};
-    return Unexpected(fmt::format("{}; remove {} where that is not wanted any more", gathered->errors.front(),
-                                  folder.string()));
+    return Unexpected(
+        fmt::format("{}; remove {} if it is no longer needed", gathered->errors.front(), folder.string()));
 }
 
 }  // namespace
@@ -257,9 +257,8 @@ std::string cluster_in_use_error(const std::string& results) {
     const auto shards = read_shards(folder);
     if (shards && (shards->gathered || shards->ended)) return {};
     return fmt::format(
-        "'{}' belongs to a batch on a cluster that is not gathered; --status tells of it, --cancel ends it, "
-        "and "
-        "--slurm submits what it has lost",
+        "'{}' belongs to a batch on a cluster that is not merged; --status shows its state, --cancel cancels "
+        "it, and --slurm submits its lost runs again",
         results);
 }
 
@@ -271,13 +270,13 @@ Result<ClusterState> query_state(const std::string& results) {
 }
 
 std::string to_text(const ClusterState& state) {
-    std::string text = fmt::format("{} runs, {} there before", state.jobs, state.reused);
-    if (state.shards == 0) return text + "; nothing is to be run";
-    text += fmt::format("; {} shards (job {}): {} whole, {} running, {} waiting, {} lost", state.shards,
+    std::string text = fmt::format("{} runs, {} reused", state.jobs, state.reused);
+    if (state.shards == 0) return text + "; no runs are pending";
+    text += fmt::format("; {} shards (job {}): {} complete, {} running, {} waiting, {} lost", state.shards,
                         state.array_job, state.complete, state.running, state.waiting, state.lost);
     if (state.fixed > 0)
-        text += fmt::format("; {} are held until somebody releases them (scontrol release)", state.fixed);
-    return text + (state.gathered ? "; gathered" : fmt::format("; {} have a row", state.ran));
+        text += fmt::format("; {} are held until they are released (scontrol release)", state.fixed);
+    return text + (state.gathered ? "; merged" : fmt::format("; {} finished", state.ran));
 }
 
 Result<ClusterState> cancel(const std::string& results) {
@@ -308,7 +307,7 @@ Result<bool> run_shard(const std::string& folder, std::uint64_t shard, const std
     if (!shards) return Unexpected(shards.error());
     const auto plan = read_stored_plan(folder);
     if (!plan) return Unexpected(plan.error());
-    if (shard >= shards->shards) return Unexpected(fmt::format("there are {} shards", shards->shards));
+    if (shard >= shards->shards) return Unexpected(fmt::format("the batch has {} shards", shards->shards));
     const auto tally = run_batch(*plan,
                                  {.results = shard_file(folder, shard).string(),
                                   .workers = shards->workers,

@@ -18,7 +18,7 @@ namespace {
 /// Runs a program and returns its output.
 Result<std::string> command_output(const std::vector<std::string>& command) {
     const os::FileHandle in(std::fopen("/dev/null", "rb")), out(std::tmpfile());
-    if (!in || !out) return Unexpected("cannot make a temporary file");
+    if (!in || !out) return Unexpected("cannot create a temporary file");
     if (const auto ran = os::run_child(command, in.get(), out.get()); !ran) return Unexpected(ran.error());
     std::string text;
     char chunk[4096];
@@ -94,7 +94,7 @@ std::map<std::string, std::string> read_fields(std::string_view text) {
 
 Result<std::optional<std::uint64_t>> read_minutes(std::string_view text) {
     if (text == "UNLIMITED" || text == "INFINITE") return std::nullopt;
-    const auto invalid = [&] { return Unexpected(fmt::format("'{}' is no time of Slurm's", text)); };
+    const auto invalid = [&] { return Unexpected(fmt::format("'{}' is not a Slurm time", text)); };
     std::uint64_t days = 0;
     std::string_view remaining_text = text;
     const std::size_t dash = text.find('-');
@@ -123,7 +123,7 @@ Result<std::optional<std::uint64_t>> read_minutes(std::string_view text) {
 Result<ClusterLimits> query_limits(const std::string& partition) {
     ClusterLimits limits{.partition = partition};
     const auto config = command_output({"scontrol", "show", "config"});
-    if (!config) return Unexpected("no cluster answers: " + config.error().message);
+    if (!config) return Unexpected("the cluster does not respond: " + config.error().message);
     // Array indices are below it.
     limits.max_array_tasks =
         parse_integer(field_value(read_fields(*config), "MaxArraySize")).value_or(1001) - 1;

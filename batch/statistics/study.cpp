@@ -181,12 +181,10 @@ Result<Comparison> compare_batches(Database& results, std::int64_t before) {
         batches->bind_null(1);
     }
     if (const auto row = batches->step(); !row || !*row)
-        return Unexpected(row ? fmt::format("there is no batch in '{}'", results.file())
-                              : row.error().message);
+        return Unexpected(row ? fmt::format("'{}' contains no batch", results.file()) : row.error().message);
     const std::int64_t latest = batches->integer(0), other = batches->integer(1);
     if (other <= 0 || other >= latest)
-        return Unexpected(
-            fmt::format("there is no such batch before the latest one in '{}'", results.file()));
+        return Unexpected(fmt::format("'{}' contains no earlier batch to compare with", results.file()));
     // The same program on the same machine is compared, even if their texts have changed.
     auto pairs =
         results.prepare(pairs_query("(SELECT run.*, batch_run.job FROM batch_run JOIN run ON run.id = "

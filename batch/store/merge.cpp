@@ -86,7 +86,7 @@ class Copier {
         run_->bind(1, run);
         const auto row = run_->step();
         if (!row) return Unexpected(row.error());
-        if (!*row) return Unexpected(fmt::format("run {} is not there", run));
+        if (!*row) return Unexpected(fmt::format("run {} not found", run));
         const std::int64_t new_run = run_->integer(0);
         input_->bind(1, run);
         for (std::optional<Statement>* each : {&setting_, &report_, &picture_, &run_input_})

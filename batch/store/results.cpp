@@ -57,11 +57,11 @@ Result<void> check_or_create_tables(Database& database) {
     const auto application = query_number(database, "PRAGMA application_id");
     const auto version = query_number(database, "PRAGMA user_version");
     if (!application || *application != kApplicationId)
-        return Unexpected(fmt::format("'{}' is no file of results", database.file()));
+        return Unexpected(fmt::format("'{}' is not a results file", database.file()));
     if (version && *version == 1) return database.execute(fmt::format("BEGIN; {} COMMIT;", version_2_sql()));
     if (!version || *version != kSchemaVersion)
         return Unexpected(
-            fmt::format("'{}' is of another version of this program; take a new file", database.file()));
+            fmt::format("'{}' is of another version of this program; use a new file", database.file()));
     return {};
 }
 
@@ -119,7 +119,8 @@ Result<Results> Results::open(const std::string& file, Journal journal) {
     const auto prepared = [&](std::string_view sql) {
         auto statement = database->prepare(sql);
         if (!statement)
-            throw std::runtime_error("a statement of ours is wrong: " + statement.error().message);
+            throw std::runtime_error("internal error, an SQL statement is not valid: " +
+                                     statement.error().message);
         return *std::move(statement);
     };
     auto statements = std::make_unique<Statements>(Statements{

@@ -35,7 +35,7 @@ Result<Job> read_job(std::string_view line) {
             job.settings.push_back({setting.at(0), setting.at(1), setting.at(2)});
         return job;
     } catch (const json::exception& error) {
-        return Unexpected(fmt::format("no job: {}", error.what()));
+        return Unexpected(fmt::format("not a job: {}", error.what()));
     }
 }
 

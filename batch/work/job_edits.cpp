@@ -62,7 +62,7 @@ class Edits {
         const auto settings = settings_with_prefix(job_.settings, kCellPrefix);
         if (settings.empty()) return {};
         if (request_.cell.empty())
-            return Unexpected("a setting of the cell needs a cell file (option 'cell')");
+            return Unexpected("a setting of the cell requires a cell file (option 'cell')");
         auto text = find_and_read(engine::NameKind::sample, request_.cell);
         if (!text) return Unexpected(text.error());
         return replace_text(request_.cell, edit_toml(*std::move(text), request_.cell, settings));
@@ -72,7 +72,7 @@ class Edits {
         const auto settings = settings_with_prefix(job_.settings, kRobotsPrefix);
         if (settings.empty()) return {};
         if (request_.robots.empty())
-            return Unexpected("a setting of robots needs a file of them (option 'robots')");
+            return Unexpected("a setting of robots requires a robots file (option 'robots')");
         auto text = find_and_read(engine::NameKind::sample, request_.robots);
         if (!text) return Unexpected(text.error());
         return replace_text(request_.robots, edit_toml(*std::move(text), request_.robots, settings));
@@ -82,7 +82,8 @@ class Edits {
         const auto settings = settings_with_prefix(job_.settings, kDataPrefix);
         if (settings.empty()) return {};
         if (request_.machine_data.empty())
-            return Unexpected("a setting of machine data needs a file of them (option 'machine_data')");
+            return Unexpected(
+                "a setting of machine data requires a machine data file (option 'machine_data')");
         const auto text = find_and_read(engine::NameKind::sample, request_.machine_data);
         if (!text) return Unexpected(text.error());
         return replace_text(request_.machine_data, edit_data(*text, request_.machine_data, settings));

@@ -42,7 +42,7 @@ Result<std::vector<std::size_t>> parse_order(const json& value) {
     for (const json& each : value.is_array() ? value : json::array({value})) {
         if (!each.is_number_unsigned())
             return Unexpected(
-                fmt::format("'path.order' must be a list of places from 0 on, not {}", value.dump()));
+                fmt::format("'path.order' must be a list of indices from 0 on, not {}", value.dump()));
         order.push_back(each);
     }
     return order;
@@ -57,9 +57,8 @@ tl::expected<std::string, engine::Error> select_post(const JobRequest& request,
     if (dialect.empty()) return kDefaultPost;
     const std::vector<std::string> posts = engine::post_names();
     if (std::find(posts.begin(), posts.end(), dialect) != posts.end()) return dialect;
-    return setting_error(
-        fmt::format("how is a program written that '{}' reads? The option 'post' takes {}, or a file",
-                    dialect, text::joined(posts, ", ")));
+    return setting_error(fmt::format("the dialect '{}' has no post; the option 'post' must be {}, or a file",
+                                     dialect, text::joined(posts, ", ")));
 }
 
 /// Returns the pose of the frame that moves the path.
@@ -71,7 +70,7 @@ tl::expected<void, engine::Error> follow_frame(const Job& job, const JobRequest&
                                                engine::Machine& machine, const engine::Host& original_host,
                                                engine::PathChanges& changes) {
     if (request.path_frame.empty()) return {};
-    if (request.run.cell.empty()) return setting_error("the option 'path_frame' needs a cell");
+    if (request.run.cell.empty()) return setting_error("the option 'path_frame' requires a cell");
     const auto store_pose = [](FramePose& pose) { return [&pose](const FramePose& found) { pose = found; }; };
     engine::Request before = request.run;
     before.host = original_host;
@@ -113,8 +112,8 @@ std::optional<Error> find_path_key_error(const std::string& key) {
                                                   key.substr(kPosePrefix.size())) != kPoseFields.end())
         return {};
     return fmt::format(
-        "of a path there are 'path.place.{}', 'path.order', 'path.feed_mm_min' and "
-        "'path.NAME.feed_mm_min', not 'path.{}'",
+        "a path has 'path.place.{}', 'path.order', 'path.feed_mm_min' and 'path.NAME.feed_mm_min', not "
+        "'path.{}'",
         text::joined(kPoseFields, "', 'path.place."), key);
 }
 
@@ -133,7 +132,7 @@ Result<engine::PathChanges> path_changes(std::span<const SettingValue> settings)
                 fmt::format("'path.{}' must be a number, not {}", setting.key, setting.value.dump()));
         const auto value = number->get<double>();
         if (auto path = feed_path_name(setting.key)) {
-            if (value <= 0) return Unexpected(fmt::format("'path.{}' must be above 0", setting.key));
+            if (value <= 0) return Unexpected(fmt::format("'path.{}' must be greater than 0", setting.key));
             changes.feeds.push_back({*std::move(path), value, setting.use == SettingUse::factor});
             continue;
         }
@@ -152,12 +151,13 @@ tl::expected<std::optional<std::string>, engine::Error> write_path(const Job& jo
     if (!is_path_file(job.program)) {
         if (!request.path_frame.empty())
             return setting_error(
-                fmt::format("the option 'path_frame' is of paths (.path.json, .path.lua), and '{}' would "
-                            "not go along with '{}'",
+                fmt::format("the option 'path_frame' applies to paths (.path.json, .path.lua), and '{}' "
+                            "would not move with '{}'",
                             job.program, request.path_frame));
         if (settings.empty()) return std::nullopt;
-        return setting_error(fmt::format("'path.{}' is of paths (.path.json, .path.lua), and '{}' is none",
-                                         settings.front().key, job.program));
+        return setting_error(
+            fmt::format("'path.{}' applies to paths (.path.json, .path.lua), and '{}' is not a path",
+                        settings.front().key, job.program));
     }
     auto changes = path_changes(settings);
     if (!changes) return setting_error(changes.error().message);

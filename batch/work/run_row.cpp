@@ -86,7 +86,7 @@ Result<RunRow> read_row(std::string_view line) {
         for (const json& file : read.at("files")) row.files.push_back({file.at(0), file.at(1)});
         return row;
     } catch (const json::exception& error) {
-        return Unexpected(fmt::format("no row of a run: {}", error.what()));
+        return Unexpected(fmt::format("not a row of a run: {}", error.what()));
     }
 }
 

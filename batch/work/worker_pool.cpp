@@ -31,7 +31,7 @@ std::string system_message(int error) {
 
 Result<std::pair<os::Descriptor, os::Descriptor>> make_pipe() {
     std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Unexpected("no pipe: " + system_message(errno));
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Unexpected("cannot create a pipe: " + system_message(errno));
     return std::pair(os::Descriptor(ends[0]), os::Descriptor(ends[1]));
 }
 
@@ -49,14 +49,14 @@ RunRow failure_row(const Job& job, int status, bool timed_out, double timeout_s)
     row.outcome.file = job.program;
     if (timed_out) {
         row.outcome.status = row.outcome.cause = "timeout";
-        row.outcome.message = fmt::format("it was ended after {} s", timeout_s);
+        row.outcome.message = fmt::format("it was terminated after {} s", timeout_s);
     } else if (WIFEXITED(status) && WEXITSTATUS(status) == kOutOfMemory) {
         row.outcome.status = row.outcome.cause = "memory";
-        row.outcome.message = "it needs more memory than it may have";
+        row.outcome.message = "it exceeded the memory limit";
     } else {
         row.outcome.status = row.outcome.cause = "crashed";
         row.outcome.message = WIFSIGNALED(status)
-                                  ? fmt::format("its process was ended by signal {}", WTERMSIG(status))
+                                  ? fmt::format("its process was terminated by signal {}", WTERMSIG(status))
                                   : fmt::format("its process ended with status {}", WEXITSTATUS(status));
     }
     row.findings = nlohmann::json::array({{{"severity", "error"},

@@ -91,7 +91,8 @@ Result<std::string> work_offset_line(const machine::Machine& nominal, const Geom
     }
     if (slides.size() < 3 || !bring_to_origin(geometry, slides, readings))
         return Unexpected(
-            "a work offset (--g10) needs three linear axes that bring the tip to the work frame's origin");
+            "a work offset (--g10) requires three linear axes that move the TCP to the origin of the work "
+            "frame");
     std::string line = "G21\nG10 L2 P1";
     for (std::size_t i = 0; i < readings.size(); ++i) {
         const bool slide = std::find(slides.begin(), slides.end(), i) != slides.end();

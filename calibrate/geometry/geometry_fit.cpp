@@ -203,7 +203,8 @@ class GeometryFitter {
     Result<GeometryFit> run() {
         if (!select_deviations()) {
             return Unexpected(
-                "these tips tell nothing of the machine's geometry: there are too few, or all is held");
+                "these TCP positions do not determine the machine's geometry: there are too few, or all "
+                "deviations are fixed");
         }
         for (const MeasuredTcp& tcp : tcps_) {
             fit_.noise_is_estimated = fit_.noise_is_estimated || !(options_.noise_mm || tcp.sigma_mm);
@@ -290,7 +291,7 @@ class GeometryFitter {
 
 Result<GeometryFit> fit_geometry(const machine::Machine& machine, std::span<const MeasuredTcp> tcps,
                                  const GeometryOptions& options) {
-    if (tcps.empty()) return Unexpected("there are no measured tips");
+    if (tcps.empty()) return Unexpected("there are no measured TCP positions");
     return GeometryFitter(machine, tcps, options).run();
 }
 

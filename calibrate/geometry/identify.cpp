@@ -31,8 +31,8 @@ bool is_determined(Eigen::MatrixXd square) {
 /// Returns which of the chosen deviations have the effect of deviation `k`, and how much of each.
 std::string fixed_reason(const Eigen::MatrixXd& gram, std::span<const Deviation> deviations,
                          const std::vector<Eigen::Index>& selected, Eigen::Index k) {
-    if (gram(k, k) < kMinSingularValue) return "moves no tip that was measured";
-    if (selected.empty()) return "is not told by these tips";
+    if (gram(k, k) < kMinSingularValue) return "moves no measured TCP position";
+    if (selected.empty()) return "is not determined by these TCP positions";
     const Eigen::VectorXd correlations = gram(selected, k);
     const Eigen::VectorXd share = base::solve_positive_definite(submatrix(gram, selected), correlations);
     const double unexplained = std::max(gram(k, k) - correlations.dot(share), 0.0);
@@ -50,9 +50,9 @@ std::string fixed_reason(const Eigen::MatrixXd& gram, std::span<const Deviation>
                                    factor, other.name);
     }
     if (unexplained > kMaxRedundantShare * kMaxRedundantShare * gram(k, k))
-        return "is told too little of, beside " + (combination.empty() ? "the others" : combination);
-    return "does what " + combination +
-           (combination.find(' ', combination.find(' ') + 1) == std::string::npos ? " does" : " do");
+        return "is not determined well enough next to " + (combination.empty() ? "the others" : combination);
+    return "is redundant: " + combination +
+           (combination.find(' ', combination.find(' ') + 1) == std::string::npos ? " has the same effect" : " have the same effect");
 }
 
 }  // namespace

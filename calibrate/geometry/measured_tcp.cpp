@@ -34,10 +34,10 @@ Result<TcpColumns> find_columns(const Cells& heading, const machine::Machine& ma
         columns.angles[i] = at(kOrientationColumns[i]);
         if (columns.position[i] == kNoColumn)
             return Unexpected(
-                fmt::format("line 1: it should name the columns, '{}' among them", kPositionColumns[i]));
+                fmt::format("line 1: it must name the columns, '{}' among them", kPositionColumns[i]));
         if ((columns.angles[i] == kNoColumn) != (columns.angles[0] == kNoColumn))
             return Unexpected(
-                "line 1: an orientation has all of the columns 'roll_deg', 'pitch_deg' and 'yaw_deg'");
+                "line 1: an orientation requires all of the columns 'roll_deg', 'pitch_deg' and 'yaw_deg'");
     }
     columns.sigma_mm = at("sigma_mm");
     columns.sigma_deg = at("sigma_deg");
@@ -56,14 +56,14 @@ class TcpRow {
             return 0;
         }
         const auto value = parse_number(cells_[column]);
-        if (!value && error_.empty()) error_ = fmt::format("'{}' should be a number", cells_[column]);
+        if (!value && error_.empty()) error_ = fmt::format("'{}' must be a number", cells_[column]);
         return value.value_or(0);
     }
     std::optional<double> sigma(std::size_t column) {
         if (!has(column)) return std::nullopt;
         const double value = number(column);
         if (!(value > 0) && error_.empty())
-            error_ = fmt::format("'{}' should be a standard deviation above 0", cells_[column]);
+            error_ = fmt::format("'{}' must be a standard deviation greater than 0", cells_[column]);
         return value;
     }
     Result<MeasuredTcp> or_error(const MeasuredTcp& tcp) const {

@@ -155,7 +155,7 @@ Result<std::vector<MeasuredTcp>> suggest_poses(const machine::Machine& machine, 
     const Eigen::MatrixXd slopes =
         errors.slopes(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(all.size())));
     const Identification identified = identify(slopes, all);
-    if (identified.selected.empty()) return Unexpected("no pose tells of any deviation");
+    if (identified.selected.empty()) return Unexpected("no pose determines a deviation");
     Eigen::MatrixXd determined_slopes(slopes.rows(), static_cast<Eigen::Index>(identified.selected.size()));
     for (std::size_t i = 0; i < identified.selected.size(); ++i)
         determined_slopes.col(static_cast<Eigen::Index>(i)) =
@@ -165,7 +165,7 @@ Result<std::vector<MeasuredTcp>> suggest_poses(const machine::Machine& machine, 
     const auto needed = static_cast<std::size_t>(determined_slopes.cols() / rows + 1);
     if (count < needed)
         return Unexpected(
-            fmt::format("{} deviations of this machine can be told, which takes {} poses at least",
+            fmt::format("{} deviations of this machine can be determined, which requires at least {} poses",
                         determined_slopes.cols(), needed));
     std::vector<MeasuredTcp> poses;
     for (const std::size_t i : select_best_poses(determined_slopes, rows, count))
@@ -174,7 +174,7 @@ Result<std::vector<MeasuredTcp>> suggest_poses(const machine::Machine& machine, 
 }
 
 std::string pose_program(const std::vector<MeasuredTcp>& poses, const machine::Machine& machine) {
-    std::string text = "(poses to measure: clear the machine first, collisions are not looked at)\nG21 G90\n";
+    std::string text = "(poses to measure: clear the machine first, collisions are not checked)\nG21 G90\n";
     for (std::size_t i = 0; i < poses.size(); ++i) {
         text += "G53 G0";
         for (std::size_t axis = 0; axis < machine.axes.size(); ++axis) {

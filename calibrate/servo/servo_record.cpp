@@ -63,7 +63,7 @@ class AxisSamples {
 
     Records release_records() {
         if (records_.front().t_s.size() < kMinSamples)
-            return Unexpected(fmt::format("there are less than {} samples in it", kMinSamples));
+            return Unexpected(fmt::format("it has fewer than {} samples", kMinSamples));
         return std::move(records_);
     }
 
@@ -98,9 +98,8 @@ Records read_named(std::string_view text) {
         auto columns = named_columns(cells);
         if (!at || columns.empty()) {
             return Unexpected(
-                "the columns should be t_s and of each axis two: its set point x_mm, and its place x_at_mm "
-                "or "
-                "its following error x_error_mm");
+                "the columns must be t_s and two for each axis: its set point x_mm, and its actual position "
+                "x_at_mm or its following error x_error_mm");
         }
         time = *at;
         samples.emplace(std::move(columns));
@@ -131,13 +130,14 @@ std::vector<AxisColumns> columns_from_letters(std::string_view columns) {
 Records read_columns(std::string_view text, const ServoFormat& columns_format) {
     auto columns = columns_from_letters(columns_format.columns);
     if (columns_format.period_s > 0 && columns.empty()) {
-        return Unexpected(fmt::format("'{}' has no axis with both its set point (X) and its place (x)",
-                                      columns_format.columns));
+        return Unexpected(
+            fmt::format("'{}' has no axis with both its set point (X) and its actual position (x)",
+                        columns_format.columns));
     }
     AxisSamples samples(std::move(columns));
     const auto release_records = [&](int line, double t_s, const Cells& words) -> Result<void> {
         if (words.size() == columns_format.columns.size() && samples.add(t_s, words)) return {};
-        return Unexpected(fmt::format("line {}: not the {} numbers of '{}' (--sample-columns)", line,
+        return Unexpected(fmt::format("line {}: it must have the {} numbers of '{}' (--sample-columns)", line,
                                       columns_format.columns.size(), columns_format.columns));
     };
     if (auto read =

@@ -27,8 +27,8 @@ Result<void> read_halsampler(std::string_view text, std::size_t columns, double 
                              const SampleHandler& on_sample) {
     if (!(period_s > 0)) {
         return Unexpected(
-            "columns of numbers without times, as halsampler prints them: --sample-period says how far apart "
-            "they are");
+            "columns of numbers without times, as halsampler prints them: --sample-period sets the time "
+            "between them");
     }
     double count = 0;
     for (int line = 1; !text.empty(); ++line) {

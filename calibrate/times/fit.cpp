@@ -324,7 +324,7 @@ Result<Fit> fit_times(const machine::Machine& machine, std::span<const RecordedR
     const std::vector<Datum> data = predictor.data();
     const std::vector<Parameter> parameters = select_parameters(machine, options.open, predictor.words());
     if (runs.empty() || parameters.empty())
-        return Unexpected("there is nothing to fit: no runs, or no figure that is open");
+        return Unexpected("there is nothing to fit: no runs, or no open parameter");
     TimeModel times(machine, parameters, data, predictor);
     for (std::size_t k = 0; k < parameters.size(); ++k)
         times.logs[static_cast<Eigen::Index>(k)] = std::log(parameters[k].first);

@@ -120,8 +120,8 @@ class Trial {
             return on_message_(fmt::format("{}: {}", score.name, score.error_text));
         if (!score.is_predicted)
             return on_message_(
-                fmt::format("{}: fitted to {:.2f} % in the mean", score.name, score.fitted_percent));
-        on_message_(fmt::format("{}: foretells to {:.2f} % in the mean, {:.2f} % at worst", score.name,
+                fmt::format("{}: fitted with a mean error of {:.2f} %", score.name, score.fitted_percent));
+        on_message_(fmt::format("{}: predicts with a mean error of {:.2f} %, max error {:.2f} %", score.name,
                                 score.mean_percent, score.largest_percent));
     }
 

@@ -147,7 +147,7 @@ std::vector<Candidate> generic_candidates(const Machine& machine, const OpenPara
         Machine straight = machine;
         straight.controller = rules;
         straight.controller.ramps.limit_jerk = false;
-        candidates.push_back({name + ", straight ramps", straight, open});
+        candidates.push_back({name + ", constant acceleration", straight, open});
         limit_jerk(straight);
         candidates.push_back({name + ", limited jerk", std::move(straight), open});
     };
@@ -156,7 +156,7 @@ std::vector<Candidate> generic_candidates(const Machine& machine, const OpenPara
     exact_stop_rules.planner = PlannerKind::rest_to_rest;
     add("rest-to-rest", exact_stop_rules);
     for (const Corners& corners : kCorners) add(corners.name, generic_rules(machine.controller, corners));
-    add("overlaid moves", overlay_rules(machine.controller));
+    add("superimposed moves", overlay_rules(machine.controller));
     return candidates;
 }
 

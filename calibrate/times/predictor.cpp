@@ -42,7 +42,7 @@ engine::Files files_with_machine(const std::string& machine) {
 std::string failure_text(const engine::Report& report) {
     if (report.alarm) return report.alarm->message;
     if (!report.violations.empty()) return report.violations.front().message;
-    return "it did not come to its end";
+    return "it did not run to its end";
 }
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
@@ -59,7 +59,7 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
 Result<double> total_time_s(const Result<std::vector<simulation::ReplayedMove>>& moves) {
     if (!moves) return tl::unexpected(moves.error());
     const auto span = replay_span(*moves);
-    if (!span) return Unexpected("nothing moves");
+    if (!span) return Unexpected("no motion");
     return span->end_s - span->start_s;
 }
 
@@ -151,7 +151,7 @@ Result<double> Predictor::run_time_s(const std::string& program, const std::stri
     const auto report = run->go();
     if (!report) return tl::unexpected(report.error().message);
     if (report->status != engine::RunStatus::completed) return tl::unexpected(failure_text(*report));
-    if (!(report->cycle_time_s > first_s)) return Unexpected("nothing moves");
+    if (!(report->cycle_time_s > first_s)) return Unexpected("no motion");
     return report->cycle_time_s - first_s;
 }
 

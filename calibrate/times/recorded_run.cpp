@@ -33,7 +33,7 @@ Result<Columns> find_columns(const Cells& heading) {
         const auto record = find_column(heading, "record");
         if (at && (time_column || record)) return Columns{*at, time_column, record, std::string(extension)};
     }
-    return Unexpected("line 1: it should name the columns, 'program' and 'time_s' (or 'record') among them");
+    return Unexpected("line 1: it must name the columns, including 'program' and 'time_s' (or 'record')");
 }
 
 Result<RecordedRun> parse_run(const Cells& cells, const Columns& columns, const std::string& folder) {
@@ -49,7 +49,7 @@ Result<RecordedRun> parse_run(const Cells& cells, const Columns& columns, const 
     if (!record.empty()) run.record = in_folder(std::string(record));
     if (time.empty() && !record.empty()) return run;
     run.time_s = parse_number(time).value_or(0);
-    if (!(run.time_s > 0)) return Unexpected(fmt::format("'{}' should be a time above 0 s", time));
+    if (!(run.time_s > 0)) return Unexpected(fmt::format("'{}' must be a time greater than 0 s", time));
     return run;
 }
 
@@ -80,7 +80,7 @@ Result<void> add_record(std::string_view text, const RecordFormat& record_format
     auto samples = read_motion_record(text, record_format);
     if (!samples) return tl::unexpected(samples.error());
     const auto span = motion_span(*samples);
-    if (!span) return Unexpected("nothing moves in it");
+    if (!span) return Unexpected("it contains no motion");
     run.samples = *std::move(samples);
     if (!(run.time_s > 0)) run.time_s = span->end_s - span->start_s;
     return {};

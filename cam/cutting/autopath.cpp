@@ -72,12 +72,12 @@ Result<Autopath> autopath(drawing::Drawing drawing, const CutRules& rules, const
     result.summary.travel_mm = joint_travel(cuts, order, options.start_mm);
     if (result.summary.without_leads > 0) {
         result.notes.push_back(
-            fmt::format("{} contours have no room for leads: the jet pierces on the contour",
+            fmt::format("{} contours have no room for lead-ins: the jet pierces on the contour",
                         result.summary.without_leads));
     }
     if (rules.dynamic_pierce_s && program_parts.dynamic_pierces < cuts.size()) {
         result.notes.push_back(
-            fmt::format("{} pierces have no lead to move on: the nozzle rests, for {:.4g} s",
+            fmt::format("{} pierces have no lead-in to move on: the nozzle dwells for {:.4g} s",
                         cuts.size() - program_parts.dynamic_pierces, rules.pierce_s));
     }
     if (const auto error = path::validate(result.program)) return tl::unexpected(error->message);

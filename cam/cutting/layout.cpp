@@ -66,11 +66,11 @@ class LayoutBuilder {
     Result<void> close() {
         geometry::ChainResult chains = geometry::chain(std::move(drawing_.drawn_contours), options_.gap_mm);
         if (chains.is_ambiguous)
-            return Unexpected("the ends of too many lines lie in one place: no contour can be seen in them");
+            return Unexpected("too many lines end at one position: no contour can be identified");
         if (!chains.open.empty())
             return Unexpected(open_ends_message(drawing_, chains.open, options_.gap_mm));
         contours_ = std::move(chains.closed);
-        if (contours_.empty()) return Unexpected("there is no contour in the drawing");
+        if (contours_.empty()) return Unexpected("the drawing contains no contour");
         const auto is_empty = [](const Contour& contour) { return contour.vertices.empty(); };
         if (std::any_of(contours_.begin(), contours_.end(), is_empty)) {
             return Unexpected(fmt::format("a contour is smaller than {} mm", options_.gap_mm));
@@ -81,15 +81,15 @@ class LayoutBuilder {
     Result<void> check() {
         const std::optional<Crossing> crossing = geometry::find_crossing(contours_, options_.gap_mm / 10);
         if (crossing) {
-            return Unexpected(fmt::format(
-                "{} and {} meet at {}; a contour may neither cross nor touch itself or another one",
-                edge_label(drawing_, contours_[crossing->contour_a], crossing->edge_a),
-                edge_label(drawing_, contours_[crossing->contour_b], crossing->edge_b),
-                location(crossing->location)));
+            return Unexpected(
+                fmt::format("{} and {} meet at {}; a contour must not cross or touch itself or another one",
+                            edge_label(drawing_, contours_[crossing->contour_a], crossing->edge_a),
+                            edge_label(drawing_, contours_[crossing->contour_b], crossing->edge_b),
+                            location(crossing->location)));
         }
         for (const Contour& contour : contours_) {
             if (contour.vertices.size() > 1 && std::abs(area_mm2(contour)) > kMinArea_mm2) continue;
-            return Unexpected(fmt::format("the contour at {} ({}) encloses nothing",
+            return Unexpected(fmt::format("the contour at {} ({}) encloses no area",
                                           location(contour.vertices.front().position),
                                           edge_label(drawing_, contour, 0)));
         }
@@ -122,7 +122,7 @@ class LayoutBuilder {
         }
         const std::optional<Crossing> crossing = geometry::find_crossing_between(contours, groups);
         if (!crossing) return {};
-        return Unexpected(fmt::format("{} and {} are nearer to each other than the kerf of {:.4g} mm at {}",
+        return Unexpected(fmt::format("{} and {} are closer to each other than the kerf of {:.4g} mm at {}",
                                       edge_label(drawing_, contours[crossing->contour_a], crossing->edge_a),
                                       edge_label(drawing_, contours[crossing->contour_b], crossing->edge_b),
                                       options_.kerf_mm, location(crossing->location)));
@@ -143,7 +143,7 @@ class LayoutBuilder {
                 fmt::format("{} is narrower than the kerf of {:.4g} mm", where(), options_.kerf_mm));
         if (loops->size() > 1) {
             notes_.push_back(
-                fmt::format("{} has places that are narrower than the kerf; it is cut in {} loops", where(),
+                fmt::format("{} has sections that are narrower than the kerf; it is cut in {} loops", where(),
                             loops->size()));
         }
         std::sort(loops->begin(), loops->end(), [](const Contour& a, const Contour& b) {

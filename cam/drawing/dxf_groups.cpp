@@ -43,10 +43,10 @@ std::optional<Group> GroupReader::next() {
     const bool is_complete = error == std::errc{} && end == code.data() + code.size();
     if (!is_complete || group.code < -5 || group.code > kMaxGroupCode) {
         if (code.empty() && offset_ >= text_.size()) return {};  // an empty last line
-        throw error_at(line_, fmt::format("'{}' is no group code of DXF", printable_text(code)));
+        throw error_at(line_, fmt::format("'{}' is not a group code of DXF", printable_text(code)));
     }
     if (offset_ >= text_.size()) {
-        throw error_at(line_, fmt::format("the file ends behind group code {}: it was cut off", group.code));
+        throw error_at(line_, fmt::format("the file ends after group code {}: it is truncated", group.code));
     }
     group.value = read_line();
     group.line = line_;
@@ -60,7 +60,7 @@ Error error_at(std::size_t line, std::string message) {
 double parse_number(const Group& group) {
     const std::optional<double> value = text::parse_number(group.value);
     if (!value) {
-        throw error_at(group.line, fmt::format("'{}' (group code {}) is no finite number",
+        throw error_at(group.line, fmt::format("'{}' (group code {}) is not a finite number",
                                                printable_text(group.value), group.code));
     }
     return *value;
@@ -99,8 +99,8 @@ double GroupList::number(int code) const {
 int GroupList::integer_or(int code, int fallback) const {
     const double value = number(code, fallback);
     if (std::abs(value) > 1e9 || value != std::trunc(value)) {
-        throw error_at(
-            line(), fmt::format("{}: group code {} has {}, which is no whole number", kind(), code, value));
+        throw error_at(line(),
+                       fmt::format("{}: group code {} has {}, which is not an integer", kind(), code, value));
     }
     return static_cast<int>(value);
 }

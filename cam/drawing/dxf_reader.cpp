@@ -39,7 +39,7 @@ class DxfReader {
 
     Drawing run() {
         if (text_.starts_with("AutoCAD Binary DXF")) {
-            throw error_at(1, "this is a DXF file in binary form; save it as text (ASCII)");
+            throw error_at(1, "the file is a binary DXF file; save it as text (ASCII)");
         }
         GroupReader reader(text_);
         bool ended = false;
@@ -49,8 +49,8 @@ class DxfReader {
             if (group->code == 0 && group->value == "SECTION") read_section(reader);
         }
         if (!ended)
-            throw error_at(reader.line(), "the file ends without EOF: it was cut off, or is no DXF file");
-        if (!entities_) throw error_at(reader.line(), "there is no section ENTITIES");
+            throw error_at(reader.line(), "the file ends without EOF: it is truncated, or not a DXF file");
+        if (!entities_) throw error_at(reader.line(), "the section ENTITIES is missing");
         // Units, layers and blocks may be anywhere in the file, so the entities are drawn last.
         const double unit_mm = options_.unit_mm > 0 ? options_.unit_mm : dxf_unit_mm(unit_code_);
         read_entities(*entities_, {scaled(unit_mm, unit_mm), "", 0});
@@ -84,7 +84,7 @@ class DxfReader {
             }
         }
         throw error_at(reader.line(),
-                       fmt::format("section {} does not end: the file was cut off", name->value));
+                       fmt::format("section {} does not end: the file is truncated", name->value));
     }
 
     void read_unit(GroupReader& reader) {
@@ -110,7 +110,7 @@ class DxfReader {
             if (entity.kind() == "POLYLINE") vertices = read_vertices(reader);
             if (++entity_count_ > kMaxInsertedEntities) {
                 throw error_at(entity.line(),
-                               fmt::format("more than {} entities, counted as often as blocks are inserted",
+                               fmt::format("more than {} entities, including each insertion of a block",
                                            kMaxInsertedEntities));
             }
             if (is_selected(entity, placement)) read_entity(entity, vertices, placement);
@@ -167,12 +167,12 @@ class DxfReader {
         const auto block = blocks_.find(name);
         if (block == blocks_.end()) {
             throw error_at(entity.line(),
-                           fmt::format("INSERT of block '{}', which is not in the file", name));
+                           fmt::format("INSERT of block '{}', which is not defined in the file", name));
         }
         if (placement.depth >= kMaxBlockDepth) {
             throw error_at(
                 entity.line(),
-                fmt::format("INSERT of block '{}' is nested deeper than {} blocks; does one hold itself?",
+                fmt::format("INSERT of block '{}' is nested deeper than {} blocks; does one contain itself?",
                             name, kMaxBlockDepth));
         }
         const int columns = std::max(1, entity.integer_or(70, 1));

@@ -22,7 +22,7 @@ double dxf_unit_mm(int code) {
         case 14: return 100;
         default:
             throw error_at(
-                1, fmt::format("the unit $INSUNITS {} is none that parts are drawn in; name one", code));
+                1, fmt::format("the unit $INSUNITS {} is not supported for parts; name a unit", code));
     }
 }
 

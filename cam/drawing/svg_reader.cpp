@@ -39,11 +39,11 @@ class SvgReader {
     Drawing run() {
         const pugi::xml_parse_result parsed = document_.load_buffer(text_.data(), text_.size());
         if (!parsed)
-            throw Error{fmt::format("line {}: this is no sound XML: {}", line_at(parsed.offset),
+            throw Error{fmt::format("line {}: this is not valid XML: {}", line_at(parsed.offset),
                                     parsed.description())};
         const pugi::xml_node root = document_.document_element();
         if (local_name(root) != "svg") {
-            throw Error{fmt::format("line 1: the document is not an SVG drawing, but <{}>", root.name())};
+            throw Error{fmt::format("line 1: the document must be an SVG drawing, not <{}>", root.name())};
         }
         collect_ids_and_styles();
         viewport_ = inside(root, {length_or_zero(root, "width"), length_or_zero(root, "height")});
@@ -53,7 +53,8 @@ class SvgReader {
         }
         for (const std::string& selector : styles_.unsupported_selectors()) {
             drawing_.notes.push_back(fmt::format(
-                "the style sheet's selector '{}' is not understood: what it hides is cut", selector));
+                "the selector '{}' of the style sheet is not supported: elements that it hides are cut",
+                selector));
         }
         return std::move(drawing_);
     }
@@ -101,7 +102,7 @@ class SvgReader {
         for (double& value : values) {
             const std::optional<double> number = scanner.number();
             if (!number)
-                fail(node, fmt::format("has viewBox=\"{}\"; it takes four numbers", attribute.value()));
+                fail(node, fmt::format("has viewBox=\"{}\"; it must have four numbers", attribute.value()));
             value = *number;
         }
         if (!(values[2] > 0 && values[3] > 0)) fail(node, "has a viewBox without a size");
@@ -144,7 +145,7 @@ class SvgReader {
 
     void read_node(const pugi::xml_node& node, const Affine& map, int depth) {
         if (++elements_ > kMaxElements)
-            fail(node, fmt::format("is one too many: more than {} elements", kMaxElements));
+            fail(node, fmt::format("exceeds the limit of {} elements", kMaxElements));
         const std::string_view name = local_name(node);
         if (styles_.property(node, "display") == "none") return;
         const bool was_hidden = is_hidden_;
@@ -184,7 +185,7 @@ class SvgReader {
         const std::optional<double> value = length_attribute_px(node, name, 0);
         if (!value)
             fail(node,
-                 fmt::format("has {}=\"{:.60}\", which is no length", name, node.attribute(name).value()));
+                 fmt::format("has {}=\"{:.60}\", which is not a length", name, node.attribute(name).value()));
         return *value;
     }
 

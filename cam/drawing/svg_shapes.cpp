@@ -24,7 +24,7 @@ class LengthReader {
     double operator()(const char* name, double fallback = 0) {
         const std::optional<double> value = length_attribute_px(node_, name, fallback);
         if (!value && !error_) {
-            error_ = fmt::format("has {}=\"{}\", which is no length in px, mm, cm, in, pt or pc", name,
+            error_ = fmt::format("has {}=\"{}\", which is not a length in px, mm, cm, in, pt or pc", name,
                                  node_.attribute(name).value());
         }
         return value.value_or(fallback);
@@ -50,7 +50,7 @@ Result<void> draw_rect(const pugi::xml_node& node, Pen& pen) {
     double ry = lengths(has_ry ? "ry" : "rx");
     if (lengths.error()) return tl::unexpected(*lengths.error());
     if (!(size.x > 0 && size.y > 0))
-        return Unexpected(fmt::format("has the size {} x {}; both must be above 0", size.x, size.y));
+        return Unexpected(fmt::format("has the size {} x {}; both must be greater than 0", size.x, size.y));
     rx = std::clamp(rx, 0.0, size.x / 2);
     ry = std::clamp(ry, 0.0, size.y / 2);
     const bool rounded = rx > 0 && ry > 0;
@@ -80,7 +80,7 @@ Result<void> draw_ellipse_element(const pugi::xml_node& node, Pen& pen) {
     const double ry = lengths(circle ? "r" : "ry");
     if (lengths.error()) return tl::unexpected(*lengths.error());
     if (!(rx > 0 && ry > 0))
-        return Unexpected(fmt::format("has the radii {} and {}; both must be above 0", rx, ry));
+        return Unexpected(fmt::format("has the radii {} and {}; both must be greater than 0", rx, ry));
     pen.arc({center, {rx, 0}, {0, ry}, 0, 2 * std::numbers::pi});
     return {};
 }
@@ -111,7 +111,7 @@ Result<void> draw_points(const pugi::xml_node& node, Pen& pen) {
             pen.line_to({*x, *y});
         }
     }
-    if (count < 2) return Unexpected(fmt::format("has {} points; 2 are the least", count));
+    if (count < 2) return Unexpected(fmt::format("has {} points; at least 2 are required", count));
     if (local_name(node) == "polygon") pen.close();
     return {};
 }

@@ -164,10 +164,9 @@ class RapidRerouter {
             if (requested_mm == *min_mm) break;
         }
         errors_.push_back(
-            {to,
-             fmt::format("no way was found there that keeps {:.3g} mm away from everything: '{}' comes too "
-                         "near to '{}'",
-                         *min_mm, name(obstacle->items.first), name(obstacle->items.second))});
+            {to, fmt::format("no collision-free path with a clearance of {:.3g} mm was found: '{}' comes too "
+                             "close to '{}'",
+                             *min_mm, name(obstacle->items.first), name(obstacle->items.second))});
     }
 
     std::string name(std::size_t item) const { return space_.cell().items[item].name; }
@@ -183,7 +182,7 @@ class RapidRerouter {
     void report_end(const AxisValues& axes, const TargetId& where) {
         if (const auto obstacle = space_.obstacle_at(axes, kContactTolerance_mm))
             errors_.push_back(
-                {where, "the tool cannot stand at " + space_.collision_text(axes, obstacle->items)});
+                {where, "the tool cannot be positioned at " + space_.collision_text(axes, obstacle->items)});
     }
 
     // Leads the path through its original positions, without those near an obstacle, or else past all of

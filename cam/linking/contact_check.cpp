@@ -20,7 +20,7 @@ std::vector<path::TargetError> check_contacts(std::span<const AxisStep> steps, c
         if (monitor.contacts().size() > before && reported.insert(step.where.path).second) {
             errors.push_back(
                 {step.where,
-                 "on the way to " + space.collision_text(step.axes, monitor.contacts()[before].pair)});
+                 "on the path to " + space.collision_text(step.axes, monitor.contacts()[before].pair)});
         }
         at = step.axes;
     }

@@ -106,7 +106,7 @@ class JetPathBuilder {
             const double tilt_deg = angle_between_rad(at.axis, at.normal) * kDegPerRad;
             if (tilt_deg <= options_.max_tilt_deg) continue;
             return Unexpected(
-                fmt::format("{} cannot be cut: at {} the jet would lean {:.4g} deg from the face's "
+                fmt::format("{} cannot be cut: at {} the jet would be tilted {:.4g} deg from the face "
                             "normal, more than {:g} deg (--max-tilt)",
                             name(number), display_text(at.edge_mm), tilt_deg, options_.max_tilt_deg));
         }
@@ -289,8 +289,7 @@ class JetPathBuilder {
                 const Vector step = jet_center(jet_path[i], jet_) - jet_center(jet_path[i - 1], jet_);
                 if (edge_step.norm() < kSame_mm || step.dot(edge_step) > 0) continue;
                 return Unexpected(
-                    fmt::format("{} cannot be cut: at {} its radius is smaller than half of the "
-                                "kerf, {:g} mm",
+                    fmt::format("{} cannot be cut: at {} its radius is smaller than half the kerf, {:g} mm",
                                 name(jet_path[i].edge), display_text(jet_path[i].edge_mm), jet_.kerf_mm / 2));
             }
         }

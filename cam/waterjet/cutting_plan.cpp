@@ -70,7 +70,7 @@ JetSetting resolve_jet(ValueResolver& resolver, const JetRule& rule, const Cutti
     jet.abrasive_g_min =
         resolver.resolve("abrasive", "g/min", request.abrasive_g_min, rule.abrasive_g_min, [&] {
             return Inferred{1000 * rule.abrasive_to_water * plan.water_l_min,
-                            fmt::format("{} times the water's mass", rule.abrasive_to_water)};
+                            fmt::format("{} times the mass of the water", rule.abrasive_to_water)};
         });
     return jet;
 }
@@ -97,9 +97,9 @@ void resolve_pierce(ValueResolver& resolver, const PierceRule& rule, const Cutti
             fmt::format("thickness and separation speed, factor {}, at least {} s", rule.factor, rule.min_s)};
     });
     if (!request.dynamic_pierce) return;
-    plan.dynamic_pierce_s = resolver.resolve("moving pierce", "s", request.pierce_s, std::nullopt, [&] {
+    plan.dynamic_pierce_s = resolver.resolve("dynamic pierce", "s", request.pierce_s, std::nullopt, [&] {
         return Inferred{*rule.dynamic_pierce_share * plan.pierce_s,
-                        fmt::format("{} times that at rest", *rule.dynamic_pierce_share)};
+                        fmt::format("{} times the stationary pierce", *rule.dynamic_pierce_share)};
     });
 }
 
@@ -113,29 +113,30 @@ void resolve_shape(ValueResolver& resolver, const Materials& file, const Cutting
     plan.exit_kerf_mm =
         resolver.inferred("kerf at the exit", "mm",
                           {exit_kerf_mm(file.kerf, plan.kerf_mm, share), "kerf, taper and cutting speed"});
-    plan.taper_mm = resolver.inferred(
-        "taper each side", "mm",
-        {taper_mm(file.kerf, plan.kerf_mm, share), "the file's taper and share of the separation speed"});
+    plan.taper_mm = resolver.inferred("taper each side", "mm",
+                                      {taper_mm(file.kerf, plan.kerf_mm, share),
+                                       "the file's taper, and the ratio to the separation speed"});
     resolve_pierce(resolver, file.pierce, request, plan);
     plan.lag_mm = resolver.inferred(
         "jet lag", "mm",
         {lag_mm(file.lag, {plan.thickness_mm, plan.separation_speed_mm_min}, plan.cutting_speed_mm_min),
-         "thickness and share of the separation speed"});
-    plan.contour_error_mm = resolver.inferred(
-        "contour error", "mm", {contour_error_mm(file.lag, plan.quality), "the file's errors by quality"});
+         "thickness, and the ratio to the separation speed"});
+    plan.contour_error_mm =
+        resolver.inferred("contour error", "mm",
+                          {contour_error_mm(file.lag, plan.quality), "the file's errors for each quality"});
 }
 
 void add_warnings(CuttingPlan& plan) {
     const auto warn_if_unusual = [&](double value, const ValueRange& typical_range) {
         if (!typical_range.find_error(value)) return;
-        plan.warnings.push_back(fmt::format("{} is {}, outside of the usual {} to {}", typical_range.key,
-                                            value, typical_range.min, typical_range.max));
+        plan.warnings.push_back(fmt::format("{} is {}, outside the usual range of {} to {}",
+                                            typical_range.key, value, typical_range.min, typical_range.max));
     };
     warn_if_unusual(plan.jet.pressure_mpa, kTypicalPressure);
     warn_if_unusual(plan.jet.orifice_mm, kTypicalOrifice);
     if (plan.cutting_speed_mm_min > plan.separation_speed_mm_min) {
         plan.warnings.push_back(
-            fmt::format("at {:.1f} mm/min the jet does not come through; the fastest is {:.1f}",
+            fmt::format("at {:.1f} mm/min the jet does not cut through; the max speed is {:.1f}",
                         plan.cutting_speed_mm_min, plan.separation_speed_mm_min));
     }
 }
@@ -157,8 +158,8 @@ Result<CuttingPlan> plan_cutting(const Materials& materials, const CuttingReques
     plan.material = (*material)->name;
     if (request.dynamic_pierce && !request.pierce_s && !materials.pierce.dynamic_pierce_share) {
         return Unexpected(
-            "the materials file has no 'moving_share' in [pierce]: how long a moving pierce "
-            "takes has to be given");
+            "the materials file has no 'moving_share' in [pierce]: the time of a dynamic pierce must be "
+            "given");
     }
     plan.lag = materials.lag;
     plan.kerf = materials.kerf;

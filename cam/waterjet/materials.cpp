@@ -20,7 +20,7 @@ Result<const Material*> find_material(const Materials& materials, std::string_vi
     for (const Material& material : list) known.emplace_back(material.name);
     const auto nearest = text::nearest_name(name, known);
     const std::string hint = nearest ? fmt::format("did you mean {}?", base::toml_string(*nearest))
-                                     : fmt::format("known are {}", text::joined(known, ", "));
+                                     : fmt::format("known materials: {}", text::joined(known, ", "));
     return Unexpected(fmt::format("unknown material {}; {}", base::toml_string(name), hint));
 }
 

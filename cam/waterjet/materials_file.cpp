@@ -116,7 +116,7 @@ std::array<double, 5> read_contour_errors(TomlSection& section) {
     for (std::size_t i = 0; i < errors.size(); ++i) {
         const auto value = (*array)[i].value<double>();
         if (!value || kContourError.find_error(*value)) {
-            section.fail(kKey, fmt::format("'{}' must hold numbers between {} and {}", kKey,
+            section.fail(kKey, fmt::format("'{}' must contain numbers between {} and {}", kKey,
                                            kContourError.min, kContourError.max));
             return errors;
         }
@@ -169,7 +169,7 @@ MeasuredCut read_measured(FirstError& error, const toml::table& table) {
     const double machinability =
         machinability_of_cut(cut.jet, cut.speed_mm_min, cut.thickness_mm, cut.quality);
     if (const auto range_error = range::kMachinability.find_error(machinability))
-        section.fail("speed_mm_min", fmt::format("such a cut cannot be: {}", range_error->message));
+        section.fail("speed_mm_min", fmt::format("this cut is not possible: {}", range_error->message));
     return cut;
 }
 
@@ -208,7 +208,7 @@ std::vector<Material> read_material_list(FirstError& error, TomlSection& file) {
         materials.push_back(std::move(material));
         if (error.text()) return materials;
     }
-    if (materials.empty()) file.fail("material", "a materials file needs at least one [[material]]");
+    if (materials.empty()) file.fail("material", "a materials file requires at least one [[material]]");
     return materials;
 }
 

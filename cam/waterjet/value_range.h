@@ -20,7 +20,7 @@ struct ValueRange {
     /// Returns an error if the value is out of range, or not a number.
     std::optional<Error> find_error(double value) const {
         if (value >= min && value <= max) return std::nullopt;
-        return fmt::format("'{}' must be between {} and {}; it is {}", key, min, max, value);
+        return fmt::format("'{}' must be between {} and {}, not {}", key, min, max, value);
     }
 };
 

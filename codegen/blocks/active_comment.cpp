@@ -156,7 +156,7 @@ Result<void> write_active_comment(std::string_view comment, std::string& out) {
     if (active->argument == ArgumentKind::values) {
         const FormattedValues parts(text);
         if (parts.count() > kMaxValues)
-            return Unexpected(fmt::format("a comment shows at most {} values", kMaxValues));
+            return Unexpected(fmt::format("a comment can print at most {} values", kMaxValues));
         write_lua_string(parts.format(), out);
         out += parts.values();
     } else if (active->argument == ArgumentKind::text) {

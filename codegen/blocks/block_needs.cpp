@@ -40,14 +40,14 @@ bool BlockPlan::check_single_call(const Block& block, const Call& call) {
     if (!dialect_.rules().blocks.separate_calls || (calls_.size() == 1 && block.assignments.empty()))
         return true;
     return fail(block, call.word, DiagnosticKind::code_conflict,
-                "M98 stands in a block of its own, with nothing but its P and L");
+                "M98 must be in a separate block, only with its P and L");
 }
 
 bool BlockPlan::check_needs(const Block& block, const Call& call, std::uint64_t addresses) {
     const auto is_missing = [&](std::uint64_t bits) { return (addresses & bits) == 0; };
     if (call.kind == Call::Kind::via_point) {
         return !is_missing(kArcBit) || fail(block, call.word, DiagnosticKind::word_missing,
-                                            "CIP needs a point on the way: I1=, J1= or K1=");
+                                            "CIP requires an intermediate point: I1=, J1= or K1=");
     }
     if (call.kind != Call::Kind::code) return true;
     const Code& code = *call.code;
@@ -60,19 +60,19 @@ bool BlockPlan::check_needs(const Block& block, const Call& call, std::uint64_t 
         !is_missing(kAxisBit)) {
         return fail(
             block, call.word, DiagnosticKind::word_missing,
-            fmt::format("{} needs the centre (I, J, K){}", name(),
+            fmt::format("{} requires the centre (I, J, K){}", name(),
                         accepts(code, lexer::kArcAngle) ? ", the radius (R) or the angle (AR=) of the arc"
                                                         : " or the radius (R) of the arc"));
     }
     if (code.letter == 'G' && (code.code_x10 == 920 || code.code_x10 == 520) && is_missing(kAxisBit)) {
         return fail(block, call.word, DiagnosticKind::word_missing,
-                    fmt::format("{} needs the axis words whose coordinates it sets", name()));
+                    fmt::format("{} requires the axis words whose coordinates it sets", name()));
     }
     const bool macro = code.letter == 'G' && code.code_x10 / 10 >= 65 && code.code_x10 / 10 <= 66;
     const bool call_code = code.letter == 'M' && code.code_x10 == kCallCode;
     if ((macro || call_code) && is_missing(kProgramBit)) {
         return fail(block, call.word, DiagnosticKind::word_missing,
-                    fmt::format("{} needs P, the program that it calls", name()));
+                    fmt::format("{} requires P, the program that it calls", name()));
     }
     return !call_code || check_single_call(block, call);
 }

@@ -25,7 +25,7 @@ struct DialectFeature {
 constexpr std::string_view kNgcName = "rs274ngc";
 constexpr std::string_view kAb9Name = "ab9";
 constexpr std::string_view kNgcTitle = "RS274/NGC (LinuxCNC)";
-constexpr std::string_view kAb9Title = "the 9/Series (and its relatives, as Fanuc and Haas)";
+constexpr std::string_view kAb9Title = "the 9/Series (and related controllers, such as Fanuc and Haas)";
 
 std::string_view trimmed(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(" \t\r");
@@ -96,14 +96,14 @@ std::optional<DialectFeature> ab9_feature(std::string_view line) {
     if (has_numbered(line, "M98P")) return DialectFeature{"M98 P", kAb9Name, kAb9Title, false};
     // A program's number, by itself.
     if (line.size() > 1 && line.front() == 'O' && text_after_o(line).empty() && text::is_digit(line[1]))
-        return DialectFeature{"O with a program's number", kAb9Name, kAb9Title, false};
+        return DialectFeature{"O with a program number", kAb9Name, kAb9Title, false};
     return std::nullopt;
 }
 
 // Returns a feature of a language that is no G-code.
 std::optional<DialectFeature> foreign_feature(std::string_view line) {
     if (line.find("BEGIN PGM") != std::string_view::npos)
-        return DialectFeature{"BEGIN PGM", "", "Heidenhain's own language"};
+        return DialectFeature{"BEGIN PGM", "", "the language of Heidenhain"};
     for (const std::string_view word : {"DEF REAL", "DEF INT", "MSG(\"", "MCALL ", "CYCLE800", "CYCLE832"}) {
         if (line.find(word) != std::string_view::npos)
             return DialectFeature{word, "", "the language of Sinumerik"};
@@ -116,8 +116,8 @@ text::Diagnostic make_note(const lexer::Source& source, std::uint32_t line, cons
             .kind = text::DiagnosticKind::dialect,
             .file = source.name(),
             .line = line,
-            .text = fmt::format("{} is of {}", feature.text, feature.language),
-            .hint = feature.dialect.empty() ? std::string("gsim does not read it")
+            .text = fmt::format("{} belongs to {}", feature.text, feature.language),
+            .hint = feature.dialect.empty() ? std::string("gsim does not support it")
                                             : fmt::format("try --dialect {}", feature.dialect)};
 }
 
@@ -198,10 +198,10 @@ std::optional<text::Diagnostic> find_inch_hint(lexer::Source& source) {
         .kind = text::DiagnosticKind::units,
         .file = source.name(),
         .text =
-            fmt::format("the program says neither G20 nor G21 and is read in mm, but looks like inches: its "
-                        "coordinates are within {:.6g}, with up to {} decimals, its feeds within {:.6g}",
+            fmt::format("the program has neither G20 nor G21 and is read in mm, but seems to be in inches: "
+                        "its coordinates are within {:.6g}, with up to {} decimals, its feeds within {:.6g}",
                         numbers.extent, numbers.four_decimals > 0 ? 4 : 3, numbers.max_feed),
-        .hint = "say G20 or G21, or units = \"inch\" or \"mm\" under [program] in the machine file"};
+        .hint = "add G20 or G21, or set units = \"inch\" or \"mm\" under [program] in the machine file"};
 }
 
 }  // namespace gsim::codegen

@@ -55,7 +55,7 @@ std::optional<std::uint32_t> LuaWriter::block_number(const Block& block, lexer::
     std::uint32_t value = 0;
     if (number.empty() || number.size() > 9) {
         errors_.fail(column, DiagnosticKind::jump,
-                     fmt::format("a jump leads to a block number, not to {}", digits));
+                     fmt::format("the target of a jump must be a block number, not {}", digits));
         return std::nullopt;
     }
     std::from_chars(number.data(), number.data() + number.size(), value);
@@ -70,8 +70,8 @@ void LuaWriter::record_call(const Block& block, const Call& call) {
         const std::string number = all_digits(digits) ? normalized_number(digits) : "";
         if (number.empty() || number.size() > 9) {
             errors_.fail(word.column, DiagnosticKind::number,
-                         fmt::format("{} of M98 is a whole number, not {}", lexer::address_name(word.address),
-                                     digits));
+                         fmt::format("{} of M98 must be an integer, not {}",
+                                     lexer::address_name(word.address), digits));
             return;
         }
         std::uint32_t value = 0;

@@ -9,7 +9,7 @@ void ProgramNames::report_missing(lexer::Diagnostics& diagnostics) const {
         if (programs_.contains(std::to_string(number))) continue;
         diagnostics.warning(
             location, lexer::DiagnosticKind::program_missing,
-            fmt::format("program O{} is not in this file; it is looked for beside it when it is called",
+            fmt::format("program O{} is not in this file; it is searched for next to it when it is called",
                         number));
     }
 }

@@ -107,14 +107,14 @@ void LuaWriter::record_bad_block(const Block& block) {
 }
 
 void LuaWriter::report_duplicate_program(const Block& block, std::string_view name) {
-    const std::string what = fmt::format("the program O{} stands twice in this file", name);
+    const std::string what = fmt::format("the program O{} is defined twice in this file", name);
     if (!plan_.dialect().rules().first_program_counts) {
         errors_.fail(block.prefix_column, DiagnosticKind::program_twice, what);
         return;
     }
     if (block.text->bad) return;
     diagnostics_.warning(block.text->at(block.prefix_column), DiagnosticKind::program_twice,
-                         fmt::format("{}; M98 P{} calls the first one behind the main program", what, name));
+                         fmt::format("{}; M98 P{} calls the first one after the main program", what, name));
 }
 
 void LuaWriter::open_program(const Block& block) {
@@ -147,7 +147,7 @@ void LuaWriter::open_sub(const Block& block) {
     const std::string name = oword_name(block);
     if (const lexer::Location* first = names_.define_sub(name, block.text->at(block.flow_column))) {
         errors_.fail(block.flow_column, DiagnosticKind::program_twice,
-                     fmt::format("the subroutine o{} stands twice in this file, first in line {}",
+                     fmt::format("the subroutine o{} is defined twice in this file, first in line {}",
                                  block.text->view(block.text->program), first->line));
     }
     parts_.begin_sub(name, code_);
@@ -180,9 +180,9 @@ void LuaWriter::check_skip(const Block& block) {
                            block.kind == BlockKind::end_loop ||
                            (block.kind == BlockKind::flow && !is_plain_flow(block.flow));
     if (structure) {
-        errors_.fail(block.prefix_column, DiagnosticKind::structure,
-                     "block delete '/' cannot stand before a program or a control structure: its other end "
-                     "would be lost");
+        errors_.fail(
+            block.prefix_column, DiagnosticKind::structure,
+            "block delete '/' must not precede a program or a control structure: its end would be lost");
     }
 }
 
@@ -209,7 +209,7 @@ void LuaWriter::write_block(const Block& block) {
 void LuaWriter::write_statements(const Block& block) {
     if (const auto column = nested_too_deep(block, levels_around(block))) {
         errors_.fail(*column, DiagnosticKind::nesting,
-                     "the expression is nested too deep for Lua; put a part of it into a variable first");
+                     "the expression is nested too deep for Lua; assign a part of it to a variable first");
     }
     const std::size_t before = code_.size();
     if (block.skip_level > 0) text::append_format(code_, "if not skipped({}) then ", block.skip_level);
@@ -321,9 +321,9 @@ void LuaWriter::end_line() {
 void LuaWriter::end_file() {
     close_program();
     if (!code_.empty() || !comment_.empty()) end_line();
-    unknown_.report(diagnostics_, plan_.dialect().title(), "it is left out, a G code with all of its block");
+    unknown_.report(diagnostics_, plan_.dialect().title(), "it is skipped, a G code with its complete block");
     deferred_codes_.report(diagnostics_, plan_.dialect().title(),
-                           "a call of the subroutine around it would end in an alarm");
+                           "a call of the enclosing subroutine would end in an alarm");
     names_.report_missing(diagnostics_);
 }
 

@@ -50,9 +50,8 @@ Result<void> write_print(const grammar::Block& block, std::string& out) {
         const std::optional<Value> value = value_at(text);
         if (!value) {
             return Unexpected(
-                "behind a variable DPRNT has the digits before and behind the decimal point in brackets, "
-                "as in "
-                "#100[53]");
+                "DPRNT requires the digits before and after the decimal point in brackets after a variable, "
+                "as in #100[53]");
         }
         format += fmt::format("%.{}f", value->decimals);
         values += fmt::format(", v[{}]", value->variable);

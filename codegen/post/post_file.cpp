@@ -114,7 +114,7 @@ class PostReader {
         if (section.require(key) == nullptr) return 0;
         const double value = section.number(key, 0, NumberRule::not_negative);
         if (value <= max && value == std::floor(value)) return static_cast<int>(value);
-        section.fail(key, fmt::format("'{}' must be a whole number from 0 to {}", key, max));
+        section.fail(key, fmt::format("'{}' must be an integer from 0 to {}", key, max));
         return 0;
     }
 
@@ -141,7 +141,7 @@ class PostReader {
         post_.thread.code = word(section, "thread");
         post_.thread.lead = word(section, "thread_lead");
         if (post_.thread.code.empty() != post_.thread.lead.empty())
-            section.fail("thread", "'thread' and 'thread_lead' go together");
+            section.fail("thread", "'thread' and 'thread_lead' must be given together");
     }
 
     // Reads an optional word.
@@ -173,12 +173,12 @@ class PostReader {
         if (section.has("begin")) words.begin = lines(section, "begin", {});
         if (section.has("end")) words.end = lines(section, "end", {});
         if (words.system.empty() != words.systems.empty())
-            section.fail("system", "'system' and 'systems' go together");
+            section.fail("system", "'system' and 'systems' must be given together");
         for (const std::string_view placeholder : kSetPlaceholders) {
             if (words.set.empty() || words.set.find(fmt::format("{{{}}}", placeholder)) != std::string::npos)
                 continue;
             section.fail("set",
-                         fmt::format("'set' must hold {{{}}}", text::joined(kSetPlaceholders, "}, {")));
+                         fmt::format("'set' must contain {{{}}}", text::joined(kSetPlaceholders, "}, {")));
         }
     }
 
@@ -187,11 +187,11 @@ class PostReader {
         post_.references.go = lines(section, "go", kReferencePlaceholders);
         if (section.has("end")) post_.references.end = lines(section, "end", {});
         if (post_.references.go.size() > kMaxReferences)
-            section.fail("go",
-                         fmt::format("'go' has a line for each reference point, {} at most", kMaxReferences));
+            section.fail("go", fmt::format("'go' must have a line for each reference point, at most {}",
+                                           kMaxReferences));
         for (const std::string& line : post_.references.go) {
             if (line.find("{axes}") == std::string::npos)
-                section.fail("go", "each line of 'go' must hold {axes}");
+                section.fail("go", "each line of 'go' must contain {axes}");
         }
     }
 
@@ -201,7 +201,7 @@ class PostReader {
         const std::string all = text::joined(post_.touch, "\n");
         for (const std::string_view placeholder : kRequiredTouchPlaceholders) {
             if (all.find(fmt::format("{{{}}}", placeholder)) == std::string::npos)
-                section.fail("touch", fmt::format("'touch' must hold {{{}}}",
+                section.fail("touch", fmt::format("'touch' must contain {{{}}}",
                                                   text::joined(kRequiredTouchPlaceholders, "}, {")));
         }
     }
@@ -211,7 +211,7 @@ class PostReader {
         for (const std::string& stopped : lines(section, "stops", {})) {
             const auto at = std::find(kStoppableOutputs.begin(), kStoppableOutputs.end(), stopped);
             if (at == kStoppableOutputs.end())
-                section.fail("stops", fmt::format("'stops' holds {}, not \"{}\"",
+                section.fail("stops", fmt::format("'stops' must contain {}, not \"{}\"",
                                                   text::joined(kStoppableOutputs, " and "), stopped));
             (at == kStoppableOutputs.begin() ? post_.tool_change.stops_spindle
                                              : post_.tool_change.stops_coolant) = true;
@@ -226,8 +226,8 @@ class PostReader {
         std::vector<std::string> words = lines(section, "through_point", {});
         if (words.size() != 4) {
             section.fail("through_point",
-                         "'through_point' takes four strings: the code, and the letters of X, Y and Z of the "
-                         "point");
+                         "'through_point' must have four strings: the code, and the letters of X, Y and Z of "
+                         "the point");
             return;
         }
         post_.arcs.through_point = {std::move(words[0]),
@@ -262,13 +262,12 @@ class PostReader {
                            plain.find("..") == std::string::npos;
         if (!known || plain.empty() || plain.size() > kMaxFileNameLength || plain[0] == '.' ||
             plain[0] == '-') {
-            section.fail("file",
-                         fmt::format("'file' must be a name of letters, digits, '_', '-' and '.', of {} at "
-                                     "most, that begins with a letter, a digit, '_' or a place, such as "
-                                     "\"{{program}}_O{{number}}.nc\"",
-                                     kMaxFileNameLength));
+            section.fail("file", fmt::format("'file' must be a name of letters, digits, '_', '-' and '.', of "
+                                             "at most {} characters, that begins with a letter, a digit, '_' "
+                                             "or a placeholder, such as \"{{program}}_O{{number}}.nc\"",
+                                             kMaxFileNameLength));
         } else if (file.find("{number}") == std::string_view::npos) {
-            section.fail("file", "'file' must hold {number}, so that each subprogram has a file of its own");
+            section.fail("file", "'file' must contain {number}, so that each subprogram has a separate file");
         }
     }
 
@@ -299,7 +298,7 @@ class PostReader {
         for (const toml::node& element : *array) {
             const auto* text = element.as_string();
             if (text == nullptr) {
-                error_.report(element.source().begin, fmt::format("'{}' must hold strings only", key));
+                error_.report(element.source().begin, fmt::format("'{}' must contain only strings", key));
             } else {
                 check_text(element.source().begin, key, text->get(), placeholders);
                 found.push_back(text->get());
@@ -318,7 +317,8 @@ class PostReader {
         const bool is_control_character = std::any_of(
             line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; });
         if (is_control_character)
-            error_.report(where, fmt::format("'{}' must not hold line breaks or the like", key));
+            error_.report(where,
+                          fmt::format("'{}' must not contain line breaks or other control characters", key));
         for (std::size_t open = line.find('{'); open != std::string_view::npos;
              open = line.find('{', open + 1)) {
             const std::string_view name = line.substr(open + 1, line.find('}', open) - open - 1);
@@ -326,7 +326,8 @@ class PostReader {
             const std::string hint = placeholders.empty()
                                          ? std::string("nothing")
                                          : fmt::format("{{{}}}", text::joined(placeholders, "}, {"));
-            error_.report(where, fmt::format("'{}' knows no {{{}}}; it may hold {}", key, name, hint));
+            error_.report(where,
+                          fmt::format("'{}' has no placeholder {{{}}}; it may contain {}", key, name, hint));
         }
     }
 
@@ -357,7 +358,7 @@ Result<Post> find_post(const std::string& name) {
     }
     const std::string_view text = embedded::embedded_posts(name + std::string(kExtension));
     if (text.data() != nullptr) return read_post(text, name);
-    return Unexpected(fmt::format("there is no post '{}'; there are {}, or name a file that ends in {}", name,
+    return Unexpected(fmt::format("unknown post '{}'; use {}, or a file that ends in {}", name,
                                   text::joined(built_in_posts(), ", "), kExtension));
 }
 

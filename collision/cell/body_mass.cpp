@@ -133,9 +133,8 @@ RigidBodyResult make(const machine::MeshShape& shape, double density, const Mesh
     if (!mesh) return tl::unexpected(mesh.error());
     if (const auto open = find_open_edge(**mesh)) {
         return Unexpected(
-            fmt::format("{}: the surface is not closed, so that it encloses no mass: an edge at {:.6g} "
-                        "{:.6g} {:.6g} has a "
-                        "triangle on one side alone",
+            fmt::format("{}: the surface is not closed, so it encloses no mass: an edge at {:.6g} {:.6g} "
+                        "{:.6g} has a triangle on one side only",
                         shape.file.string(), open->x(), open->y(), open->z()));
     }
     return integrate_rigid_body(**mesh, density);

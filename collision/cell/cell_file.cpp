@@ -51,7 +51,7 @@ class CellReader {
         if (cell_.frames.find(name)) {
             return error_.report(
                 root.source().begin,
-                fmt::format("the conveyor '{}' has the name of a frame of the machine", name));
+                fmt::format("the conveyor '{}' has the same name as a frame of the machine", name));
         }
         cell_.make_movable(cell_.frames.add(name, 0, rrs::CartPos::Identity()), true);
     }
@@ -88,10 +88,11 @@ class CellReader {
         if (name.empty()) section.fail("name", "'name' must not be empty");
         const auto item = find_item(name);
         if (item && *item < machine_items_) {
-            section.fail("name",
-                         fmt::format("the name '{}' is taken by a [[shape]] of the machine file", name));
+            section.fail(
+                "name",
+                fmt::format("the name '{}' is already used by a [[shape]] of the machine file", name));
         } else if (cell_.frames.find(name)) {
-            section.fail("name", fmt::format("the name '{}' is taken: by the machine, or above", name));
+            section.fail("name", fmt::format("the name '{}' is already used, by the machine or above", name));
         }
         return name;
     }
@@ -101,8 +102,8 @@ class CellReader {
         const std::vector<std::string_view> names = cell_.frames.names();
         const auto nearest = text::nearest_name(name, names);
         const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
-                                         : fmt::format("there are: {}", text::joined(names, ", "));
-        section.fail(key, fmt::format("nothing above is called '{}'; {}", name, hint));
+                                         : fmt::format("known names: {}", text::joined(names, ", "));
+        section.fail(key, fmt::format("'{}' is not defined above; {}", name, hint));
         return 0;
     }
 
@@ -136,10 +137,9 @@ class CellReader {
         const bool jet = on == "jet";
         const std::size_t parent = find_frame(section, "on", jet ? "tool" : on);
         if (!cell_.frames.is_machine_frame(parent) || on == "world") {
-            section.fail(
-                "on",
-                "'on' must be \"base\", a letter of an axis, \"tool\", \"work\" or \"jet\"; what stands in "
-                "the world is an [[object]]");
+            section.fail("on",
+                         "'on' must be \"base\", a letter of an axis, \"tool\", \"work\" or \"jet\"; a body "
+                         "in the world must be an [[object]]");
         }
         add_item(section, table, std::move(name), jet ? Role::jet : Role::machine, parent);
     }

@@ -46,9 +46,8 @@ CollisionChecker::CollisionChecker(const Cell& cell, std::shared_ptr<const kinem
 Result<CollisionChecker> CollisionChecker::make(const Cell& cell, const machine::Machine& machine) {
     if (!cell.moving_frames.empty()) {
         return Unexpected(
-            "there is no way round the bodies of a cell in which frames go by themselves (on conveyors, or "
-            "led "
-            "by a program)");
+            "a collision-free path cannot be found in a cell with frames that move independently (on "
+            "conveyors, or moved by a program)");
     }
     return CollisionChecker(cell, placed_kinematics(machine::make_kinematics(machine), cell.frames));
 }

@@ -39,8 +39,8 @@ Result<TouchSearch> TouchSearch::make(const Cell& cell, const machine::Machine& 
                                       const Eigen::Vector3d& tcp_mm) {
     if (!cell.moving_frames.empty()) {
         return Unexpected(
-            "a probe cannot feel the bodies of a cell in which frames go by themselves (on conveyors, or led "
-            "by a program); on_probe of a script, or --probe, says where it touches");
+            "a probe cannot detect the bodies of a cell with frames that move independently (on conveyors, "
+            "or moved by a program); on_probe of a script, or --probe, defines the contact");
     }
     TouchSearch search(placed_kinematics(machine::make_kinematics(machine), cell.frames));
     bool has_body = false;

@@ -122,8 +122,8 @@ std::optional<Error> find_pair_count_error(std::span<const Item> items, const Fr
     }
     if (pairs <= kMaxCandidatePairs) return std::nullopt;
     return fmt::format(
-        "{} bodies are {} pairs on parts that move against each other; up to {} can be watched", items.size(),
-        pairs, kMaxCandidatePairs);
+        "{} bodies form {} pairs on parts that move relative to each other; at most {} can be monitored",
+        items.size(), pairs, kMaxCandidatePairs);
 }
 
 }  // namespace gsim::cell

@@ -238,7 +238,7 @@ int run(const std::string& path) {
     const int socket = ::fcntl(kHostSocket, F_DUPFD_CLOEXEC, 64);
     const int watched_descriptor = ::fcntl(kHostSocket, F_DUPFD_CLOEXEC, 64);
     if (!memory || socket < 0 || watched_descriptor < 0) {
-        std::fputs("gsim-rcs-host: gsim run --rcs begins this program; it is not called by people\n", stderr);
+        std::fputs("gsim-rcs-host: gsim run --rcs starts this program; do not run it directly\n", stderr);
         return kUsageStatus;
     }
     ::close(kHostSocket);

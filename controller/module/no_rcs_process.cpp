@@ -5,7 +5,7 @@ namespace gsim::rrs {
 
 Result<RcsModule> start_rcs_process(const std::filesystem::path& /*program*/, const std::string& path,
                                     const gsim_rcs_machine& /*machine*/, RcsProcessLimits /*limits*/) {
-    return Unexpected("the controller module " + path + " needs a process, which this build cannot begin");
+    return Unexpected("the controller module " + path + " requires a process, which this build cannot start");
 }
 
 }  // namespace gsim::rrs

@@ -50,12 +50,13 @@ Result<std::shared_ptr<const RcsLibrary>> RcsLibrary::open(const std::string& pa
         {"gsim_rcs_call", find(library->handle_, "gsim_rcs_call", library->call_)},
     };
     for (const auto& [symbol, found] : symbols) {
-        if (!found) return Unexpected(fmt::format("{} is no controller module: it has no {}", name, symbol));
+        if (!found)
+            return Unexpected(fmt::format("{} is not a controller module: it has no {}", name, symbol));
     }
     if (const std::int32_t number = version(); number != GSIM_RCS_VERSION) {
         return Unexpected(fmt::format(
-            "{} is a controller module of version {} of the interface; this program speaks version {}", name,
-            number, GSIM_RCS_VERSION));
+            "{} is a controller module of version {} of the interface; this program supports version {}",
+            name, number, GSIM_RCS_VERSION));
     }
     return library;
 }
@@ -73,9 +74,9 @@ std::optional<Error> RcsLibrary::find_library_error(const std::shared_ptr<const 
     for (const auto& [service, status] : statuses) {
         if (status == GSIM_RCS_SUCCESS) continue;
         if (status == GSIM_RCS_NOT_SUPPORTED)
-            return fmt::format("{} does not offer the service {}", module->name(), service);
+            return fmt::format("{} does not support the service {}", module->name(), service);
         const std::string reason = rcs_text(message.text, sizeof message.text);
-        return fmt::format("{} answered {} with {}{}{}", module->name(), service, status,
+        return fmt::format("{} responded to {} with {}{}{}", module->name(), service, status,
                            reason.empty() ? "" : ": ", reason);
     }
     return {};
@@ -133,8 +134,8 @@ Result<RcsModule> RcsModule::create(std::shared_ptr<const RcsLibrary> library,
     LoadedModule::Handle handle = LoadedModule::create(*library, machine, message);
     if (handle) return RcsModule(std::make_unique<LoadedModule>(std::move(library), std::move(handle)));
     const std::string reason = rcs_text(message.text, sizeof message.text);
-    return Unexpected(fmt::format("{} makes no controller for this machine: {}", library->name(),
-                                  reason.empty() ? "it does not say why" : reason));
+    return Unexpected(fmt::format("{} created no controller for this machine: {}", library->name(),
+                                  reason.empty() ? "no reason is given" : reason));
 }
 
 }  // namespace gsim::rrs

@@ -182,11 +182,11 @@ void RcsLink::mark_exited() {
     end();
     const int status = status_.value_or(0);
     if (!has_exited || (WIFEXITED(status) && WEXITSTATUS(status) == kSocketLost)) {
-        mark_lost("broke its connection", "");
+        mark_lost("closed its connection", "");
     } else if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
         const bool sent = signal == SIGKILL || signal == SIGTERM || signal == SIGINT || signal == SIGHUP;
-        mark_lost(sent ? "was ended" : "crashed", fmt::format(" (signal {})", signal));
+        mark_lost(sent ? "was terminated" : "crashed", fmt::format(" (signal {})", signal));
     } else {
         mark_lost("ended its process", fmt::format(" (status {})", WEXITSTATUS(status)));
     }
@@ -202,13 +202,13 @@ bool RcsLink::receive(RcsResponse& response) {
             waited_ms += poll_interval_ms_;
             if (!has_ended() && waited_ms < response_timeout_ms_) continue;
             if (has_ended()) return mark_exited(), false;
-            return mark_lost("gave no answer", fmt::format(" within {} s", response_timeout_ms_ / 1000.0)),
+            return mark_lost("did not respond", fmt::format(" within {} s", response_timeout_ms_ / 1000.0)),
                    false;
         }
         if (size <= 0) return mark_exited(), false;
         if (size == sizeof response) std::memcpy(&response, packet.data(), sizeof response);
         if (size == sizeof response && response.number == number_) return true;
-        return mark_lost("broke its connection", ""), false;
+        return mark_lost("closed its connection", ""), false;
     }
 }
 

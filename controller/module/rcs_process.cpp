@@ -135,7 +135,7 @@ std::int32_t RcsProcess::call(std::int32_t opcode, const void* input, void* outp
     if (opcode == GSIM_RCS_GET_TARGET_OF_LAST_STEP && queried_ > 0 &&
         shared_.steps[queried_ - 1].target_status.load() != kNotQueried)
         return step_target(output);
-    if (!all_consumed()) throw std::logic_error("a service is called between steps that were announced");
+    if (!all_consumed()) throw std::logic_error("a service is called between prefetched steps");
     if (link_->loss()) return lost();
     if (retried_ == opcode) return retry_result();
     fetched_ = queried_ = 0;

@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 constexpr char kEndOfMessage = '\0';  // ends what the work says: a child that ends before has not done it
 
 std::string system_error(const char* what) {
-    return fmt::format("could not be tried ({}: {})", what, std::generic_category().message(errno));
+    return fmt::format("could not be tested ({}: {})", what, std::generic_category().message(errno));
 }
 
 /// Crashes must reach the parent as signals: no core files, no foreign handlers.
@@ -98,7 +98,7 @@ Result<std::string> run_trial(const std::function<std::string()>& work, int time
     std::optional<std::string> reply = read_output(input.number(), timeout_ms);
     if (!reply) ::kill(child, SIGKILL);
     const int status = wait_for(child);
-    if (!reply) return Unexpected(fmt::format("gave no answer within {} s", timeout_ms / 1000.0));
+    if (!reply) return Unexpected(fmt::format("did not respond within {} s", timeout_ms / 1000.0));
     if (WIFSIGNALED(status)) return Unexpected(fmt::format("crashed (signal {})", WTERMSIG(status)));
     if (reply->empty() || reply->back() != kEndOfMessage) return Unexpected("ended the program");
     reply->pop_back();

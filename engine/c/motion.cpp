@@ -85,7 +85,8 @@ std::int32_t call_on_ready_run(gsim_run* run, std::size_t robot, const RunAction
     return call_noexcept([&]() -> std::int32_t {
         const bool ready = run->run && run->status == GSIM_OK && !run->report;
         if (!ready || robot >= run->run->robots().size()) {
-            if (run->error.empty()) run->error = ready ? "there is no such robot" : "the run has gone";
+            if (run->error.empty())
+                run->error = ready ? "the robot does not exist" : "the run has already ended";
             return GSIM_FAILED;
         }
         const tl::expected<void, Error> done = run_action(*run->run);
@@ -145,9 +146,10 @@ int32_t gsim_run_write(gsim_run* run, size_t robot, const char* output_kind, dou
     return call_on_ready_run(run, robot, [&](Run& queried_run) -> tl::expected<void, Error> {
         const auto known = find_output(output_kind);
         if (!known) {
-            return tl::unexpected(Error{.code = "usage",
-                                        .message = std::string("'") + output_kind +
-                                                   "' is no document; there are " + listed(output_names())});
+            return tl::unexpected(
+                Error{.code = "usage",
+                      .message = std::string("'") + output_kind +
+                                 "' is not an output; known outputs: " + listed(output_names())});
         }
         OutputOptions options;
         options.step_s = step_s;

@@ -51,7 +51,7 @@ bool is_ready(const gsim_run& run, std::size_t robot) {
 
 /// Stores a message in place of an unavailable result.
 std::int32_t report_not_ready(gsim_run& run) {
-    if (run.error.empty()) run.error = "there is no such robot";
+    if (run.error.empty()) run.error = "the robot does not exist";
     return GSIM_FAILED;
 }
 
@@ -131,7 +131,7 @@ int32_t gsim_run_go(gsim_run* run) {
     return call_noexcept([&] {
         if (!is_ready(*run, 0)) return report_not_ready(*run);
         if (run->report) {
-            run->error = "a run goes once";
+            run->error = "a run can be started only once";
             return std::int32_t{GSIM_FAILED};
         }
         auto report = run->run->go();

@@ -46,7 +46,7 @@ AxisValues axis_values(const machine::Machine& machine, const rrs::JointPos& joi
 std::optional<gsim::Error> find_step_error(double step_s) {
     constexpr double kMin_s = kMinStep_s;
     if (step_s >= kMin_s) return std::nullopt;
-    return fmt::format("the step of a trajectory is {} s; {} s is the least", step_s, kMin_s);
+    return fmt::format("the step of a trajectory is {} s; it must be at least {} s", step_s, kMin_s);
 }
 
 }  // namespace gsim::engine

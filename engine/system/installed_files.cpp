@@ -79,7 +79,8 @@ Result<std::string> find_file_from(const fs::path& bin_folder, NameKind kind, co
     names_shown.reserve(searched_paths.size());
     for (const fs::path& resolved_path : searched_paths)
         names_shown.push_back(fmt::format("'{}'", resolved_path.string()));
-    if (!names_shown.empty()) message += fmt::format(", nor is there {}", text::joined(names_shown, " or "));
+    if (!names_shown.empty())
+        message += fmt::format(", nor does {} exist", text::joined(names_shown, " or "));
     if (kind == NameKind::machine) message += suggest_machine(bin_folder, name);
     return tl::unexpected(message);
 }

@@ -57,20 +57,20 @@ Result<std::string> draw_picture(const std::string& script) {
     const FileHandle output = os::open_memory_file("picture");  // gnuplot does not report a full disk
     if (!input || !output) {
         return Unexpected(
-            fmt::format("cannot make a file in memory: {}", std::generic_category().message(errno)));
+            fmt::format("cannot create a file in memory: {}", std::generic_category().message(errno)));
     }
     // -d ignores the user's settings.
     if (auto done = os::run_child({"gnuplot", "-d"}, input.get(), output.get()); !done)
         return tl::unexpected(done.error());
     std::string picture = read_file_text(output.get());
-    if (picture.empty()) return Unexpected("gnuplot has drawn nothing");
+    if (picture.empty()) return Unexpected("gnuplot created no picture");
     return picture;
 }
 
 Result<Picture> Picture::picture_for_file(const std::filesystem::path& path) {
     const bool bitmap = path.extension() == ".png";
     if (!bitmap && path.extension() != ".svg")
-        return tl::unexpected(drawing_error(path, "a picture's name ends in .svg or .png"));
+        return tl::unexpected(drawing_error(path, "the name of a picture must end in .svg or .png"));
     if (auto writable = OutputFile::check(path); !writable) return tl::unexpected(writable.error());
     if (auto found = find_gnuplot(); !found)
         return tl::unexpected(drawing_error(path, found.error().message));

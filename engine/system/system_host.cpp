@@ -32,7 +32,7 @@ Result<rrs::RcsModule> load_in_separate_process(const std::string& file, const g
     const auto program = os::helper_program(os::program_folder(), "gsim-rcs-host");
     if (program) return rrs::start_rcs_process(*program, file, machine);
     return tl::unexpected(program.error().message +
-                          "; controller modules run in it (--rcs-in-process does without)");
+                          "; it runs controller modules (--rcs-in-process does not require it)");
 }
 
 LoadedModule load_module(ModuleProcess isolation, const std::string& file, const machine::Machine& machine) {

@@ -25,11 +25,11 @@ Result<TriangleSoup> read_triangles(std::string_view bytes, std::string_view fil
 }
 
 std::optional<Error> find_error(const TriangleSoup& soup) {
-    if (soup.triangles.empty()) return "there is no triangle in it";
+    if (soup.triangles.empty()) return "it contains no triangle";
     for (std::size_t i = 0; i < soup.vertices.size(); ++i) {
         const double largest = soup.vertices[i].cwiseAbs().maxCoeff();
         if (largest <= kMaxLength_mm) continue;
-        return fmt::format("vertex {} is at {:.6g} mm; coordinates go up to {:.0f} mm", i + 1, largest,
+        return fmt::format("vertex {} is at {:.6g} mm; coordinates must be within {:.0f} mm", i + 1, largest,
                            kMaxLength_mm);
     }
     return std::nullopt;

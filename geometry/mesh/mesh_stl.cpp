@@ -59,8 +59,8 @@ class TextReader {
     void fail(std::string_view expected_word, std::string_view found) {
         if (error_) return;
         const std::string what =
-            found.empty() ? std::string("the file ends") : fmt::format("there is '{:.20}'", found);
-        error_ = fmt::format(":{}: '{}' should stand here; {}", words_.line(), expected_word, what);
+            found.empty() ? std::string("the file ends") : fmt::format("found '{:.20}'", found);
+        error_ = fmt::format(":{}: '{}' is expected; {}", words_.line(), expected_word, what);
     }
     void expect(std::string_view expected_word) {
         if (error_) return;
@@ -116,9 +116,8 @@ Result<TriangleSoup> read_stl_binary(std::string_view bytes) {
     }
     const std::size_t count = read_little_endian(bytes.substr(kHeaderBytes));
     if (!is_stl_binary(bytes)) {
-        return Unexpected(fmt::format(": a binary STL file of {} triangles has {} bytes; this one has {}",
-                                      count, kHeaderBytes + kCountBytes + count * kTriangleBytes,
-                                      bytes.size()));
+        return Unexpected(fmt::format(": a binary STL file of {} triangles must have {} bytes, not {}", count,
+                                      kHeaderBytes + kCountBytes + count * kTriangleBytes, bytes.size()));
     }
     if (count > kMaxTriangles) return Unexpected(fmt::format(": more than {} triangles", kMaxTriangles));
     TriangleSoup soup;

@@ -42,7 +42,7 @@ end
 -- and its angle.
 local function crossing(words, p, degrees)
   if degrees == nil or words[p.first] == nil or words[p.second] == nil or core.is_incremental() then
-    alarm("corner", ",A without an end needs a next block with ,A and both coordinates of the plane, absolute")
+    alarm("corner", ",A without an end requires a next block with ,A and both coordinates of the plane, absolute")
   end
   local point = plane_geometry.intersect(
     { from = waiting.start, direction = direction_at_angle(waiting.degrees) },
@@ -69,10 +69,10 @@ end
 local function check_no_open_angle()
   if angle then
     angle = nil
-    alarm("corner", ",A belongs to a straight move (G0, G1) in its block")
+    alarm("corner", ",A requires a straight move (G0, G1) in its block")
   elseif waiting then
     waiting = nil
-    alarm("corner", ",A without an end needs a next block with ,A and both coordinates of the plane")
+    alarm("corner", ",A without an end requires a next block with ,A and both coordinates of the plane")
   end
 end
 
@@ -95,7 +95,7 @@ function guard:act(f) self.next:act(f) end
 function guard:flush() check_no_open_angle() end
 
 local function buffer_line(words, degrees)
-  if ab9_macros.modal_code() ~= 67 then alarm("corner", ",A without an end does not go with a modal macro (G66)") end
+  if ab9_macros.modal_code() ~= 67 then alarm("corner", ",A without an end cannot be combined with a modal macro (G66)") end
   local rapid = core.motion() == "G0"
   waiting = {
     degrees = degrees, words = words, start = program_point(plane_view.planes[core.plane()]), plane = core.plane(),
@@ -119,11 +119,11 @@ local function output_buffered_line(words)
 end
 
 local function check_words(words)
-  if core.motion() ~= "G0" and core.motion() ~= "G1" then alarm("corner", ",A belongs to straight moves (G0, G1)") end
-  if state.polar then alarm("corner", ",A does not go with polar programming (G16)") end
+  if core.motion() ~= "G0" and core.motion() ~= "G1" then alarm("corner", ",A applies to straight moves (G0, G1)") end
+  if state.polar then alarm("corner", ",A cannot be combined with polar programming (G16)") end
   for _, letter in ipairs { "u", "v", "w" } do
     if words[letter] ~= nil and axes.is_rotary[letter] == nil then
-      alarm("corner", ",A goes with X, Y and Z, and not with the increment %s", letter:upper())
+      alarm("corner", ",A can be combined with X, Y and Z, but not with the increment %s", letter:upper())
     end
   end
 end
@@ -141,7 +141,7 @@ local function resolve(words, degrees)
   end
   local has_first, has_second = words[p.first] ~= nil, words[p.second] ~= nil
   if has_first and has_second then
-    alarm("corner", ",A with both %s and %s says the line twice; leave one out", p.first:upper(), p.second:upper())
+    alarm("corner", ",A with both %s and %s defines the line twice; omit one of them", p.first:upper(), p.second:upper())
   end
   if has_first or has_second then return complete(words, p, degrees) end
   buffer_line(words, degrees)

@@ -56,7 +56,7 @@ function ab9:output_arc_parts(item, point, sweep)
   end
 end
 
-local TOO_SHORT = "%s is too short between its corners, so that the tool would run backwards and gouge the path"
+local TOO_SHORT = "%s is too short between its corners, so the tool would move backwards and gouge the path"
 
 function ab9:output_line(item, point)
   if not item.entry and g.dot(item.segment.heading[1], g.minus(point, item.begin)) < -SAME_POINT_MM then
@@ -120,8 +120,8 @@ end
 
 function ab9:inside_corner(p, q, from, to, angle)
   if not self.waiting then
-    core.warn(("cutter compensation: the tool went to the end of a move before the inside corner behind it was known, "
-      .. "and cuts too far there; up to %d actions and moves outside the plane may lie between"):format(LOOK_AHEAD))
+    core.warn(("cutter compensation: the tool moved to the end of a move before the following inside corner was known, "
+      .. "and cuts too far there; at most %d actions and moves outside the plane may be in between"):format(LOOK_AHEAD))
     self:join(q, { to })
     return
   end
@@ -265,7 +265,7 @@ function ab9:take(item)
   if not before then
     if item.kind == "arc" then
       alarm("compensation",
-        "the entry move into cutter compensation is straight (G0 or G1), not an arc; this is the first move in "
+        "the entry move into cutter compensation must be straight (G0 or G1), not an arc; this is the first move in "
         .. "plane %s after G41 or G42", self.plane:upper())
     end
     item.entry = true

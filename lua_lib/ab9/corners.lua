@@ -40,25 +40,25 @@ local function motion_out_of_plane(move, plane)
   local p, view = plane_view.planes[plane], plane_view.view(plane)
   local target = all_axes(move.target, move)
   if math.abs(view:height(target) - view:height(move.start)) > SAME_MM then
-    return p and "goes along " .. p.third:upper() .. " too" or "leaves it"
+    return p and "has a component along " .. p.third:upper() .. " too" or "leaves it"
   end
   for _, axis in ipairs(axes.list) do
     local letter = axis.letter
     local in_space = letter == "x" or letter == "y" or letter == "z"
     if not in_space and math.abs(target[letter] - move.start[letter]) > SAME_MM then
-      return "goes along " .. letter:upper() .. " too"
+      return "has a component along " .. letter:upper() .. " too"
     end
   end
 end
 
 local function check_plane(move, other_plane, mark)
   if move.arc and not plane_view.same_plane(move.plane, other_plane) then
-    alarm("corner", "%s joins two moves in one plane; the arc is not in the plane of the move before", mark)
+    alarm("corner", "%s must join two moves in one plane; the arc is not in the plane of the previous move", mark)
   end
   local other_motion, p = motion_out_of_plane(move, other_plane), plane_view.planes[other_plane]
   if other_motion == nil then return end
   local where = p and ("the plane of %s and %s"):format(p.first:upper(), p.second:upper()) or "one plane"
-  alarm("corner", "%s joins two moves in %s; this move %s", mark, where, other_motion)
+  alarm("corner", "%s must join two moves in %s; this move %s", mark, where, other_motion)
 end
 
 local filter = { rank = 10 }   -- on the programmed path, before all that shifts it
@@ -112,7 +112,7 @@ local function turn_sense(mark, before, after)
   local turn = geometry.cross(before, after)
   if math.abs(turn) >= STRAIGHT then return turn > 0 and 1 or -1 end
   if geometry.dot(before, after) < 0 then
-    alarm("corner", "%s: the next move goes back the way this one came", mark)
+    alarm("corner", "%s: the next move reverses the direction of this one", mark)
   end
   return 0
 end
@@ -163,7 +163,7 @@ local function has_motion(move)
   return false
 end
 
-local function fail_without_motion(corner) alarm("corner", "%s stands in a block that does not move", KEYS[corner.key]) end
+local function fail_without_motion(corner) alarm("corner", "%s is in a block without a move", KEYS[corner.key]) end
 
 local function consume_corner(move)
   local own = requested_corner
@@ -185,7 +185,7 @@ local function take(move)
     local first = held
     held = nil
     move = join(first, move)
-    if move == nil and own then alarm("corner", "%s: the corner before takes all of its move", KEYS[own.key]) end
+    if move == nil and own then alarm("corner", "%s: the previous corner consumes its complete move", KEYS[own.key]) end
   end
   if move and own then
     held = move
@@ -211,12 +211,12 @@ local function fail_if_pending(what)
   if held == nil then return end
   local mark = KEYS[held.corner.key]
   held = nil
-  alarm("corner", "%s joins its move to the next feed move (G1, G2, G3), but %s", mark, what)
+  alarm("corner", "%s must be followed by a feed move (G1, G2, G3), but %s", mark, what)
 end
 
 function filter:rapid(target, place)
   if requested_corner and requested_corner.place == place then
-    alarm("corner", "%s belongs to G1, G2 and G3, not to G0", KEYS[requested_corner.key])
+    alarm("corner", "%s applies to G1, G2 and G3, not to G0", KEYS[requested_corner.key])
   end
   fail_if_pending("a rapid follows")
   consume_corner { place = place }
@@ -229,7 +229,7 @@ function filter:act(f)
 end
 
 function filter:flush()
-  fail_if_pending("none follows before the machine must stand")
+  fail_if_pending("none follows before a standstill")
   if requested_corner then
     local corner = requested_corner
     requested_corner = nil
@@ -242,7 +242,7 @@ local function plane_scale(p, mark)
   local function factor(letter) return space_between({}, axes.direction(letter)) end
   local a, b = factor(p.first), factor(p.second)
   if math.abs(a - b) > 1e-9 * a then
-    alarm("corner", "%s needs both axes of the plane scaled alike, and they are scaled by %.10g and %.10g", mark, a, b)
+    alarm("corner", "%s requires equal scales of both axes of the plane, but they are %.10g and %.10g", mark, a, b)
   end
   return a
 end
@@ -251,9 +251,9 @@ local function corner_word(key)
   word(key, function(size)
     if not given(size, KEYS[key]) then return end
     if not (size >= 0 and size < math.huge) then
-      alarm("corner", "%s is a length of 0 or more, not %.10g", KEYS[key], size)
+      alarm("corner", "%s must be a length of 0 or more, not %.10g", KEYS[key], size)
     end
-    if requested_corner and requested_corner.place == core.place() then alarm("corner", "a corner takes ,C or ,R, not both") end
+    if requested_corner and requested_corner.place == core.place() then alarm("corner", "a corner must have ,C or ,R, not both") end
     if requested_corner then fail_without_motion(requested_corner) end
     if size == 0 then return end
     local scale = plane_scale(plane_view.planes[core.plane()], KEYS[key])

@@ -38,11 +38,11 @@ local function through_point(words)
   if words == nil then return end
   local via = {}
   for letter, names in pairs(via_words) do via[letter] = words[names[1]] or words[names[2]] end
-  if next(via) == nil then alarm("word-missing", "CIP needs a point on the way: I1=, J1= or K1=") end
+  if next(via) == nil then alarm("word-missing", "CIP requires an intermediate point: I1=, J1= or K1=") end
   local middle = core.target(via)
   local target = core.target(words, " i j k i1 j1 k1 ")
   if path.is_filtered() then
-    alarm("mode", "CIP is not possible while something watches or shapes the path (compensation, a corner word)")
+    alarm("mode", "CIP is not possible while the path is monitored or modified (compensation, a corner word)")
   end
   core.arc_via(middle, target, sweep_via(axes.programmed_point(), middle, target))
 end

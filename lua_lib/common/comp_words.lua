@@ -12,7 +12,7 @@ local word = words.word
 local function offset_radius(number, name)
   number = nearly_whole(number)
   if type(number) ~= "number" or number % 1 ~= 0 or number < 0 then
-    alarm("compensation", "%s: D is the number of a tool, a whole number from 0 on, not %s", name, tostring(number))
+    alarm("compensation", "%s: D must be a tool number, an integer of at least 0, not %s", name, tostring(number))
   end
   return tools.diameter_mm(number) / 2
 end
@@ -47,7 +47,7 @@ end
 
 function exit_filter:arc()
   alarm("compensation",
-    "the first move after G40 leads out of cutter compensation and is straight (G0 or G1), not an arc")
+    "the first move after G40 leaves cutter compensation and must be straight (G0 or G1), not an arc")
 end
 
 function exit_filter:act(f) self.next:act(f) end
@@ -69,7 +69,7 @@ end)
 -- Returns the words, or none; one that is not allowed is an error.
 local function check_words(given, name, allowed)
   for key in pairs(given or {}) do
-    if not allowed[key] then alarm("compensation", "%s does not take %s", name, tostring(key):upper()) end
+    if not allowed[key] then alarm("compensation", "%s does not accept %s", name, tostring(key):upper()) end
   end
   return given or {}
 end

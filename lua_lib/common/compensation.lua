@@ -23,7 +23,7 @@ local compensation = {
 
 function compensation.refuse(what)
   if compensation.word then
-    alarm("compensation", "%s is not possible while cutter compensation is on; G40 first", what)
+    alarm("compensation", "%s is not possible while cutter compensation is on; program G40 first", what)
   end
 end
 

@@ -25,7 +25,7 @@ word("G99", function() state.return_level = "r" end)
 local function cycle_word(words, letter, name)
   local value = words[letter]
   if value ~= nil and type(value) ~= "number" then
-    alarm("script", "%s: the value of %s is no number", name, letter:upper())
+    alarm("script", "%s: the value of %s is not a number", name, letter:upper())
   end
   return value
 end
@@ -33,7 +33,7 @@ end
 local function cycle_dwell(words, name)
   local seconds = cycle_word(words, "p", name)
   if seconds ~= nil and seconds < 0 then
-    alarm("word-value", "P of %s is a dwell of 0 s or more, not %.10g", name, seconds)
+    alarm("word-value", "P of %s must be a dwell of at least 0 s, not %.10g", name, seconds)
   end
   return seconds
 end
@@ -42,7 +42,7 @@ local function cycle_repeats(value, letter, name)
   if value == nil then return 1 end
   value = nearly_whole(value)
   if value % 1 ~= 0 or value < 0 or value > MAX_REPEATS then
-    alarm("word-value", "%s of %s is a whole number of repeats up to %d, not %.10g", letter, name, MAX_REPEATS, value)
+    alarm("word-value", "%s of %s must be an integer number of repeats up to %d, not %.10g", letter, name, MAX_REPEATS, value)
   end
   return math.tointeger(value)
 end
@@ -75,9 +75,9 @@ end
 -- Returns the depths at which a hole drilled in pecks of `step` is left, above its bottom. A remainder above
 -- the bottom from rounding is no peck.
 local function pecks(from, bottom, step, name)
-  if not (step > 0) then alarm("word-value", "Q of %s is the depth of a peck, above 0, not %.10g", name, step) end
+  if not (step > 0) then alarm("word-value", "Q of %s (peck depth) must be greater than 0, not %.10g", name, step) end
   if (from - bottom) / step > MAX_PECKS then
-    alarm("word-value", "Q %.10g of %s is too small: the hole of %.10g would take more than %d pecks", step, name,
+    alarm("word-value", "Q %.10g of %s is too small: the hole of %.10g would need more than %d pecks", step, name,
       from - bottom,
       MAX_PECKS)
   end
@@ -93,7 +93,7 @@ end
 -- Levels count in the work coordinate system; time per stroke has no meaning, nor has a path next to the
 -- hole.
 local function check_cycle_modes(name)
-  if core.in_machine_frame() then alarm("mode", "%s cannot be used with G53, which holds for G0 and G1", name) end
+  if core.in_machine_frame() then alarm("mode", "%s cannot be used with G53, which requires G0 or G1", name) end
   if core.feed_mode() == "inverse" then
     alarm("mode", "%s cannot be used with inverse time feed (G93); G94 or G95 is needed", name)
   end

@@ -113,7 +113,7 @@ line("G1", false)
 
 -- No motion is modal, so axis words need one.
 local none = motion.new("G80", core.word(words.id(), function()
-  alarm("mode", "axis words need a motion, and G80 has ended the one that was in force")
+  alarm("mode", "axis words need a motion code; G80 has ended the active one")
 end))
 function motion.end_motion() core.make_modal(none) end
 

@@ -11,7 +11,7 @@ local function start(background)
   return function(name, f)
     processes.join()
     if type(f) ~= "function" then
-      alarm("script", "a process is a name and a function: process(\"left\", function() ... end)")
+      alarm("script", "a process needs a name and a function: process(\"left\", function() ... end)")
     end
     processes.start(name, function()
       f()

@@ -42,10 +42,10 @@ end
 function spindle.thread_feed(pitch_mm, name)
   local rpm = core.spindle_rpm()
   if not (pitch_mm > 0) then
-    alarm("word-value", "the pitch of %s is a length above 0, not %.10g mm", name, pitch_mm)
+    alarm("word-value", "the pitch of %s must be greater than 0, not %.10g mm", name, pitch_mm)
   end
   if state.spindle == nil or rpm == 0 then
-    alarm("spindle", "%s moves in step with the spindle, which does not turn (S and M3 or M4)", name)
+    alarm("spindle", "%s moves in step with the spindle, which is stopped (program S and M3 or M4)", name)
   end
   local feed = core.feed_mm_min(pitch_mm * rpm)
   feed.linear_mm_rev = pitch_mm

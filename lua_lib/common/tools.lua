@@ -40,7 +40,7 @@ local function known_tool_numbers()
   local numbers = {}
   for number in pairs(tool_table) do numbers[#numbers + 1] = number end
   table.sort(numbers)
-  if #numbers == 0 then return "it is empty; tools are given in section TOOL of the machine data" end
+  if #numbers == 0 then return "it is empty; tools are defined in section TOOL of the machine data" end
   local more = #numbers > MAX_NAMED and (" and %d more"):format(#numbers - MAX_NAMED) or ""
   return "it has " .. table.concat(numbers, ", ", 1, math.min(#numbers, MAX_NAMED)) .. more
 end
@@ -51,11 +51,11 @@ local function tool_entry(number, name)
   if number == 0 then return nil end
   local tool = tool_table[number]
   if tool == nil and next(tool_table) == nil and name ~= "D" then
-    core.warn("there is no tool table (section TOOL of the machine data): all tools have the length 0")
+    core.warn("the tool table (section TOOL of the machine data) is missing: all tools have length 0")
     return nil
   end
   if tool == nil then
-    alarm("tool", "%s%d: there is no such number in the tool table; %s", name, number, known_tool_numbers())
+    alarm("tool", "%s%d: this number is not in the tool table; %s", name, number, known_tool_numbers())
   end
   return tool
 end
@@ -63,7 +63,7 @@ end
 local function whole(value, name)
   value = nearly_whole(value)
   if type(value) ~= "number" or value % 1 ~= 0 or value < 0 or value > 2^31 - 1 then
-    alarm("word-value", "%s is a whole number from 0 on, not %s", name, tostring(value))
+    alarm("word-value", "%s must be an integer of at least 0, not %s", name, tostring(value))
   end
   return math.tointeger(value)
 end
@@ -128,7 +128,7 @@ end
 local function tip_control(offset)
   for letter, value in pairs(offset) do
     if value ~= 0 and not ("xyz"):find(letter, 1, true) then
-      alarm("tool", "G43.4: the tool has an offset along %s; only those along X, Y and Z turn with it", letter:upper())
+      alarm("tool", "G43.4: the tool has an offset along %s; only offsets along X, Y and Z turn with it", letter:upper())
     end
   end
   set_active_offset({})

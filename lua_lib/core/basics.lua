@@ -20,14 +20,14 @@ end
 -- Checks the words of a move, in a table by their letters; nil counts as no words.
 function basics.check_table(words, name)
   if words ~= nil and type(words) ~= "table" then
-    alarm("script", "%s takes its words in braces: %s{x=1, y=2}", name, name)
+    alarm("script", "%s needs its words in braces: %s{x=1, y=2}", name, name)
   end
 end
 
 -- Returns true if a word that is used alone has a value: nil is a vacant variable, and the word counts as
 -- left out.
 function basics.given(value, name)
-  if value ~= nil and type(value) ~= "number" then alarm("script", "%s takes a number", name) end
+  if value ~= nil and type(value) ~= "number" then alarm("script", "%s needs a number", name) end
   return value ~= nil
 end
 

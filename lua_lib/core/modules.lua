@@ -22,7 +22,7 @@ local function library(name)
   for i, folder in ipairs(use "dialects") do
     local properties = dialect.properties(folder)
     if is_module_of(properties, name) then
-      error(("this run is of the dialect %s, and \"%s\" is another one"):format(core.dialect, name), 0)
+      error(("this run has the dialect %s; \"%s\" is of another dialect"):format(core.dialect, name), 0)
     end
     modules[i] = ("\"%s\""):format(properties.module)
   end
@@ -31,7 +31,7 @@ local function library(name)
 end
 
 function env.require(name)
-  if type(name) ~= "string" then error("require takes the name of a module: require \"shapes\"", 0) end
+  if type(name) ~= "string" then error("require needs the name of a module: require \"shapes\"", 0) end
   if is_library_name(name) then return (library(name)) end
   if TABLES[name] then return env[name] end
   if loaded[name] == LOADING then error(("the module \"%s\" requires itself"):format(name), 0) end

@@ -4,7 +4,7 @@
 
 local axes, plane_view, shape = use "core/axes", use "core/plane_view", use "core/motion_modifiers"
 
-local SHAPE_BY_FILTER = "a filter of the path"
+local SHAPE_BY_FILTER = "a path filter"
 local SAME_MM = 1e-9
 
 -- The end of the chain: the machine.
@@ -229,7 +229,7 @@ end
 -- Warns that a mode without stops has no effect if the machine's controller brings each move to a standstill.
 function path.warn_of_stops(name)
   if core.stops_at_each_move then
-    core.warn(name .. ": the controller of this machine brings each move to rest; one that does not is faster "
+    core.warn(name .. ": the controller of this machine stops at each move; one that does not is faster "
       .. "([controller] of the machine file)")
   end
 end
@@ -251,7 +251,7 @@ end
 -- Sets f() to be called after each programmed move (modal macro calls); nil: not any more.
 function path.after_each_move(f)
   after_move = f
-  shape("a call behind each move", f ~= nil)
+  shape("a call after each move", f ~= nil)
 end
 
 return path

@@ -35,7 +35,7 @@ end
 
 -- more(function): continues that program, after the definition of a subroutine.
 function env.more(body)
-  if last == nil then alarm("script", "more() goes on with a program, and none has begun") end
+  if last == nil then alarm("script", "more() continues a program, but none has started") end
   last[#last + 1] = body
 end
 
@@ -88,13 +88,13 @@ end
 -- Returns the body of the program with this number, in this file or in one next to it.
 local function find_program(number)
   return programs[number] or load_adjacent(number)
-    or alarm("program-missing", "there is no program O%d, neither in this file nor beside it", number)
+    or alarm("program-missing", "program O%d not found, neither in this file nor next to it", number)
 end
 
 local function whole(value, name)
   value = nearly_whole(value)
   if type(value) ~= "number" or value % 1 ~= 0 or value < 0 or value > MAX_NUMBER then
-    alarm("word-value", "%s of M98 is a whole number from 0 to %d, not %s", name, MAX_NUMBER, tostring(value))
+    alarm("word-value", "%s of M98 must be an integer from 0 to %d, not %s", name, MAX_NUMBER, tostring(value))
   end
   return math.tointeger(value)
 end
@@ -103,11 +103,11 @@ end
 -- ends only that program.
 function env.run(name)
   if type(name) ~= "string" then
-    alarm("script", "run takes the name of a part program beside the script: run(\"part.nc\")")
+    alarm("script", "run needs the name of a part program next to the script: run(\"part.nc\")")
   end
   local found, body = load_file(name)
-  if not found then alarm("program-missing", "there is no file '%s' beside the script", name) end
-  if body == nil then alarm("program-missing", "the file '%s' has no program", name) end
+  if not found then alarm("program-missing", "file '%s' not found next to the script", name) end
+  if body == nil then alarm("program-missing", "the file '%s' contains no program", name) end
   local frame = calls.enter(name)
   core.run_to_end(body)
   path.flush()
@@ -144,11 +144,11 @@ end
 
 -- M98{p=2, l=3}; the translator adds `true` if the caller can continue at any of its blocks.
 word("M98", function(words, can_jump)
-  if type(words) ~= "table" or words.p == nil then alarm("word-missing", "M98 needs P, the program that it calls") end
+  if type(words) ~= "table" or words.p == nil then alarm("word-missing", "M98 needs P, the program to call") end
   local block = call_program(whole(words.p, "P"), words.l == nil and 1 or whole(words.l, "L"))
   if block and not can_jump then
     alarm("jump",
-      "M99 P%d of the called program asks to go on at N%d of this one, which can only be done where both are in one "
+      "M99 P%d of the called program continues at N%d of this one, which is only possible if both are in one "
       .. "file", block, block)
   end
   return block
@@ -168,7 +168,7 @@ word("M30", program_end)
 
 word("M0", function() path.event("stop") end)
 word("M1", function()
-  path.event("optional_stop", core.optional_stop and "" or "off: passed over")
+  path.event("optional_stop", core.optional_stop and "" or "off: skipped")
 end)
 
 return { run_first = run_first, load_file = load_file, find_program = find_program, call_program = call_program }

@@ -19,7 +19,7 @@ local hooked = {}            -- hooks by the name of the word
 
 local function register(_, name, value)
   if owner[name] then
-    error(("'%s' is said twice, in lua_lib/%s.lua and in lua_lib/%s.lua"):format(name, owner[name], core.loading()), 0)
+    error(("'%s' is defined twice, in lua_lib/%s.lua and in lua_lib/%s.lua"):format(name, owner[name], core.loading()), 0)
   end
   seen[name], owner[name] = value, core.loading()
 end
@@ -108,7 +108,7 @@ end
 -- An undefined name is an error, not an empty value.
 local function unknown(_, name)
   local near = type(name) == "string" and find_ignoring_case(name)
-  error(("there is no '%s' here%s"):format(tostring(name), near and ("; did you mean " .. near .. "?") or ""), 2)
+  error(("'%s' is not defined here%s"):format(tostring(name), near and ("; did you mean " .. near .. "?") or ""), 2)
 end
 
 -- Rejects the codes that the dialect does not support in handwritten scripts, too.

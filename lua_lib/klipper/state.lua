@@ -28,7 +28,7 @@ end
 -- Removes E from a target if the machine has no extruder. E may be in the target, but cannot move.
 function state.check_extruder(target)
   if target.e == nil or has.e then return end
-  if target.e ~= 0 then alarm("axis", "E moves, and this machine has no extruder: no axis E") end
+  if target.e ~= 0 then alarm("axis", "E moves, but this machine has no extruder: no axis E") end
   target.e = nil
 end
 

@@ -104,7 +104,7 @@ end
 function ngc:enter_straight(item)
   local way = g.distance(self.tool, item.segment and item.segment.to or self.tool)
   if way <= self.radius then
-    self:raise_alarm(item, "%s is the entry move, and its length of %.10g mm in the plane is not greater than the radius", way)
+    self:raise_alarm(item, "%s is the entry move; its length of %.10g mm in the plane must be greater than the radius", way)
   end
   item.point = g.offset_end(item.segment, self.side, self.radius)
   self.start = self.tool
@@ -116,11 +116,11 @@ function ngc:enter_circular(item)
   local segment = item.segment
   if g.distance(self.at, self.tool) > MAX_SPIRAL_MM then
     alarm("compensation",
-      "the first move after G40 leads out of cutter compensation and is straight (G0 or G1), not an arc")
+      "the first move after G40 leaves cutter compensation and must be straight (G0 or G1), not an arc")
   end
   local way = g.distance(self.tool, segment.to)
   if way <= self.radius then
-    self:raise_alarm(item, "%s is the entry arc, and its end is only %.10g mm from its start, not more than the radius", way)
+    self:raise_alarm(item, "%s is the entry arc; its end is only %.10g mm from its start, not more than the radius", way)
   end
   self:check_fits(item, self.side, self.radius)
   item.point = g.offset_end(segment, self.side, self.radius)
@@ -128,7 +128,7 @@ function ngc:enter_circular(item)
   local chord = g.minus(self.tool, item.point)
   local along = g.dot(axis, chord)
   if math.abs(along) < 0.0001 * g.length(chord) then
-    self:raise_alarm(item, "%s is the entry arc, and the tool does not fit into it")
+    self:raise_alarm(item, "%s is the entry arc; the tool does not fit into it")
   end
   item.centre = g.plus(item.point, axis, g.dot(chord, chord) / (2 * along))
   item.segment = g.arc(self.tool, segment.to, item.centre, segment.turn > 0, segment.sweep)
@@ -170,7 +170,7 @@ end
 function ngc:inside_corner(item)
   local point = g.intersect(self:segment_before(), item.segment, self.side, self.radius)
   if not point then
-    self:raise_alarm(item, "before %s lies an inside corner that the tool does not fit into without gouging")
+    self:raise_alarm(item, "before %s is an inside corner that the tool does not fit into without gouging")
   end
   self:end_at(point)
 end

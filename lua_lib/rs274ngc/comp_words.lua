@@ -10,7 +10,7 @@ local word = words.word
 
 -- A radius of 0 counts as compensation and changes no path.
 local function switch_on(name, side, radius, orientation)
-  if compensation.word then alarm("compensation", "%s: cutter compensation is on already; G40 first", name) end
+  if compensation.word then alarm("compensation", "%s: cutter compensation is already on; program G40 first", name) end
   if core.plane() == "yz" then
     alarm("compensation", "%s: cutter compensation is possible in G17 and G18, not in G19", name)
   end
@@ -33,9 +33,9 @@ end
 local function define_by_diameter(name, side)
   word(name:sub(1, 3) .. "_1", function(given)
     given = check_words(given, name, { d = true, l = true })
-    if type(given.d) ~= "number" then alarm("compensation", "%s needs the diameter of the tool: D", name) end
+    if type(given.d) ~= "number" then alarm("compensation", "%s needs D, the diameter of the tool", name) end
     if given.l ~= nil and core.plane() ~= "zx" then
-      alarm("compensation", "%s: L is the orientation of a lathe tool and possible in G18 only", name)
+      alarm("compensation", "%s: L is the orientation of a lathe tool and is possible only in G18", name)
     end
     switch_on(name, side, given.d / 2 * core.unit_mm(), given.l)
   end)

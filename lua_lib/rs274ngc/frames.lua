@@ -184,7 +184,7 @@ end
 -- LinuxCNC ignores it while cutter compensation is on.
 word("G92_3", function()
   if compensation.word then
-    core.warn("G92.3 does nothing while cutter compensation is on; G40 first")
+    core.warn("G92.3 has no effect while cutter compensation is on; program G40 first")
     return
   end
   parameters.set(G92_ACTIVE, 1)

@@ -98,7 +98,7 @@ word("M71", function() saved_modes = nil end)
 word("M73", function() keep(true) end)
 word("M72", function()
   if saved_modes == nil then
-    alarm("mode", "M72 brings back what M70 or M73 has kept in the same subroutine, and there is nothing")
+    alarm("mode", "M72 restores what M70 or M73 has saved in the same subroutine, but nothing is saved")
   end
   restore(saved_modes)
 end)

@@ -15,7 +15,7 @@ local function missing(_, name)
   local value = predefined[name]
   if value == nil then
     alarm("variable",
-      "the parameter #<%s> has no value here; give it one first (names without _ belong to their subroutine)",
+      "the parameter #<%s> has no value here; set it first (names without _ are local to their subroutine)",
       tostring(name))
   end
   return value() + 0.0
@@ -26,7 +26,7 @@ local globals = setmetatable({}, { __index = missing })
 local scope = {
   __index = globals,
   __newindex = function(locals, name, value)
-    if predefined[name] then alarm("variable", "#<%s> is read-only: the control itself sets it", name) end
+    if predefined[name] then alarm("variable", "#<%s> is read-only: the controller sets it", name) end
     rawset(name:byte() == UNDERSCORE and globals or locals, name, value)
   end,
 }

@@ -16,7 +16,7 @@ core.on_polar(function(words)
   local radius, angle = math.sqrt(x * x + y * y), math.atan(y, x)
   if radius < SAME_POINT and (core.is_incremental() or words.angle == nil) then
     alarm("word-value",
-      "@ without ^, ^ without @ and increments of them need a present point that is not the zero point")
+      "@ without ^, ^ without @ and their increments need a current point that is not the zero point")
   end
   if core.is_incremental() then
     radius, angle = radius + (words.radius or 0), angle + math.rad(words.angle or 0)

@@ -66,9 +66,9 @@ local function check(words, name, letters)
   if core.plane() ~= "xy" then alarm("mode", "%s is a curve in the XY plane (G17)", name) end
   for letter, value in pairs(words) do
     if letters:find(" " .. tostring(letter) .. " ", 1, true) == nil then
-      alarm("word-out-of-place", "%s is a curve in X and Y, and takes no word '%s'", name, tostring(letter))
+      alarm("word-out-of-place", "%s is a curve in X and Y and does not accept the word '%s'", name, tostring(letter))
     end
-    if type(value) ~= "number" then alarm("script", "%s: the value of %s is no number", name, letter:upper()) end
+    if type(value) ~= "number" then alarm("script", "%s: the value of %s is not a number", name, letter:upper()) end
   end
 end
 
@@ -94,7 +94,7 @@ word("G5", function(words)
   -- grblHAL uses the negated P and Q of the block itself, while others use those of the block before.
   if continues and words.i == nil and core.spline_chord_mm > 0 then first = { -last[1], -last[2] } end
   local target, named = core.target(words, " i j p q ")
-  if not named then alarm("word-missing", "G5 needs X or Y, its end") end
+  if not named then alarm("word-missing", "G5 needs its end, X or Y") end
   output_bezier { start, moved(start, first[1], first[2]), moved(target, last[1], last[2]), target }
   last_g5 = { point = target, lead = { -last[1], -last[2] } }
 end)
@@ -105,7 +105,7 @@ word("G5_1", function(words)
   check(words, "G5.1", " x y i j ")
   local middle = pair(words, "i", "j", "G5.1")
   local target, named = core.target(words, " i j ")
-  if not named then alarm("word-missing", "G5.1 needs X or Y, its end") end
+  if not named then alarm("word-missing", "G5.1 needs its end, X or Y") end
   local start = here()
   output_bezier { start, moved(start, middle[1], middle[2]), target }
 end)
@@ -116,11 +116,11 @@ local function add_control_point(words, first)
   check(words, "G5.2", " x y p l ")
   if words.l ~= nil and words.l > 1 then
     if words.l % 1 ~= 0 then
-      alarm("word-value", "L of G5.2 is the order of the curve, a whole number, not %.10g", words.l)
+      alarm("word-value", "L of G5.2 (order of the curve) must be an integer, not %.10g", words.l)
     end
     nurbs.order = math.tointeger(words.l)
   end
-  if words.p ~= nil and words.p <= 0 then alarm("word-value", "P of G5.2 is a weight above 0, not %.10g", words.p) end
+  if words.p ~= nil and words.p <= 0 then alarm("word-value", "P of G5.2 (weight) must be greater than 0, not %.10g", words.p) end
   if words.x == nil and words.y == nil then
     if not first then alarm("word-missing", "a control point needs X and Y") end
     nurbs.weights[1] = words.p or 1   -- of the start
@@ -129,7 +129,7 @@ local function add_control_point(words, first)
   if not first and words.p == nil then alarm("word-missing", "a control point needs P, its weight") end
   if words.x == nil or words.y == nil then alarm("word-value", "a control point needs X and Y") end
   if #nurbs.points == MAX_CONTROL_POINTS then
-    alarm("word-value", "a curve has up to %d control points", MAX_CONTROL_POINTS)
+    alarm("word-value", "a curve may have at most %d control points", MAX_CONTROL_POINTS)
   end
   nurbs.points[#nurbs.points + 1] = core.target(words, " p l ")
   nurbs.weights[#nurbs.weights + 1] = words.p or 1
@@ -148,13 +148,13 @@ end)
 
 word("G5_3", function()
   if nurbs == nil or core.motion() ~= "G5.2" then
-    alarm("arc", "G5.3 ends a curve that G5.2 begins, and there is none")
+    alarm("arc", "G5.3 ends a curve that G5.2 begins, but no curve is active")
   end
   local curve = nurbs
   nurbs = nil
   motion.end_motion()
   if #curve.points < curve.order then
-    alarm("word-missing", "a curve of order %d needs %d control points, the start among them, and has %d",
+    alarm("word-missing", "a curve of order %d needs %d control points including its start, but has %d",
       curve.order, curve.order,
       #curve.points)
   end

@@ -25,7 +25,7 @@ word("G43_2", function(words)
   local function add(letter, value) offset[letter] = (offset[letter] or 0) + value end
   local named = frames.each_axis(words or {}, "G43.2", " h ", add)
   if named == (number ~= nil) then
-    alarm("tool", "G43.2 adds the offset of a tool (H), or those of its axis words")
+    alarm("tool", "G43.2 adds either the offset of a tool (H) or the offsets of its axis words")
   end
   if number ~= nil then
     for letter, value in pairs(tools.offsets(number, "H")) do add(letter, value) end

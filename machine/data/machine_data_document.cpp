@@ -15,7 +15,7 @@ std::string joined(const std::vector<DataLine>& lines) {
 }
 
 std::string no_entry(DataSection section, std::string_view id) {
-    return fmt::format("there is no {} {} in the file", keyword(section), printable_word(id));
+    return fmt::format("{} {} does not exist in the file", keyword(section), printable_word(id));
 }
 
 // Returns the message of "x:line:column: message"; line numbers of a rejected change refer to a text that
@@ -88,7 +88,7 @@ Result<void> MachineDataDocument::set(DataSection section, std::string_view id, 
     return attempt([&]() -> Result<void> {
         const SectionRules& rules = rules_.of(section);
         if (unit && !rules.has_unit)
-            return Unexpected(fmt::format("{} has no lengths, hence no unit", rules.keyword));
+            return Unexpected(fmt::format("{} has no lengths and therefore no unit", rules.keyword));
         auto known = read_id(rules, id);
         if (!known) return tl::unexpected(std::move(known.error()));
         if (const auto line = find_line(section, *known)) {

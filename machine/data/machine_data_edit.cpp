@@ -41,8 +41,7 @@ Result<void> check_words(const DataRow& row) {
     });
     const std::string& word = invalid == row.values.end() ? row.id : *invalid;
     if (is_data_word(word)) return {};
-    return Unexpected(
-        fmt::format("'{}' cannot be written: it is not one word of a line", printable_word(word)));
+    return Unexpected(fmt::format("'{}' cannot be written: it must be a single word", printable_word(word)));
 }
 
 std::string field_names(const SectionRules& rules) {
@@ -79,7 +78,7 @@ Result<void> fill(const SectionRules& rules, DataRow& row) {
         if (!is_number(field)) return tl::unexpected(std::string(rules.missing_message));
         if (rules.section == DataSection::home && i >= kSpaceAxes) {
             return Unexpected(fmt::format(
-                "a home position needs a value for {} too: its values stand in a row", field.name));
+                "a home position also needs a value for {}: its values are positional", field.name));
         }
         row.values[i] = std::string(1, field.may_be_unlimited ? '-' : '0');
     }
@@ -201,10 +200,10 @@ Result<void> MachineDataDocument::convert_line(std::size_t line, LengthUnit unit
         if (!value) continue;
         if (quantity == Quantity::length) requested.values[i] = convert_length(*value, unit);
         if (quantity != Quantity::unknown || *value == 0) continue;
-        return Unexpected(fmt::format(
-            "{} {} has values of further axes; whether they are lengths or angles only the machine "
-            "file can tell",
-            rules.keyword, read.row.id));
+        return Unexpected(
+            fmt::format("{} {} has values of further axes; only the machine file defines whether they are "
+                        "lengths or angles",
+                        rules.keyword, read.row.id));
     }
     lines_[line].text = LineChange(rules, lines_[line].text, read).to(requested);
     return {};

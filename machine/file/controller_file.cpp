@@ -26,7 +26,7 @@ std::string unknown_model(std::string_view model) {
     const std::vector<std::string_view> known = built_in_controllers();
     const auto nearest = text::nearest_name(model, known);
     return fmt::format(
-        "unknown controller {}; {}built in are {}; the name of a file of one's own ends in .toml",
+        "unknown controller {}; {}built-in controllers are {}; the name of a controller file ends in .toml",
         base::toml_string(model),
         nearest ? fmt::format("did you mean {}? ", base::toml_string(*nearest)) : std::string(),
         text::joined(known, ", "));
@@ -41,7 +41,7 @@ struct CustomFiles {
 rrs::ControllerRules read_custom_file(TomlSection& section, const std::string& model,
                                       const CustomFiles& local_files) {
     if (!text::is_printable(model)) {
-        section.fail(kModelKey, "'model' must not hold control characters");
+        section.fail(kModelKey, "'model' must not contain control characters");
         return {};
     }
     const std::filesystem::path path = local_files.folder / model;

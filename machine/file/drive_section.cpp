@@ -43,20 +43,21 @@ void read_curve(TomlSection& axis, const toml::table& table, const DriveKeys& ke
     const std::string_view missing_message = speeds ? keys.curve_peaks : keys.curve_speeds;
     if (!axis.has(missing_message)) {
         axis.fail(speeds ? keys.curve_speeds : keys.curve_peaks,
-                  fmt::format("a curve of the motor is '{}' and '{}', and '{}' is missing", keys.curve_speeds,
+                  fmt::format("a motor curve needs '{}' and '{}', but '{}' is missing", keys.curve_speeds,
                               keys.curve_peaks, missing_message));
         return;
     }
     if (!speeds || !peaks) return;
     if (speeds->size() != peaks->size() || speeds->empty()) {
         axis.fail(keys.curve_peaks,
-                  fmt::format("'{}' must be as many as '{}', one at least; they are {} and {}",
-                              keys.curve_peaks, keys.curve_speeds, peaks->size(), speeds->size()));
+                  fmt::format(
+                      "'{}' and '{}' must have the same number of values, at least one; they have {} and {}",
+                      keys.curve_peaks, keys.curve_speeds, peaks->size(), speeds->size()));
         return;
     }
     if (!rises_from_zero(*speeds)) {
         axis.fail(keys.curve_speeds,
-                  fmt::format("'{}' must be speeds from 0 up, each above the one before", keys.curve_speeds));
+                  fmt::format("'{}' must be speeds from 0 up, in ascending order", keys.curve_speeds));
         return;
     }
     for (const double peak : *peaks) {

@@ -137,8 +137,8 @@ char read_letter(TomlSection& section) {
 
 void check_in_range(TomlSection& section, std::string_view key, const Axis& axis, double value) {
     if (value >= axis.min && value <= axis.max) return;
-    section.fail(
-        key, fmt::format("'{}' is {}, outside of the axis's range {} .. {}", key, value, axis.min, axis.max));
+    section.fail(key,
+                 fmt::format("'{}' is {}, outside the axis range {} .. {}", key, value, axis.min, axis.max));
 }
 
 void check_range(TomlSection& section, const AxisKeys& keys, const Axis& axis) {
@@ -165,16 +165,17 @@ void read_homes(TomlSection& section, const AxisKeys& keys, Axis& axis) {
 void read_joint(FirstError& error, TomlSection& section, Axis& axis) {
     const bool carries_nothing = axis.carries == CarriedPart::none;
     if (carries_nothing && axis.kind == AxisKind::rotary)
-        section.fail("carries", "'carries = \"nothing\"' is of linear axes alone");
+        section.fail("carries", "'carries = \"nothing\"' is only for linear axes");
     if (!carries_nothing && !section.has("frame") && !section.has("direction") && !section.has("dh")) {
-        section.fail("dh", fmt::format("{} lacks one of the keys 'direction', 'frame' and 'dh', which tell "
-                                       "how its joint lies",
-                                       section.title()));
+        section.fail(
+            "dh",
+            fmt::format("{} needs one of the keys 'direction', 'frame' and 'dh', which define its joint",
+                        section.title()));
     }
     if (section.has("direction") && section.has("dh"))
         section.fail(
             "direction",
-            fmt::format("{} has both 'dh' and 'direction'; one tells where its joint is", section.title()));
+            fmt::format("{} has both 'dh' and 'direction'; only one may define its joint", section.title()));
     if (section.has("direction"))
         axis.direction = static_cast<AxisDirection>(section.choice("direction", 0, kDirectionNames));
     if (section.has("frame")) axis.frame = read_frame(error, section.table("frame"), "'frame'");
@@ -184,9 +185,8 @@ void read_joint(FirstError& error, TomlSection& section, Axis& axis) {
 RotaryMode read_rotary_mode(TomlSection& section, const AxisKeys& keys, const Axis& axis) {
     const auto turning = static_cast<RotaryMode>(section.choice("turning", 0, kRotaryModeNames));
     if (turning == RotaryMode::unwind && (std::isfinite(axis.min) || std::isfinite(axis.max))) {
-        section.fail("turning",
-                     fmt::format("an axis that unwinds turns on without end; leave out '{}' and '{}'",
-                                 keys.min, keys.max));
+        section.fail("turning", fmt::format("an axis that unwinds turns without limit; remove '{}' and '{}'",
+                                            keys.min, keys.max));
     }
     return turning;
 }

@@ -29,7 +29,7 @@ ProgramTable read_program_section(FirstError& error, const toml::table* table) {
     TomlSection section(error, *table, "[program]", kProgramKeys);
     if (section.has("dialect")) program.dialect = section.text("dialect");
     if (section.has("dialect") && program.dialect.empty())
-        section.fail("dialect", "'dialect' is empty; leave it out where nothing is to be said");
+        section.fail("dialect", "'dialect' is empty; remove it if no dialect is specified");
     if (section.has("units"))
         program.units = static_cast<ProgramUnits>(section.choice("units", 0, kUnitNames));
     return program;

@@ -70,7 +70,7 @@ std::optional<Error> find_servo_error(const Machine& machine) {
     for (const Axis& axis : machine.axes) {
         if (!axis.servo || axis.servo->position_gain_1_s > 0) continue;
         return fmt::format(
-            "axis {} has a servo loop without a gain: it needs '{}', 1 or greater, or else [controller] does",
+            "the servo loop of axis {} has no gain: set '{}', 1 or greater, for the axis or in [controller]",
             axis.letter, kGainKey);
     }
     return std::nullopt;

@@ -82,7 +82,7 @@ class GrblDump {
             } else if (line.starts_with('[')) {
                 points_.push_back({std::string(line), number});
             } else {
-                return Unexpected(fmt::format("{}:{}: '{}' is no line of what grbl answers to $$ and $#",
+                return Unexpected(fmt::format("{}:{}: '{}' is not a line of grbl's output for $$ and $#",
                                               file_name_, number, line));
             }
         }
@@ -123,8 +123,8 @@ class GrblDump {
         }
         if (value(kHoming).value_or(0) == 0) {
             result_.warnings.emplace_back(
-                "$130 to $132 are not taken over as ranges: without homing ($22=0) zero is where the machine "
-                "was switched on");
+                "$130 to $132 are not imported as ranges: without homing ($22=0) zero is the position at "
+                "switch-on");
         }
         value(kHomingDirection);
         return {};
@@ -153,8 +153,8 @@ class GrblDump {
         const auto found = settings_.find(number);
         if (found == settings_.end())
             return Unexpected(
-                fmt::format("{}: ${}, which axis {} needs, is not there", file_name_, number, letter));
-        return Unexpected(fmt::format("{}:{}: ${}, which axis {} needs, is not above 0", file_name_,
+                fmt::format("{}: ${} is missing; axis {} needs it", file_name_, number, letter));
+        return Unexpected(fmt::format("{}:{}: ${}, which axis {} needs, must be greater than 0", file_name_,
                                       found->second.line_number, number, letter));
     }
 
@@ -196,7 +196,7 @@ class GrblDump {
         }
         const auto values = point_values(std::string_view(line).substr(colon + 1));
         if (!values) {
-            return Unexpected(fmt::format("{}:{}: '{}' has no numbers for its axes, parted by commas",
+            return Unexpected(fmt::format("{}:{}: '{}' must have numbers for its axes, separated by commas",
                                           file_name_, given.line_number, line));
         }
         result_.has_data = true;

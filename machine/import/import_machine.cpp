@@ -45,7 +45,7 @@ Result<std::string> machine_toml(const ImportResult& imported, const std::filesy
     std::string toml = remark(fmt::format("Made from {}.", path.filename().string()));
     if (!imported.warnings.empty()) toml += "#\n";
     for (const std::string& warning : imported.warnings) toml += remark(warning);
-    if (!imported.left_out.empty()) toml += "#\n# Not taken over:\n";
+    if (!imported.left_out.empty()) toml += "#\n# Not imported:\n";
     for (const std::string& name : imported.left_out) toml += remark("  " + name);
     toml += '\n' + machine::print_machine(imported.machine);
     constexpr std::string_view kName = "machine";
@@ -53,7 +53,8 @@ Result<std::string> machine_toml(const ImportResult& imported, const std::filesy
     if (machine) return toml;
     // Its line numbers refer to a file that no user has seen.
     const std::string message = machine.error().message.substr(machine.error().message.find(": ") + 2);
-    return Unexpected(fmt::format("{}: its settings make no machine: {}", path.string(), message));
+    return Unexpected(
+        fmt::format("{}: its settings do not make a valid machine: {}", path.string(), message));
 }
 
 Result<std::string> machine_data_text(const ImportResult& imported) {

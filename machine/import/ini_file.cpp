@@ -107,13 +107,13 @@ Result<void> IniFile::add(std::string_view text, const std::filesystem::path& pa
         if (line.front() == '#') continue;
         if (line.front() == '[') {
             const std::size_t end = line.find(']');
-            if (end == std::string_view::npos) return make_error("the section's name has no ']'");
+            if (end == std::string_view::npos) return make_error("the section name has no ']'");
             in.section = trimmed_text(line.substr(1, end - 1));
             continue;
         }
         const std::size_t equals = line.find('=');
         if (equals == std::string_view::npos)
-            return make_error("a line is [SECTION], KEY = VALUE or a remark");
+            return make_error("a line must be [SECTION], KEY = VALUE or a comment");
         entries_.push_back({.file = path.string(),
                             .section = in.section,
                             .key = std::string(trimmed_text(line.substr(0, equals))),
@@ -159,7 +159,7 @@ Result<std::optional<double>> IniFile::number(std::string_view section, std::str
     const std::optional<double> value = parse_number_text(entry->value);
     if (value) return value;
     return tl::unexpected(
-        at(*entry, fmt::format("{} is '{}', which is no number", entry->key, entry->value)));
+        at(*entry, fmt::format("{} is '{}', which is not a number", entry->key, entry->value)));
 }
 
 std::string IniFile::at(const IniEntry& entry, std::string_view message) const {

@@ -57,11 +57,10 @@ Read<std::string> joint_letters(IniFile& ini) {
     const std::string_view value = entry->value;
     const std::size_t blank = std::min(value.find_first_of(" \t"), value.size());
     if (value.substr(0, blank) != kTrivialKinematics) {
-        return tl::unexpected(ini.at(
-            *entry,
-            fmt::format("the kinematics '{}' cannot be imported, only trivkins; write a machine file with "
-                        "its frames, and take the limits from here",
-                        value.substr(0, blank))));
+        return tl::unexpected(
+            ini.at(*entry, fmt::format("the kinematics '{}' cannot be imported, only trivkins; write a "
+                                       "machine file with its frames and copy the limits from here",
+                                       value.substr(0, blank))));
     }
     const std::size_t coordinates = text::lower(value).find("coordinates=");
     if (coordinates == std::string::npos) return std::string(kJointLetters);
@@ -85,7 +84,8 @@ Read<double> read_unit(IniFile& ini, std::string_view key, std::initializer_list
         if (name == unit.name) return unit.size;
         names += fmt::format("{}{}", names.empty() ? "" : ", ", unit.name);
     }
-    return tl::unexpected(ini.at(*entry, fmt::format("{} is '{}'; there are {}", key, entry->value, names)));
+    return tl::unexpected(
+        ini.at(*entry, fmt::format("{} is '{}'; allowed values are {}", key, entry->value, names)));
 }
 
 /// Limits from one section [AXIS_X] or [JOINT_0], in mm or deg.
@@ -132,7 +132,7 @@ class AxisReader {
         }
         if (error_) return tl::unexpected(*error_);
         if (first && !ini_.has_section(axis_section)) {
-            return Unexpected(fmt::format("{}: there is neither [{}] nor a section [JOINT_n] for axis {}",
+            return Unexpected(fmt::format("{}: neither [{}] nor a section [JOINT_n] exists for axis {}",
                                           ini_.file_name(), axis_section, letter));
         }
         return make_axis(letter, rotary, limits);
@@ -174,7 +174,7 @@ class AxisReader {
     void check_type(const std::string& section, char letter, bool rotary) {
         const auto type = ini_.text(section, "TYPE");
         if (!type || text::upper(*type) == (rotary ? "ANGULAR" : "LINEAR")) return;
-        warnings_.push_back(fmt::format("[{}] TYPE = {} is not taken over: axis {} is {}", section, *type,
+        warnings_.push_back(fmt::format("[{}] TYPE = {} is not imported: axis {} is {}", section, *type,
                                         letter, rotary ? "rotary" : "linear"));
     }
 
@@ -194,7 +194,7 @@ class AxisReader {
         axis.home = std::clamp(limits.home, limits.min, limits.max);
         if (axis.home != limits.home) {
             warnings_.push_back(
-                fmt::format("HOME of axis {} is outside of its range; it is taken as {}", letter, axis.home));
+                fmt::format("HOME of axis {} is outside its range; it is imported as {}", letter, axis.home));
         }
         axis.direction = letter_direction(letter);
         return axis;

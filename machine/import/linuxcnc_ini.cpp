@@ -95,8 +95,7 @@ class Importer {
             result_.machine.program.units = machine::ProgramUnits::inch;
         if (code.find("G21") != std::string::npos) result_.machine.program.units = machine::ProgramUnits::mm;
         result_.warnings.push_back(fmt::format(
-            "[RS274NGC] RS274NGC_STARTUP_CODE = {} is not run before programs; of it the units are "
-            "taken over",
+            "[RS274NGC] RS274NGC_STARTUP_CODE = {} is not run before programs; only its units are imported",
             *startup));
     }
 
@@ -120,10 +119,10 @@ class Importer {
             if (axis.kind == machine::AxisKind::rotary ||
                 axis.max_acceleration <= path.max_acceleration_mm_s2)
                 continue;
-            result_.warnings.push_back(fmt::format(
-                "[TRAJ] MAX_LINEAR_ACCELERATION, less than that of axis {}, is taken over for feed "
-                "moves, not for rapid ones",
-                axis.letter));
+            result_.warnings.push_back(
+                fmt::format("[TRAJ] MAX_LINEAR_ACCELERATION, less than that of axis {}, is imported for feed "
+                            "moves, not for rapid moves",
+                            axis.letter));
             break;
         }
         return {};
@@ -168,8 +167,8 @@ class Importer {
         }
         if (straight.empty()) return {};
         result_.warnings.push_back(
-            fmt::format("[TRAJ] PLANNER_TYPE = 1 makes no S-curves of moves of {}, whose sections have no "
-                        "MAX_JERK, as in LinuxCNC",
+            fmt::format("[TRAJ] PLANNER_TYPE = 1 does not use S-curves for moves of {}, whose sections have "
+                        "no MAX_JERK, as in LinuxCNC",
                         straight));
         return {};
     }
@@ -192,7 +191,7 @@ class Importer {
             if (!value) return tl::unexpected(value.error());
             if (!*value || **value == fixed.value) continue;
             result_.warnings.push_back(
-                fmt::format("[{}] {} = {} is not taken over: the planner here is that of LinuxCNC with {}",
+                fmt::format("[{}] {} = {} is not imported: the planner here is that of LinuxCNC with {}",
                             fixed.section, fixed.key, **value, fixed.value));
         }
         return {};
@@ -208,7 +207,7 @@ class Importer {
         auto text = files_.read_text(path);
         if (text) return std::pair(path.string(), *std::move(text));
         result_.warnings.push_back(
-            fmt::format("[{}] {} = {} is not taken over: {}", section, key, *name, text.error().message));
+            fmt::format("[{}] {} = {} is not imported: {}", section, key, *name, text.error().message));
         return std::nullopt;
     }
 

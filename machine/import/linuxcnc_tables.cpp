@@ -61,7 +61,7 @@ class Parameters {
         const auto number = parse_number_text(line.substr(0, blank));
         const auto value = parse_number_text(line.substr(blank));
         if (!number || !value || *number != std::floor(*number) || *number < 1 || *number > kLastParameter)
-            return Unexpected(fmt::format("'{}' is no number of a parameter and its value", line));
+            return Unexpected(fmt::format("'{}' must be the number of a parameter and its value", line));
         values_[static_cast<int>(*number)] = *value;
         return {};
     }
@@ -93,7 +93,8 @@ class Parameters {
     bool has_axis(char letter, double of, std::string_view what) {
         if (axes_.find(letter) != std::string_view::npos) return true;
         if (of != 0)
-            notes_.left_out.push_back(fmt::format("{} of {}: the machine has no such axis", letter, what));
+            notes_.left_out.push_back(
+                fmt::format("{} of {}: the machine does not have this axis", letter, what));
         return false;
     }
 
@@ -146,7 +147,7 @@ class ToolTableReader {
             const auto value = parse_number_text(line.substr(begin + 1, end - begin - 1));
             if (kToolLetters.find(letter) == std::string_view::npos || !value)
                 return Unexpected(fmt::format(
-                    "'{}' is no word of a tool: T P D X Y Z A B C U V W I J Q, each with a number",
+                    "'{}' is not a word of a tool: T P D X Y Z A B C U V W I J Q, each with a number",
                     line.substr(begin, line.find_first_of(" \t", begin) - begin)));
             words[letter] = *value;
             at = end;
@@ -167,9 +168,9 @@ class ToolTableReader {
         if (words.find('T') == words.end()) return Unexpected("a tool needs its number T");
         const double number = of('T');
         if (number != std::floor(number) || number < 0 || number > kMaxNumber)
-            return Unexpected(fmt::format("T{} is no number of a tool", number));
+            return Unexpected(fmt::format("T{} is not a valid tool number", number));
         if (number == 0) {
-            notes_.left_out.emplace_back("T0: tools are counted from 1");
+            notes_.left_out.emplace_back("T0: tool numbers start at 1");
             return {};
         }
         machine::Tool tool;
@@ -179,20 +180,21 @@ class ToolTableReader {
         tool.back_angle_deg = of('J');
         const double orientation = of('Q');
         if (orientation != std::floor(orientation) || orientation < 0 || orientation >= kOrientations)
-            return Unexpected(fmt::format("Q{} is no orientation, which is 0 to 9", orientation));
+            return Unexpected(
+                fmt::format("Q{} is not a valid orientation, which must be 0 to 9", orientation));
         tool.orientation = static_cast<int>(orientation);
         for (const char letter : {'X', 'Y', 'A', 'B', 'C', 'U', 'V', 'W'}) {
             if (of(letter) == 0) continue;
             if (axes_.find(letter) == std::string_view::npos) {
                 notes_.left_out.push_back(
-                    fmt::format("{} of tool {}: the machine has no such axis", letter, number));
+                    fmt::format("{} of tool {}: the machine does not have this axis", letter, number));
                 continue;
             }
             tool.offsets[letter] =
                 is_rotary(letter) ? of(letter) : remove_rounding_noise(of(letter) * unit_mm_);
         }
         if (words.find('P') != words.end() && of('P') != number)
-            notes_.left_out.push_back(fmt::format("P{} of tool {}: places in a magazine", of('P'), number));
+            notes_.left_out.push_back(fmt::format("P{} of tool {}: magazine pockets", of('P'), number));
         data_.tools[static_cast<int>(number)] = std::move(tool);
         return {};
     }

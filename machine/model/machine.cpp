@@ -143,23 +143,21 @@ std::optional<Error> find_kinematic_error(const Machine& machine) {
 std::optional<Error> find_controller_error(const Machine& machine) {
     const rrs::PlannerCapabilities& planner = machine.controller.capabilities();
     if (machine.controller.coordination.independent_ramps && !planner.plans_uncoordinated_joints)
-        return "'own_ramps' is of the planner \"rest-to-rest\" alone: in the others all axes go in "
-               "proportion";
+        return "'own_ramps' needs the planner \"rest-to-rest\": in the others all axes move in proportion";
     if (!machine.controller.coordination.interpolated_rapids && !planner.plans_uncoordinated_joints)
-        return "'interpolated_rapids = false' is of the planner \"rest-to-rest\" alone: in the others all "
-               "axes go in proportion";
+        return "'interpolated_rapids = false' needs the planner \"rest-to-rest\": in the others all axes "
+               "move in proportion";
     if (!machine.controller.coordination.interpolated_rapids && std::isfinite(machine.path.max_rapid_mm_s))
-        return "'interpolated_rapids = false' does not go with 'max_rapid_mm_s': each axis has its own "
-               "speed, "
-               "and nothing keeps that of the tool";
+        return "'interpolated_rapids = false' cannot be combined with 'max_rapid_mm_s': each axis has its "
+               "own speed, so the tool speed is not limited";
     const bool is_chords = planner.arc_chords == rrs::ArcChords::by_tolerance &&
                            machine.controller.curves.arc_chord_tolerance_mm > 0;
     if (machine.controller.blocks.path_measure == rrs::PathMeasure::all_axes && !is_chords)
-        return "'path_measure = \"all-axes\"' is of the planner \"look-ahead\" with arcs as chords alone "
-               "(arc_chord_tolerance_mm): it plans lines";
+        return "'path_measure = \"all-axes\"' needs the planner \"look-ahead\" with arcs as chords "
+               "(arc_chord_tolerance_mm), which plans only lines";
     if (machine.controller.ramps.limit_jerk && machine.controller.ramps.step_s > 0 && !is_chords)
-        return "'ramp_step_s' is of the planner \"look-ahead\" with arcs as chords alone "
-               "(arc_chord_tolerance_mm): it drives lines";
+        return "'ramp_step_s' needs the planner \"look-ahead\" with arcs as chords (arc_chord_tolerance_mm), "
+               "which plans only lines";
     if (machine.controller.coordination.orientation == rrs::OrientationRule::joints) return std::nullopt;
     if (!machine.controller.has_great_circles()) {
         return fmt::format(
@@ -169,8 +167,7 @@ std::optional<Error> find_controller_error(const Machine& machine) {
     }
     if (make_kinematics(machine)->tilting_head()) return std::nullopt;
     return "'orientation = \"great-circle\"' needs 'inverse = \"gantry\"' and two rotary axes through the "
-           "tip at "
-           "right angles, the second one also to the tool";
+           "TCP at right angles, the second also at a right angle to the tool";
 }
 
 std::shared_ptr<const kinematics::Kinematics> make_kinematics(const Machine& machine) {

@@ -61,16 +61,15 @@ std::vector<double> read_rapid_percents(TomlSection& section, const std::vector<
         }
     }
     if (array != nullptr) return percents;
-    section.fail(kRapidPercentsKey,
-                 fmt::format("'{}' must be an array of numbers that rise, above 0 and up to "
-                             "100",
-                             kRapidPercentsKey));
+    section.fail(
+        kRapidPercentsKey,
+        fmt::format("'{}' must be an array of ascending numbers, above 0 and up to 100", kRapidPercentsKey));
     return fallback;
 }
 
 void check_range(TomlSection& section, std::string_view key, double min, double max) {
     if (min <= max) return;
-    section.fail(key, fmt::format("'{}' is {}, above the greatest value of {}", key, min, max));
+    section.fail(key, fmt::format("'{}' is {}, above the maximum of {}", key, min, max));
 }
 
 }  // namespace

@@ -85,13 +85,13 @@ Chain::Chain(Branch tool_side, Branch work_side, std::vector<int> idle_joints)
       idle_joints_(std::move(idle_joints)) {
     const std::size_t count = tool_side_.links.size() + work_side_.links.size() + idle_joints_.size();
     if (count > static_cast<std::size_t>(rrs::kMaxJoints))
-        throw std::invalid_argument("a kinematic chain has more joints than a JointPos can hold");
+        throw std::invalid_argument("a kinematic chain has more joints than a JointPos can contain");
     kinds_.resize(count);
     std::vector<bool> seen(count);
     const auto add = [&](int joint, rrs::JointKind kind) {
         const auto index = static_cast<std::size_t>(joint);
         if (index >= count || seen[index])
-            throw std::invalid_argument("the joints of a kinematic chain are not numbered from 0 up");
+            throw std::invalid_argument("the joints of a kinematic chain must be numbered from 0 up");
         seen[index] = true;
         kinds_[index] = kind;
     };

@@ -68,7 +68,7 @@ tl::expected<std::shared_ptr<const NumericKinematics>, std::string> NumericKinem
     if (chain.joint_count() == 0)
         return tl::unexpected<std::string>("The numeric inverse needs a chain with at least one joint.");
     if (!chain.forward(rrs::JointPos::Zero(chain.joint_count())).matrix().allFinite())
-        return tl::unexpected<std::string>("The kinematic chain holds a value that is not finite.");
+        return tl::unexpected<std::string>("The kinematic chain contains a value that is not finite.");
     return std::shared_ptr<const NumericKinematics>(
         new NumericKinematics(std::move(chain), std::move(ranges), std::move(fixed)));
 }
@@ -183,7 +183,7 @@ std::optional<std::string> NumericKinematics::find_fixed_joint_error(const rrs::
         const bool is_prismatic = chain_.kind(joint) == rrs::JointKind::prismatic;
         const double unit = is_prismatic ? 1 : kDegPerRad;
         return fmt::format(
-            "The pose is out of reach: {} would stand at {:.6g} {}, outside of its range {:.6g} .. {:.6g}.",
+            "The pose is out of reach: {} would be at {:.6g} {}, outside its range {:.6g} .. {:.6g}.",
             names({joint}), near[joint] * unit, is_prismatic ? "mm" : "deg", range.min * unit,
             range.max * unit);
     }
@@ -251,11 +251,10 @@ std::string NumericKinematics::names(const std::vector<int>& joints) const {
 }
 
 std::string NumericKinematics::out_of_reach_message(const rrs::CartPos& pose, const Attempt& nearest) const {
-    if (!std::isfinite(nearest.error))
-        return "The pose is out of reach: it lies too far away to be worked out.";
+    if (!std::isfinite(nearest.error)) return "The pose is out of reach: it is too far away to be computed.";
     const Attempt best = search(pose, nearest.joints, ranges_, kMinFineGain);
     std::string message = fmt::format(
-        "The pose is out of reach: the nearest that the joints come to it is {:.6g} mm and {:.6g} deg off",
+        "The pose is out of reach: the nearest pose of the joints is {:.6g} mm and {:.6g} deg off",
         best.remaining.head<3>().norm(), best.remaining.tail<3>().norm() * kDegPerRad);
     std::vector<int> at_end;
     for (int i = 0; i < joint_count(); ++i) {
@@ -264,8 +263,8 @@ std::string NumericKinematics::out_of_reach_message(const rrs::CartPos& pose, co
         if (best.joints[i] <= range.min || best.joints[i] >= range.max) at_end.push_back(i);
     }
     const std::vector<int> aligned = aligned_joints(best.joints, kNearlySingular);
-    if (!at_end.empty()) message += fmt::format(", with {} at an end of the range", names(at_end));
-    if (!aligned.empty()) message += fmt::format(", where {} line up", names(aligned));
+    if (!at_end.empty()) message += fmt::format(", with {} at a limit of the range", names(at_end));
+    if (!aligned.empty()) message += fmt::format(", with {} aligned", names(aligned));
     return message + ".";
 }
 

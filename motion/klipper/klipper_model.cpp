@@ -35,7 +35,7 @@ PlanResult KlipperModel::add(const PathMove& move) {
     if (move.kind != SegmentKind::circular) return add_line(move);
     if (!(setup_.controller.klipper.arc_resolution_mm > 0)) {
         return make_plan_error(rrs::Status::RRS_MOTION_TYPE_NOT_SUPPORTED,
-                               "This controller knows no arcs: its arc_resolution_mm is 0.");
+                               "This controller does not support arcs: its arc_resolution_mm is 0.");
     }
     PlanResult planned;
     for_each_chord(move, setup_, [&](const PathMove& line) {

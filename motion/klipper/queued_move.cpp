@@ -97,10 +97,9 @@ PlanResult check(const QueuedMove& move) {
             fmt::format("The move is too long or too slow: it would take more than {} s.", kMaxDuration_s));
     }
     if (!std::isfinite(move.max_speed) || !std::isfinite(move.acceleration)) {
-        return make_plan_error(
-            rrs::Status::RRS_ZERO_SPEED,
-            "This controller plans no move without limits: neither the path nor an axis of it has "
-            "a greatest speed and a greatest acceleration.");
+        return make_plan_error(rrs::Status::RRS_ZERO_SPEED,
+                               "This controller cannot plan a move without limits: neither the path nor any "
+                               "of its axes has a max speed and a max acceleration.");
     }
     return {};
 }

@@ -174,7 +174,7 @@ bool has_speed(const PathMove& move, JointRole role) {
 PlanResult check_values(const PathMove& move, const SubSegment& sub_segment, JointRole role) {
     if (!move.start.allFinite() || !move.end.allFinite() || !(sub_segment.length < kUnlimited)) {
         return make_plan_error(rrs::Status::RRS_INVALID_PARAMETER,
-                               "The move is too long, or leads to no position.");
+                               "The move is too long, or does not lead to a position.");
     }
     if (sub_segment.length == 0) return {};
     if (!has_speed(move, role) || !(move.rules.max_path_speed_mm_s > 0)) return no_programmed_speed_error();

@@ -259,7 +259,7 @@ PlanResult check(const Block& block) {
     if (!std::isfinite(block.max_speed) && !std::isfinite(block.acceleration)) {
         return make_plan_error(
             rrs::Status::RRS_ZERO_SPEED,
-            "The move would take no time: no speed is programmed and the machine sets no limit.");
+            "The move would take no time: no speed is programmed and the machine has no limit.");
     }
     return {};
 }

@@ -15,7 +15,7 @@ constexpr double kSameTravel_mm = 1e-6;
 
 PlanResult no_such_conveyor(int conveyor) {
     return make_plan_error(Status::RRS_INVALID_PARAMETER,
-                           fmt::format("There is no conveyor {}; DefineConveyor comes first.", conveyor));
+                           fmt::format("Conveyor {} is not defined; call DefineConveyor first.", conveyor));
 }
 
 }  // namespace
@@ -27,7 +27,7 @@ PlanResult Conveyors::define(int conveyor, const Eigen::Vector3d& direction, dou
     const double length = direction.norm();
     if (!std::isfinite(speed_mm_s) || !std::isfinite(length) || !(length > 0)) {
         return make_plan_error(Status::RRS_INVALID_PARAMETER,
-                               "A conveyor has a direction other than 0 and a finite speed.");
+                               "A conveyor must have a direction other than 0 and a finite speed.");
     }
     const double now_s = timeline_.time_s();
     const auto found = conveyors_.find(conveyor);
@@ -47,7 +47,7 @@ PlanResult Conveyors::set_position(int conveyor, double position_mm) {
         if (std::abs(position_mm - current_mm) <= kSameTravel_mm) return {};
         return make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("The conveyor is tracked and is at {} mm; it cannot jump to {} mm.", current_mm,
+            fmt::format("The conveyor is being tracked and is at {} mm; it cannot jump to {} mm.", current_mm,
                         position_mm));
     }
     found->second.position_mm = position_mm;
@@ -68,14 +68,14 @@ PlanResult Conveyors::start_tracking(int conveyor, ConveyorMotion motion, const 
     const PlannerSetup& setup = machine_.setup();
     if (setup.move_limits)
         return make_plan_error(Status::RRS_MODE_NOT_SUPPORTED,
-                               "No conveyor is tracked while torques limit the accelerations.");
+                               "A conveyor cannot be tracked while torques limit the accelerations.");
     if (tracked_frame_.is_active())
         return make_plan_error(Status::RRS_INVALID_PARAMETER,
-                               "Another conveyor is tracked; one is at a time.");
+                               "Another conveyor is being tracked; only one is possible at a time.");
     buffered_moves_.leave();
     if (timeline_.has_independent_motion(timeline_.time_s()))
         return make_plan_error(Status::RRS_MODE_NOT_SUPPORTED,
-                               "No conveyor is tracked while axes go by themselves.");
+                               "A conveyor cannot be tracked while axes move independently.");
     motion.direction = base.transpose() * motion.direction;
     auto frame = ConveyorFrame::of(setup, machine_.axis_space(), motion);
     if (!frame) return tl::unexpected(std::move(frame.error()));

@@ -15,7 +15,7 @@ PlanResult Dwells::enqueue(rrs::TargetId id, double dwell_s) {
     if (!(dwell_s >= 0 && dwell_s <= kMaxDuration_s)) {
         return make_plan_error(
             rrs::Status::RRS_INVALID_PARAMETER,
-            fmt::format("A rest takes from 0 to {} s; {} was asked for.", kMaxDuration_s, dwell_s));
+            fmt::format("A dwell must be from 0 to {} s, not {}.", kMaxDuration_s, dwell_s));
     }
     plan_to_standstill(true);
     append(id, dwell_s);

@@ -40,11 +40,11 @@ PlanResult IndependentMoves::enqueue(const rrs::JointPos& end) {
     if (PlanResult ready = motion_stop_.check_ready_for_move(); !ready) return ready;
     if (tracked_frame_.is_active())
         return make_plan_error(Status::RRS_MODE_NOT_SUPPORTED,
-                               "No axes go by themselves while a conveyor is tracked.");
+                               "Axes cannot move independently while a conveyor is tracked.");
     const PlannerSetup& setup = machine_.setup();
     if (rounds_corners(setup.controller)) {
         return make_plan_error(Status::RRS_MODE_NOT_SUPPORTED,
-                               "No axes go by themselves under a controller that rounds corners.");
+                               "Axes cannot move independently with a controller that rounds corners.");
     }
     if (PlanResult checked = targets_.check_joints(end); !checked) return checked;
     if (PlanResult checked = check_target_ranges(setup, end); !checked) return checked;
@@ -52,7 +52,7 @@ PlanResult IndependentMoves::enqueue(const rrs::JointPos& end) {
     dwells_.plan_to_standstill(true);
     if (timeline_.has_independent_motion(timeline_.time_s()))
         return make_plan_error(Status::RRS_MODE_NOT_SUPPORTED,
-                               "Other axes that go by themselves are under way.");
+                               "Other axes are already moving independently.");
     auto motion = IndependentMotion::plan(setup, position_.joints(), end, timeline_.time_s());
     if (!motion) return tl::unexpected(std::move(motion.error()));
     timeline_.superimpose(*std::move(motion));
@@ -81,7 +81,7 @@ PlanResult IndependentMoves::check(const Move& move) const {
     }
     if (!leads) return {};
     return make_plan_error(Status::RRS_MODE_NOT_SUPPORTED,
-                           "The move leads an axis that is under way by itself.");
+                           "The move contains an axis that is moving independently.");
 }
 
 }  // namespace gsim::motion

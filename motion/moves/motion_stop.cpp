@@ -27,7 +27,7 @@ PlanResult MotionStop::stop() {
         return make_plan_error(Status::RRS_NO_INITIAL_POSITION, "There is no motion to stop yet.");
     if (timeline_.has_independent_motion(timeline_.step_time_s()))
         return make_plan_error(Status::RRS_MODE_NOT_SUPPORTED,
-                               "Motion beside axes that go by themselves cannot be stopped.");
+                               "Motion cannot be stopped while axes move independently.");
     if (stopped_) return {};
     timeline_.end_independent_motion();  // it has ended, and is in what is planned
     timeline_.keep_all_segments(true);
@@ -79,7 +79,7 @@ PlanResult MotionStop::check_ready_for_move() const {
     if (stopped_) {
         return make_plan_error(
             Status::RRS_QUEUE_FULL,
-            "The motion is stopped; ContinueMotion or CancelMotion comes before another target.");
+            "The motion is stopped; call ContinueMotion or CancelMotion before another target.");
     }
     return {};
 }

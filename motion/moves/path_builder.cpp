@@ -13,7 +13,7 @@ using rrs::Status;
 
 tl::unexpected<PlanError> no_via_point_error() {
     return make_plan_error(Status::RRS_INVALID_PARAMETER,
-                           "Circular motion needs a via point before its target, which tells the circle.");
+                           "Circular motion needs a via point before its target, which defines the circle.");
 }
 
 tl::expected<const PathMove*, PlanError> PathBuilder::build(const Move& move) {
@@ -77,10 +77,9 @@ PlanResult PathBuilder::build_circle_about_center(const Move& move, const Circle
     }
     const AxisSpace* axis_space = machine_.axis_space();
     if (axis_space == nullptr) {
-        return make_plan_error(
-            Status::RRS_MOTION_TYPE_NOT_SUPPORTED,
-            "This machine takes the centre of an arc only with joint targets: its position joints do not "
-            "span the space of the work frame.");
+        return make_plan_error(Status::RRS_MOTION_TYPE_NOT_SUPPORTED,
+                               "This machine accepts the centre of an arc only with joint targets: its "
+                               "position joints do not span the space of the work frame.");
     }
     // The tool does not turn here, so its centre point follows the same circle next to that of the tool
     // frame.
@@ -98,7 +97,7 @@ PlanResult PathBuilder::check_circular(bool rapid) const {
     }
     if (rapid) {
         return make_plan_error(Status::RRS_MODE_NOT_SUPPORTED,
-                               "There is no rapid circular motion; switch SetRapid off.");
+                               "Rapid circular motion is not possible; switch SetRapid off.");
     }
     return {};
 }

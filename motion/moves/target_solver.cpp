@@ -35,7 +35,7 @@ PlanResult TargetSolver::check_joints(const rrs::JointPos& joints) const {
     if (!(joints.array().abs() <= kMaxValue).all()) {
         return make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("The target holds a joint value that is not a number within +-{}.", kMaxValue));
+            fmt::format("The target contains a joint value that is not a number within +-{}.", kMaxValue));
     }
     return {};
 }

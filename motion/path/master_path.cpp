@@ -47,7 +47,7 @@ PlanResult set_timing(Segment& segment, const MasterPath& master, const Follower
     if (duration_s < kShortest_s) {
         return make_plan_error(
             Status::RRS_ZERO_SPEED,
-            "The move would take no time: no speed is programmed and the machine sets no limit.");
+            "The move would take no time: no speed is programmed and the machine has no limit.");
     }
     segment.duration_s = duration_s;
     segment.master = rest_to_rest_law(master.length, master.limits, master_s, duration_s);

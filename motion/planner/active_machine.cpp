@@ -43,14 +43,13 @@ void ActiveMachine::restart() {
 PlanResult ActiveMachine::check_ramps() const {
     if (original_.controller.capabilities().accepts_programmed_ramps) return {};
     return make_plan_error(Status::RRS_MODE_NOT_SUPPORTED,
-                           "This controller has ramps of its own, which a program cannot change.");
+                           "This controller has separate ramps, which a program cannot change.");
 }
 
 PlanResult ActiveMachine::check_tcp_control() const {
     if (slide_count(setup_) >= 3) return {};
-    return make_plan_error(
-        Status::RRS_MODE_NOT_SUPPORTED,
-        "Tool-centre-point control needs three slides, X, Y and Z, which this machine has not.");
+    return make_plan_error(Status::RRS_MODE_NOT_SUPPORTED,
+                           "TCP control needs the linear axes X, Y and Z, which this machine does not have.");
 }
 
 }  // namespace gsim::motion

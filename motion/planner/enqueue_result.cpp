@@ -6,7 +6,7 @@ namespace gsim::motion {
 
 PlanError time_raised(const TimeRaised& raised_time) {
     return {.status = rrs::Status::RRS_MOTION_TIME_RAISED,
-            .message = fmt::format("The move takes {}{} s, not {} s: the machine can do it no faster.",
+            .message = fmt::format("The move takes {}{} s, not {} s: the machine cannot move faster.",
                                    raised_time.at_least ? "at least " : "", raised_time.actual_s,
                                    raised_time.requested_s)};
 }

@@ -58,14 +58,14 @@ LawLimits MoveParameters::joint_limits(const PlannerSetup& setup, int joint, dou
 PlanResult check_positive(double value, std::string_view what) {
     if (value > 0) return {};
     return make_plan_error(Status::RRS_INVALID_PARAMETER,
-                           fmt::format("The {} must be greater than 0; {} was asked for.", what, value));
+                           fmt::format("The {} must be greater than 0, not {}.", what, value));
 }
 
 PlanResult check_motion_time(double motion_s) {
     if (motion_s >= kMinTime_s && motion_s <= kMaxDuration_s) return {};
-    return make_plan_error(Status::RRS_INVALID_PARAMETER,
-                           fmt::format("A motion time is from {} to {} s; {} was asked for.", kMinTime_s,
-                                       kMaxDuration_s, motion_s));
+    return make_plan_error(
+        Status::RRS_INVALID_PARAMETER,
+        fmt::format("A motion time must be from {} to {} s, not {}.", kMinTime_s, kMaxDuration_s, motion_s));
 }
 
 }  // namespace gsim::motion

@@ -79,7 +79,7 @@ EnqueueResult Planner::enqueue_until(const Move& move, const StopSearch& search)
     flush();
     if (timeline_.has_independent_motion(timeline_.time_s()))
         return make_plan_error(Status::RRS_MODE_NOT_SUPPORTED,
-                               "Motion beside axes that go by themselves cannot be stopped.");
+                               "Motion cannot be stopped while axes move independently.");
     timeline_.keep_all_segments(true);
     EnqueueResult result = enqueue(move);
     buffered_moves_.plan_to_standstill();

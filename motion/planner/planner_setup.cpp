@@ -26,7 +26,7 @@ SetupError check_not_negative(const std::string& what, double value) {
 
 SetupError check_joint(int index, const JointSetup& joint) {
     if (!(joint.min <= joint.max)) {
-        return fmt::format("The range of joint {} goes from {} to {}; min must not be above max.", index,
+        return fmt::format("The range of joint {} is from {} to {}; min must not be above max.", index,
                            joint.min, joint.max);
     }
     if (auto error = check_positive(fmt::format("max_speed of joint {}", index), joint.max_speed))
@@ -112,14 +112,14 @@ SetupError check_position_joints(const PlannerSetup& setup) {
         const int joint = setup.position_joints[axis];
         if (joint == -1) continue;
         if (joint < -1 || joint >= setup.joint_count()) {
-            return fmt::format("Position joint {} does not exist; there are joints 0 to {}.", joint,
+            return fmt::format("Position joint {} does not exist; joints are 0 to {}.", joint,
                                setup.joint_count() - 1);
         }
         if (setup.joints[static_cast<std::size_t>(joint)].kind != rrs::JointKind::prismatic) {
             return fmt::format("Position joint {} is revolute; it must be prismatic.", joint);
         }
         if (std::count(setup.position_joints.begin(), setup.position_joints.end(), joint) > 1) {
-            return fmt::format("Joint {} stands for more than one of x, y, z.", joint);
+            return fmt::format("Joint {} is used for more than one of x, y, z.", joint);
         }
     }
     return std::nullopt;
@@ -129,7 +129,7 @@ SetupError check_position_joints(const PlannerSetup& setup) {
 
 std::optional<std::string> PlannerSetup::validate() const {
     if (joints.empty() || joints.size() > static_cast<std::size_t>(rrs::kMaxJoints)) {
-        return fmt::format("There are {} joints; a planner takes 1 to {}.", joints.size(), rrs::kMaxJoints);
+        return fmt::format("There are {} joints; a planner accepts 1 to {}.", joints.size(), rrs::kMaxJoints);
     }
     for (int joint = 0; joint < joint_count(); ++joint) {
         if (auto error = check_joint(joint, joints[static_cast<std::size_t>(joint)])) return error;
@@ -137,15 +137,15 @@ std::optional<std::string> PlannerSetup::validate() const {
     if (auto error = check_path(path)) return error;
     if (auto error = check_controller(controller)) return error;
     if (auto error = check_position_joints(*this)) return error;
-    if (!kinematics) return "There are no kinematics.";
+    if (!kinematics) return "The kinematics are missing.";
     if (kinematics->joint_count() != joint_count()) {
-        return fmt::format("The kinematics have {} joints, the planner {}.", kinematics->joint_count(),
+        return fmt::format("The kinematics have {} joints but the planner has {}.", kinematics->joint_count(),
                            joint_count());
     }
     if (!controller.coordination.interpolated_rapids && !controller.capabilities().plans_uncoordinated_joints)
-        return "Rapids that are not interpolated are of the planner that comes to rest at each target.";
+        return "Rapids that are not interpolated need the planner that stops at each target.";
     if (!controller.coordination.interpolated_rapids && std::isfinite(path.max_rapid_mm_s))
-        return "max_rapid_mm_s of the path cannot be kept where rapids are not interpolated.";
+        return "max_rapid_mm_s of the path is not possible if rapids are not interpolated.";
     if (controller.coordination.orientation == rrs::OrientationRule::great_circle) {
         if (auto error = find_great_circle_error(*this)) return error;
     }

@@ -52,7 +52,7 @@ PlanResult Timeline::reserve(std::size_t segments) {
         if (sink_ == nullptr) {
             return make_plan_error(
                 rrs::Status::RRS_QUEUE_FULL,
-                fmt::format("{} targets are waiting; call GetNextStep before more are put.",
+                fmt::format("{} targets are pending; call GetNextStep before setting more.",
                             machine_.setup().queue_capacity));
         }
         emit_front();

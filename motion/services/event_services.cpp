@@ -19,8 +19,7 @@ PlanResult EventServices::define_event(int event_id, rrs::TargetId target, Event
 
 PlanResult EventServices::cancel_event(int event_id) {
     if (events_.cancel(event_id)) return {};
-    return make_plan_error(Status::RRS_INVALID_PARAMETER,
-                           fmt::format("There is no event {} that has yet to come true.", event_id));
+    return make_plan_error(Status::RRS_INVALID_PARAMETER, fmt::format("Event {} is not pending.", event_id));
 }
 
 PlanResult EventServices::get_event(int number, int& event_id, double& time_s) const {
@@ -28,7 +27,7 @@ PlanResult EventServices::get_event(int number, int& event_id, double& time_s) c
     if (number < 0 || static_cast<std::size_t>(number) >= events.size()) {
         return make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("There is no event {}; {} came true in the last step.", number, events.size()));
+            fmt::format("Event {} does not exist; {} occurred in the last step.", number, events.size()));
     }
     event_id = events[static_cast<std::size_t>(number)].id;
     time_s = events[static_cast<std::size_t>(number)].time_s;

@@ -29,7 +29,7 @@ PlanResult FrameServices::modify_cell_frame(std::string_view frame_name, const r
     if (is_machine_frame && (is_tracking || planner_.motion_stop().is_stopped())) {
         return make_plan_error(
             rrs::Status::RRS_INVALID_PARAMETER,
-            fmt::format("The frame '{}' is the machine's, which cannot change while {}.", frame_name,
+            fmt::format("The frame '{}' belongs to the machine and cannot change while {}.", frame_name,
                         is_tracking ? "a conveyor is tracked" : "a motion is stopped"));
     }
     planner_.dwells().plan_to_standstill(true);

@@ -38,7 +38,7 @@ PlanResult ObjectServices::set_object_initial_position(const rrs::CartPos& pose)
 }
 
 PlanResult ObjectServices::set_object_speed(double speed_mm_s) {
-    if (PlanResult checked = check_positive(speed_mm_s, "the object's speed"); !checked) return checked;
+    if (PlanResult checked = check_positive(speed_mm_s, "the speed of the object"); !checked) return checked;
     if (!std::isfinite(speed_mm_s))
         return make_plan_error(Status::RRS_INVALID_PARAMETER, "The object's speed is not finite.");
     object_.set_speed(speed_mm_s);

@@ -20,14 +20,13 @@ PlanResult PathModeServices::set_path_mode(rrs::PathMode mode, double tolerance_
     if (number < 0 || number > 2) {
         return make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("There is no path mode {}; 0 is exact stop, 1 exact path, 2 continuous.", number));
+            fmt::format("Invalid path mode {}; 0 is exact stop, 1 exact path, 2 continuous.", number));
     }
     if (!(tolerance_mm >= 0 && tolerance_mm < kUnlimited && merge_tolerance_mm >= 0 &&
           merge_tolerance_mm < kUnlimited)) {
-        return make_plan_error(
-            Status::RRS_INVALID_PARAMETER,
-            fmt::format("The tolerances of a path are 0 or greater; {} and {} were asked for.", tolerance_mm,
-                        merge_tolerance_mm));
+        return make_plan_error(Status::RRS_INVALID_PARAMETER,
+                               fmt::format("The tolerances of a path must be 0 or greater, not {} and {}.",
+                                           tolerance_mm, merge_tolerance_mm));
     }
     selections_.move_parameters.path_mode = mode;
     selections_.move_parameters.tolerance_mm = tolerance_mm;
@@ -40,7 +39,7 @@ PlanResult PathModeServices::select_dominant_interpolation(rrs::Dominance domina
     if (number < 0 || number > 2) {
         return make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("There is no dominance {}; 0 is automatic, 1 position, 2 orientation.", number));
+            fmt::format("Invalid dominance {}; 0 is automatic, 1 position, 2 orientation.", number));
     }
     selections_.move_parameters.dominance = dominance;
     return {};

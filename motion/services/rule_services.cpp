@@ -35,11 +35,10 @@ void RuleServices::change_machine(const Change& change) {
 
 PlanResult RuleServices::check_criterion(int criterion) const {
     if (criterion < kVelocityStep || criterion > kBlendTolerance) {
-        return make_plan_error(
-            Status::RRS_INVALID_PARAMETER,
-            fmt::format("There is no fly-by criterion {}; 1 is the step of the joints' speeds, 2 the "
-                        "junction deviation, 3 the tolerance of corners.",
-                        criterion));
+        return make_plan_error(Status::RRS_INVALID_PARAMETER,
+                               fmt::format("Invalid fly-by criterion {}; 1 is the step of the joint speeds, "
+                                           "2 the junction deviation, 3 the corner tolerance.",
+                                           criterion));
     }
     const rrs::ControllerRules& controller = machine_.original().controller;
     const bool blends =
@@ -48,7 +47,7 @@ PlanResult RuleServices::check_criterion(int criterion) const {
     if (has) return {};
     return make_plan_error(
         Status::RRS_MODE_NOT_SUPPORTED,
-        fmt::format("This controller does not pass corners by the criterion {}.", criterion));
+        fmt::format("This controller does not support the criterion {} for corners.", criterion));
 }
 
 PlanResult RuleServices::select_flyby_criteria(int criterion) {
@@ -70,8 +69,9 @@ PlanResult RuleServices::check_criterion_value(int criterion, int joint, double 
             fmt::format("The fly-by criterion {} has no value for joint {}.", criterion, joint));
     }
     if (!(value >= 0 && value < kUnlimited) || (is_of_joint && value == 0)) {
-        return make_plan_error(Status::RRS_INVALID_PARAMETER,
-                               fmt::format("{} is no value for the fly-by criterion {}.", value, criterion));
+        return make_plan_error(
+            Status::RRS_INVALID_PARAMETER,
+            fmt::format("{} is not a valid value for the fly-by criterion {}.", value, criterion));
     }
     return {};
 }
@@ -102,7 +102,7 @@ PlanResult RuleServices::cancel_flyby_criteria(int criterion) {
     if (PlanResult checked = check_criterion(criterion); !checked) return checked;
     if (selections_.flyby_criterion != criterion) {
         return make_plan_error(Status::RRS_INVALID_PARAMETER,
-                               fmt::format("The fly-by criterion {} is not in force.", criterion));
+                               fmt::format("The fly-by criterion {} is not active.", criterion));
     }
     selections_.flyby_criterion = 0;
     if (criterion == kBlendTolerance) selections_.move_parameters.tolerance_mm = 0;
@@ -112,11 +112,10 @@ PlanResult RuleServices::cancel_flyby_criteria(int criterion) {
 
 PlanResult RuleServices::check_accuracy(int accuracy_type) const {
     if (accuracy_type != kNoSettling && accuracy_type != kSettling) {
-        return make_plan_error(
-            Status::RRS_INVALID_PARAMETER,
-            fmt::format("There is no point accuracy {}; 0 is an exact stop, 1 one that waits until "
-                        "the axes are in position.",
-                        accuracy_type));
+        return make_plan_error(Status::RRS_INVALID_PARAMETER,
+                               fmt::format("Invalid point accuracy {}; 0 is an exact stop, 1 an exact stop "
+                                           "that waits until the axes are in position.",
+                                           accuracy_type));
     }
     if (accuracy_type == kNoSettling || machine_.setup().controller.capabilities().waits_in_position)
         return {};
@@ -145,8 +144,8 @@ PlanResult RuleServices::set_point_accuracy_parameter(int accuracy_type, double 
     if (accuracy_type != kSettling || !(value >= 0 && value <= kMaxDuration_s)) {
         return make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("{} is no value for the point accuracy {}; 1 has a time from 0 to {} s.", value,
-                        accuracy_type, kMaxDuration_s));
+            fmt::format("{} is not a valid value for the point accuracy {}; 1 needs a time from 0 to {} s.",
+                        value, accuracy_type, kMaxDuration_s));
     }
     selections_.settle_s = value;
     if (selections_.settles)
@@ -158,8 +157,7 @@ PlanResult RuleServices::select_orientation_interpolation_mode(int mode) {
     if (mode != 0 && mode != 1) {
         return make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("There is no mode {} of orientation; 0 is by the joint angles, 1 along the "
-                        "great circle.",
+            fmt::format("Invalid orientation mode {}; 0 is by the joint angles, 1 along the great circle.",
                         mode));
     }
     if (mode == 1) {

@@ -21,10 +21,9 @@ PlanResult set_positive(double& value, double requested, std::string_view what) 
 
 PlanResult set_percent(double& factor, double percent, std::string_view what) {
     if (!(percent > 0 && percent <= kMaxPercent)) {
-        return make_plan_error(
-            Status::RRS_INVALID_PARAMETER,
-            fmt::format("The {} override is above 0 and at most {} percent; {} was asked for.", what,
-                        kMaxPercent, percent));
+        return make_plan_error(Status::RRS_INVALID_PARAMETER,
+                               fmt::format("The {} override must be above 0 and at most {} percent, not {}.",
+                                           what, kMaxPercent, percent));
     }
     factor = percent / 100;
     return {};
@@ -50,7 +49,7 @@ PlanResult SpeedServices::set_ramp_mode(rrs::RampMode mode) {
     if (number < 0 || number > 3) {
         return make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("There is no ramp mode {}; 0 is the machine's own, 1 linear, 2 S-curve, 3 infinite.",
+            fmt::format("Invalid ramp mode {}; 0 is that of the machine, 1 linear, 2 S-curve, 3 infinite.",
                         number));
     }
     if (mode != rrs::RampMode::machine) {
@@ -68,7 +67,7 @@ PlanResult SpeedServices::set_joint_ramp_limits(rrs::RampLimit limit, std::span<
     if (number < 0 || number > 2) {
         return make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("There is no limit {}; 0 is acceleration, 1 deceleration, 2 jerk.", number));
+            fmt::format("Invalid limit {}; 0 is acceleration, 1 deceleration, 2 jerk.", number));
     }
     if (PlanResult checked = machine_.check_ramps(); !checked) return checked;
     constexpr std::string_view kNames[] = {"acceleration", "deceleration", "jerk"};
@@ -130,12 +129,12 @@ PlanResult SpeedServices::set_joint_values(rrs::JointPos& values, std::span<cons
         if (joint < 0 || joint >= setup.joint_count()) {
             return make_plan_error(
                 Status::RRS_INVALID_PARAMETER,
-                fmt::format("There is no joint {}; joints are 0 to {}.", joint, setup.joint_count() - 1));
+                fmt::format("Joint {} does not exist; joints are 0 to {}.", joint, setup.joint_count() - 1));
         }
         if (!(requested[i] > 0)) {
-            return make_plan_error(Status::RRS_INVALID_PARAMETER,
-                                   fmt::format("The {} of joint {} must be greater than 0; {} was asked for.",
-                                               what, joint, requested[i]));
+            return make_plan_error(
+                Status::RRS_INVALID_PARAMETER,
+                fmt::format("The {} of joint {} must be greater than 0, not {}.", what, joint, requested[i]));
         }
         changed[joint] = requested[i];
     }

@@ -26,7 +26,7 @@ Status step_status(MotionStep::End end) {
 PlanResult StepServices::set_interpolation_time(double interpolation_s) {
     if (!(interpolation_s >= kMinServiceTime_s && interpolation_s <= kMaxDuration_s)) {
         return make_plan_error(Status::RRS_INVALID_PARAMETER,
-                               fmt::format("The interpolation time is from {} to {} s; {} was asked for.",
+                               fmt::format("The interpolation time must be from {} to {} s, not {}.",
                                            kMinServiceTime_s, kMaxDuration_s, interpolation_s));
     }
     selections_.interpolation_s = interpolation_s;
@@ -49,22 +49,23 @@ PlanResult StepServices::stop_motion() {
     if (!planner_.tracked_frame().is_active_at_step_clock() && frames_.machine_moved_after_step_clock()) {
         return make_plan_error(
             Status::RRS_MODE_NOT_SUPPORTED,
-            "The frame 'tool' or 'base' has been changed behind the motion under way, which cannot be "
-            "stopped.");
+            "The frame 'tool' or 'base' has been changed after the current motion, which cannot be stopped.");
     }
     return planner_.motion_stop().stop();
 }
 
 PlanResult StepServices::continue_motion() {
     if (!planner_.motion_stop().is_stopped())
-        return make_plan_error(Status::RRS_INVALID_PARAMETER, "No motion is stopped that could go on.");
+        return make_plan_error(Status::RRS_INVALID_PARAMETER,
+                               "No motion is stopped that could be continued.");
     planner_.motion_stop().resume();
     return {};
 }
 
 PlanResult StepServices::cancel_motion() {
     if (!planner_.motion_stop().is_stopped())
-        return make_plan_error(Status::RRS_INVALID_PARAMETER, "No motion is stopped that could be dropped.");
+        return make_plan_error(Status::RRS_INVALID_PARAMETER,
+                               "No motion is stopped that could be cancelled.");
     planner_.motion_stop().cancel();
     frames_.drop_queued();
     targets_.drop_via();

@@ -16,7 +16,7 @@ PlanResult TargetServices::select_target_type(rrs::TargetType type) {
     if (type != rrs::TargetType::cartesian && type != rrs::TargetType::joint) {
         return make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("There is no target type {}; 0 is Cartesian, 1 joint.", static_cast<int>(type)));
+            fmt::format("Invalid target type {}; 0 is Cartesian, 1 joint.", static_cast<int>(type)));
     }
     selections_.target_type = type;
     if (type == rrs::TargetType::joint && !planner_.machine().setup().has_position_joints())
@@ -27,9 +27,9 @@ PlanResult TargetServices::select_target_type(rrs::TargetType type) {
 PlanResult TargetServices::select_motion_type(rrs::MotionType type) {
     const bool path = type == rrs::MotionType::linear || type == rrs::MotionType::circular;
     if (!path && type != rrs::MotionType::joint) {
-        return make_plan_error(Status::RRS_INVALID_PARAMETER,
-                               fmt::format("There is no motion type {}; 1 is joint, 2 linear, 4 circular.",
-                                           static_cast<int>(type)));
+        return make_plan_error(
+            Status::RRS_INVALID_PARAMETER,
+            fmt::format("Invalid motion type {}; 1 is joint, 2 linear, 4 circular.", static_cast<int>(type)));
     }
     if (path && !can_follow_paths()) {
         return make_plan_error(
@@ -52,7 +52,7 @@ bool TargetServices::can_follow_paths() const {
 
 PlanResult TargetServices::set_tcp_control(bool on, const Eigen::Vector3d& tcp_mm) {
     if (!tcp_mm.allFinite())
-        return make_plan_error(Status::RRS_INVALID_PARAMETER, "The place of the tip is not finite.");
+        return make_plan_error(Status::RRS_INVALID_PARAMETER, "The position of the TCP is not finite.");
     if (!on) {
         selections_.tcp_mm.reset();
         return {};
@@ -72,7 +72,7 @@ PlanResult TargetServices::set_dwell(double dwell_s) {
     if (!(dwell_s >= 0 && dwell_s <= kMaxDuration_s)) {
         return make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("A rest takes from 0 to {} s; {} was asked for.", kMaxDuration_s, dwell_s));
+            fmt::format("A dwell must be from 0 to {} s, not {}.", kMaxDuration_s, dwell_s));
     }
     selections_.dwell_s = dwell_s;
     return {};
@@ -96,7 +96,7 @@ PlanResult TargetServices::set_next_target(rrs::TargetId id, rrs::TargetParam pa
     if (param == rrs::TargetParam::via) return store_via(goal(cartesian, joints));
     if (param != rrs::TargetParam::end) {
         return make_plan_error(Status::RRS_INVALID_PARAMETER,
-                               "A target is the end of a motion or a via point.");
+                               "A target must be the end of a motion or a via point.");
     }
     Move move = move_to(id, selections_.motion_type, goal(cartesian, joints));
     if (move.type == rrs::MotionType::circular && via_) move.via = Goal{*via_, std::nullopt};
@@ -119,7 +119,7 @@ PlanResult TargetServices::plan_to_standstill(rrs::RestReason reason) {
     if (number < 0 || number > 2) {
         return make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("There is no reason {} to come to rest; 0 is a query, 1 a wait, 2 the end.", number));
+            fmt::format("Invalid reason {} for a standstill; 0 is a query, 1 a wait, 2 the end.", number));
     }
     if (reason == rrs::RestReason::end) {
         planner_.dwells().plan_to_final_standstill();
@@ -163,7 +163,7 @@ PlanResult TargetServices::enqueue(const Move& move) {
 PlanResult TargetServices::store_via(const Goal& goal) {
     if (selections_.motion_type != rrs::MotionType::circular) {
         return make_plan_error(Status::RRS_INVALID_PARAMETER,
-                               "A via point belongs to circular motion; select that motion type first.");
+                               "A via point needs circular motion; select that motion type first.");
     }
     // The via point is solved now, because the end of the path so far decides which of several solutions is
     // meant.

@@ -50,14 +50,13 @@ tl::expected<std::size_t, PlanError> CellMonitor::find_movable(std::string_view 
     if (programmed_frames_.tree().is_machine_frame(*found)) {
         return motion::make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format(
-                "The frame '{}' is the machine's, whose file says where it is; of its frames a program "
-                "moves 'tool' and 'base' alone, by ModifyCellFrame.",
-                name));
+            fmt::format("The frame '{}' belongs to the machine and is defined in its file; a program can "
+                        "move only 'tool' and 'base', by ModifyCellFrame.",
+                        name));
     }
     if (const auto moving = find_carrier(*found); moving && cell_.moving_frames[*moving].conveyor) {
         return motion::make_plan_error(Status::RRS_INVALID_PARAMETER,
-                                       fmt::format("The frame '{}' goes with its conveyor.", name));
+                                       fmt::format("The frame '{}' moves with its conveyor.", name));
     }
     return found;
 }
@@ -111,7 +110,7 @@ PlanResult CellMonitor::enable_frame_motion(std::string_view name) {
     if (const auto error = cell::find_pair_count_error(cell_.items, frames))
         return motion::make_plan_error(
             Status::RRS_INVALID_PARAMETER,
-            fmt::format("The frame '{}' cannot go by itself: {}.", name, error->message));
+            fmt::format("The frame '{}' cannot move independently: {}.", name, error->message));
     cell_.make_movable(*found, false);
     programmed_frames_.tree().make_movable(*found);
     for (const FrameMove& move : frame_moves_) {

@@ -20,8 +20,8 @@ std::optional<std::string> EarlyBrakingMonitor::warning(const std::vector<std::s
                                                                        longest_location_.line)
                                                          : "a script";
     return fmt::format(
-        "the control's ramps in steps of time brake short of the ends of {} block{}, and the machine crawls "
-        "there for {:.3f} s in all, at worst {:.3f} mm in {:.3f} s in {}",
+        "the stepped ramps of the controller brake before the ends of {} block{}, and the machine crawls "
+        "there for {:.3f} s in total, at worst {:.3f} mm in {:.3f} s in {}",
         count_, count_ == 1 ? "" : "s", crawled_s_, longest_mm_, longest_s_, where);
 }
 

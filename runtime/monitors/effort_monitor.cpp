@@ -39,16 +39,16 @@ std::string excess_text(const EffortExcess& excess) {
     const char* unit = excess.rotary ? "Nm" : "N";
     if (excess.continuous) {
         return fmt::format(
-            "axis {} needs {:.4g} {} as a root mean square of the whole run, of {:.4g} {} that "
-            "its motor does without end",
+            "axis {} needs {:.4g} {} as a root mean square of the complete run, of {:.4g} {} continuous of "
+            "its motor",
             excess.letter, excess.effort, unit, excess.limit, unit);
     }
     std::string text = fmt::format("axis {} needs {:.4g} {} of {:.4g} {}", excess.letter, excess.effort, unit,
                                    excess.limit, unit);
     if (!excess.acceleration_share)
-        return text + "; weight, friction and speed alone are more, whatever its acceleration";
+        return text + "; weight, friction and speed alone exceed it, with any acceleration";
     // Rounded down, so that the reported share is enough.
-    return text + fmt::format("; {:.2f} of its acceleration would do",
+    return text + fmt::format("; {:.2f} of its acceleration is possible",
                               std::floor(*excess.acceleration_share * 100) / 100);
 }
 

@@ -24,7 +24,7 @@ tl::expected<std::size_t, PlanError> ProgrammedFrames::find(std::string_view nam
         Status::RRS_UNKNOWN_FRAME,
         fmt::format("The cell has no frame '{}'; {}", name,
                     nearest ? fmt::format("did you mean '{}'?", *nearest)
-                            : fmt::format("there are: {}.", text::joined(names, ", "))));
+                            : fmt::format("known frames: {}.", text::joined(names, ", "))));
 }
 
 tl::expected<motion::WorkFrames, PlanError> ProgrammedFrames::work_frames(
@@ -40,7 +40,7 @@ PlanResult ProgrammedFrames::check_same_link(std::size_t frame, std::size_t orig
     if (frames_.link(frame) == frames_.link(origin)) return {};
     return motion::make_plan_error(
         Status::RRS_INVALID_PARAMETER,
-        fmt::format("The frame '{}' moves against the frame '{}', to which it would have to be attached.",
+        fmt::format("The frame '{}' moves relative to the frame '{}', so it would have to be attached to it.",
                     frames_.name(frame), frames_.name(origin)));
 }
 

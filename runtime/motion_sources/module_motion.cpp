@@ -74,7 +74,8 @@ motion::EnqueueResult ModuleMotion::enqueue(const motion::Move& move) {
     if (move.goal.pose && !move.goal.pose->group_joints.empty()) {
         return tl::unexpected(motion::PlanError{
             .status = Status::RRS_MODE_NOT_SUPPORTED,
-            .message = "A controller module knows no groups of axes; lead their axes by words (G0, G1)."});
+            .message =
+                "A controller module does not support axis groups; move their axes by words (G0, G1)."});
     }
     return shell_.run_as_program([&]() -> motion::EnqueueResult {
         const Status status = enqueue_move(move);
@@ -107,7 +108,7 @@ motion::EnqueueResult ModuleMotion::enqueue_until(const motion::Move& move,
 motion::PlanResult ModuleMotion::enqueue_independent(const rrs::JointPos&) {
     return tl::unexpected(
         motion::PlanError{.status = Status::RRS_MODE_NOT_SUPPORTED,
-                          .message = "A controller module has no axes that go by themselves."});
+                          .message = "A controller module does not support independent motion of axes."});
 }
 
 motion::PlanResult ModuleMotion::enqueue_dwell(const DwellRequest& request) {

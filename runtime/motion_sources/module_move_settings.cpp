@@ -104,7 +104,8 @@ Status ModuleMoveSettings::send_joint_speeds(const motion::Move& move) {
     sent.joint_speeds = speeds;
     const Status status = shell_.SetJointSpeeds({}, all_of(speeds));
     if (status != Status::RRS_SERVICE_NOT_SUPPORTED) return status;
-    remarks_.emplace_back("the controller has no speeds of joints (SetJointSpeeds): joints move at its own");
+    remarks_.emplace_back(
+        "the controller does not support joint speeds (SetJointSpeeds): joints move at its default speeds");
     return Status::RRS_SUCCESS;
 }
 
@@ -119,7 +120,8 @@ void ModuleMoveSettings::send_blending(const motion::MoveParameters& move_parame
     if (shell_.SetPathMode(move_parameters.path_mode, move_parameters.tolerance_mm,
                            move_parameters.merge_tolerance_mm) == Status::RRS_SERVICE_NOT_SUPPORTED) {
         remarks_.emplace_back(
-            "the controller has no path modes (G61, G64): it passes the ends of moves in its own way");
+            "the controller does not support path modes (G61, G64): it uses its default at the ends of "
+            "moves");
     }
 }
 

@@ -47,7 +47,7 @@ void ModuleShell::before_call() {
 std::string ModuleShell::last_message() {
     std::string message;
     run_as_program([&] { GetMessage(message); });
-    if (message.empty()) message = "the module does not say why";
+    if (message.empty()) message = "the module gives no reason";
     return error() || message.find(name()) == 0 ? message : fmt::format("{}: {}", name(), message);
 }
 
@@ -200,7 +200,7 @@ Status ModuleShell::step() {
     double elapsed_s = 0;
     const Status status = GetNextStep(joints, pose, elapsed_s);
     if (!is_error_status(status) || error()) return status;
-    return report_module_error(fmt::format("answered GetNextStep with {}", rrs::name(status)));
+    return report_module_error(fmt::format("responded to GetNextStep with {}", rrs::name(status)));
 }
 
 Status ModuleShell::step_to_target() {
@@ -209,7 +209,7 @@ Status ModuleShell::step_to_target() {
             const Status status = step();
             if (is_error_status(status) || status == Status::RRS_TARGET_REACHED) return status;
             if (status == Status::RRS_NEED_MORE_DATA)
-                return report_module_error("answered RRS_QUEUE_FULL, but its queue is empty");
+                return report_module_error("returned RRS_QUEUE_FULL, but its queue is empty");
         }
     });
 }

@@ -23,7 +23,7 @@ void StepSegments::add_step(const rrs::JointPos& joints, double elapsed_s, rrs::
 
 std::optional<std::string> StepSegments::add_instant(const rrs::JointPos& joints) {
     if ((joints - position_).cwiseAbs().maxCoeff() > kPositionTolerance)
-        return "answered GetNextStep with a jump: a joint moved in no time";
+        return "responded to GetNextStep with a jump: a joint moved in no time";
     position_ = joints;
     return std::nullopt;
 }

@@ -38,7 +38,7 @@ class RobotsReader {
         : error_(error), folder_(std::move(folder)), dialects_(dialects) {}
 
     RobotsFile read(const toml::table& root) {
-        TomlSection file(error_, root, "a file of robots", kFileKeys);
+        TomlSection file(error_, root, "a robots file", kFileKeys);
         for (const toml::table* table : file.tables("robot")) read_robot(*table);
         if (file.has("conveyor")) {
             for (const toml::table* table : file.tables("conveyor")) read_conveyor(*table);
@@ -46,7 +46,8 @@ class RobotsReader {
         if (file.has("zone")) {
             for (const toml::table* table : file.tables("zone")) read_zone(*table);
         }
-        if (!error_.text() && file_.robots.empty()) file.fail("robot", "a file of robots holds a [[robot]]");
+        if (!error_.text() && file_.robots.empty())
+            file.fail("robot", "a robots file needs at least one [[robot]]");
         return std::move(file_);
     }
 
@@ -54,10 +55,11 @@ class RobotsReader {
     std::string read_name(TomlSection& section) {
         std::string name = section.text("name");
         if (!is_plain(name))
-            section.fail("name",
-                         "'name' must be of letters, digits, '_' and '-' (it names signals and files)");
+            section.fail(
+                "name",
+                "'name' must consist of letters, digits, '_' and '-' (signals and files are named after it)");
         if (std::find(names_.begin(), names_.end(), name) != names_.end())
-            section.fail("name", fmt::format("the name '{}' is taken above", name));
+            section.fail("name", fmt::format("the name '{}' is already used above", name));
         names_.push_back(name);
         return name;
     }
@@ -91,7 +93,8 @@ class RobotsReader {
                     vector.number(kDirectionKeys[static_cast<std::size_t>(i)], 0, NumberRule::finite);
         }
         const double length = direction.stableNorm();
-        if (!(length > 0)) return section.fail("direction", "'direction' must not be zero: { x = 1.0 }, say");
+        if (!(length > 0))
+            return section.fail("direction", "'direction' must not be zero: for example { x = 1.0 }");
         file_.conveyors.emplace_back(std::move(name), direction / length, speed_mm_s);
     }
 
@@ -102,7 +105,7 @@ class RobotsReader {
         const os::CallbackFiles no_files([](const std::string&) -> std::optional<std::string> { return {}; });
         auto form = machine::read_shape(error_, section, table, folder_, no_files);
         if (form && std::holds_alternative<machine::MeshShape>(*form))
-            section.fail("shape", "a zone is a box, a cylinder, a sphere or a capsule");
+            section.fail("shape", "a zone must be a box, a cylinder, a sphere or a capsule");
         if (form) zone.form = *std::move(form);
         zone.frame = machine::frame_pose(machine::read_frame(error_, section.table("frame"), "'frame'"));
         file_.zones.push_back(std::move(zone));

@@ -78,7 +78,7 @@ kinematics::Link link(const gsim_rcs_machine& machine, int index) {
 
 Result<Kinematics> read_kinematics(const gsim_rcs_machine& machine) {
     const auto joints = joints_by_row(machine);
-    if (!joints) return Unexpected("The rows of the joints are not numbered from 0 up.");
+    if (!joints) return Unexpected("The rows of the joints must be numbered from 0 up.");
     kinematics::Branch branch{.base = rrs::from_rcs(machine.base), .end = rrs::from_rcs(machine.tool)};
     branch.links.reserve(joints->size());
     for (const int joint : *joints) branch.links.push_back(link(machine, joint));
@@ -138,7 +138,7 @@ void RcsMachine::add_parameters(const rrs::ControllerRules& rules) {
 
 Result<motion::PlannerSetup> setup_from_rcs_machine(const gsim_rcs_machine& machine) {
     if (machine.joint_count < 1 || machine.joint_count > rrs::kMaxJoints)
-        return Unexpected(fmt::format("There are {} joints; a planner takes 1 to {}.", machine.joint_count,
+        return Unexpected(fmt::format("There are {} joints; a planner accepts 1 to {}.", machine.joint_count,
                                       rrs::kMaxJoints));
     motion::PlannerSetup setup;
     for (int i = 0; i < machine.joint_count; ++i) {

@@ -105,12 +105,12 @@ void PathRecorder::line(const AxisVector& from, const LineMove& move, bool is_ro
     if ((move.target - from).cwiseAbs().maxCoeff() < kPositionTolerance) return;
     moves(from);
     if (move.kind == MoveKind::probe) {
-        notes_.insert("recorded path: probing moves are lines to where this run ended them");
+        notes_.insert("recorded path: probing moves are lines to the point where they ended in this run");
     }
     if (tool_position_.moves_other_linear_axes(from, move.target)) {
         notes_.insert(
-            "recorded path: what axes beside X, Y and Z carry the tool is in its positions; programs written "
-            "from the path move X, Y and Z in their place");
+            "recorded path: axes other than X, Y and Z that carry the tool are included in its positions; "
+            "programs written from the path move X, Y and Z instead");
     }
     if (move.kind == MoveKind::rapid) {
         builder_.add(point_at(move.target, MotionType::rapid));
@@ -131,7 +131,7 @@ void PathRecorder::record_line(const AxisVector& from, const LineMove& move, boo
     }
     if (move.kind == MoveKind::thread)
         notes_.insert(
-            "recorded path: threads with turning axes are lines, no longer in step with the spindle");
+            "recorded path: threads with rotating axes are lines, no longer in step with the spindle");
     depend_on_start(from);
     const double full_length_mm = (tool_position_.xyz(move.target) - tool_position_.xyz(from)).norm();
     const double total_deg = (move.target - from).norm();

@@ -78,7 +78,7 @@ std::vector<std::string> MultiRobotMonitor::warnings() const {
         for (std::size_t b = a + 1; b < robots_; ++b) {
             if (!has_bodies(a) || !has_bodies(b) || has_separate_base(a, b)) continue;
             list.push_back(
-                fmt::format("robots '{}' and '{}' stand in the same place (base): not looked at against each "
+                fmt::format("robots '{}' and '{}' have the same base position: not checked against each "
                             "other; give each a base",
                             tracks_[a].name, tracks_[b].name));
         }

@@ -9,9 +9,8 @@ using rrs::Status;
 namespace {
 
 constexpr std::string_view kServiceMotion =
-    "the script moves by services of the controller (SetNextTarget and its kin), which tell no path; use "
-    "words "
-    "such as G1, or move";
+    "the script moves by services of the controller (SetNextTarget and similar), which have no recordable "
+    "path; use words such as G1, or move";
 constexpr int kConveyor = 1;  // defined by the program's own tracking; one at a time is tracked
 
 }  // namespace
@@ -45,7 +44,7 @@ Status ControllerServices::select_tracking(int conveyor, bool on) {
     motion_.source().plan_to_standstill(false);
     const Status status = shell().SelectTracking(conveyor, on);
     if (status == Status::RRS_SUCCESS) position_.set(position_.to_axes(motion_.source().position()));
-    if (on) notifier_.notify_unrecordable("the program tracks a conveyor, which takes the tool along");
+    if (on) notifier_.notify_unrecordable("the program tracks a conveyor, which moves the tool");
     return status;
 }
 

@@ -42,7 +42,7 @@ rrs::Status MachineCell::modify_frame(std::string_view name, const rrs::CartPos&
 void MachineCell::machine_frame_changed(std::string_view name, const rrs::CartPos& frame) {
     program_.machine_frames().set(name, frame);
     program_.tool().update_tcp();
-    notifier_.notify_unrecordable("the script moves the machine's own frame, 'tool' or 'base'");
+    notifier_.notify_unrecordable("the script moves a frame of the machine, 'tool' or 'base'");
     tcp_control_.renew(program_.ids().last_location());
 }
 
@@ -58,8 +58,8 @@ void MachineCell::add_findings(Report& report) {
     if (monitor_ == nullptr || !monitor_->use().monitored) return;
     report.cell = monitor_->release();
     if (report.cell->dropped == 0) return;
-    report.warnings.push_back(fmt::format(
-        "{} more contacts and near misses than the report lists were left out", report.cell->dropped));
+    report.warnings.push_back(
+        fmt::format("{} more contacts and near misses are not listed in the report", report.cell->dropped));
 }
 
 }  // namespace gsim::simulation

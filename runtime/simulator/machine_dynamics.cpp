@@ -91,8 +91,8 @@ std::optional<std::string> find_massless_axis(const machine::Machine& machine,
         if (!machine::has_motor(machine.axes[i]) || dynamics.inertial_efforts(home, unit)[joint] > 0)
             continue;
         return fmt::format(
-            "'limit = \"torque\"' of [dynamics] needs a mass that axis {} moves: no [[mass]], no "
-            "density of a [[shape]] and no '{}' gives it one",
+            "'limit = \"torque\"' of [dynamics] needs a mass that axis {} moves: define it with a [[mass]], "
+            "a density of a [[shape]] or '{}'",
             machine.axes[i].letter,
             machine.axes[i].kind == machine::AxisKind::linear ? "rotor_kg" : "rotor_kg_m2");
     }

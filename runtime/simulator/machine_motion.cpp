@@ -29,7 +29,7 @@ std::unique_ptr<MotionSource> MachineMotion::make_source(std::optional<rrs::RcsM
 
 void MachineMotion::observe(MotionObserver& observer) {
     source_ = std::make_unique<ObservedMotion>(std::move(source_), observer);
-    if (!overrides_.empty()) observer.on_unrecordable("overrides are turned");
+    if (!overrides_.empty()) observer.on_unrecordable("overrides are changed");
 }
 
 bool MachineMotion::set_overrides(const motion::OverrideSchedule& overrides) {

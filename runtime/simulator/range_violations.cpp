@@ -16,7 +16,7 @@ constexpr const char* kByControllerModule = ", by a step of the controller modul
 
 std::string range_message(const Violation& violation) {
     const char* unit = violation.rotary ? "deg" : "mm";
-    return fmt::format("axis {} goes to {:.10g} {}, {:.10g} {} past its limit of {:.10g} {}", violation.axis,
+    return fmt::format("axis {} moves to {:.10g} {}, {:.10g} {} past its limit of {:.10g} {}", violation.axis,
                        violation.value, unit, violation.amount(), unit, violation.limit, unit);
 }
 

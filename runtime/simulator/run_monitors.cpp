@@ -48,7 +48,7 @@ void RunMonitors::apply_torque_limits() {
     if (limits == nullptr) return;
     if (!motion_.set_move_limits(std::move(limits))) {
         return warnings_.add(
-            "the controller is a module: it does not know 'limit = \"torque\"' of the machine file");
+            "the controller is a module: it does not support 'limit = \"torque\"' of the machine file");
     }
     axes_time_monitor_ = std::make_unique<AxesTimeMonitor>(machine_);
     motion_.observe(*axes_time_monitor_);
@@ -78,19 +78,17 @@ void RunMonitors::add_efforts(RunStatus status, const std::vector<std::string>& 
     if (axes_time_monitor_ == nullptr || status != RunStatus::completed) return;
     report.efforts->time_by_axis_accelerations_s = axes_time_monitor_->time_s();
     if (report.efforts->time_by_axis_accelerations_s || report.cycle_time_s <= 0) return;
-    report.warnings.push_back(
-        fmt::format("torques limit the accelerations, and what the moves take with those of the axes is not "
-                    "known: {}",
-                    axes_time_monitor_->error()));
+    report.warnings.push_back(fmt::format(
+        "torques limit the accelerations, and the time with the axis accelerations is unknown: {}",
+        axes_time_monitor_->error()));
 }
 
 void RunMonitors::add_interval(RunStatus status, Report& report) const {
     if (!interval_monitor_ || status != RunStatus::completed) return;
     report.interval = interval_monitor_->interval(report.cycle_time_s);
     if (report.interval || report.cycle_time_s <= 0) return;
-    report.warnings.push_back(
-        fmt::format("the machine's figures are calibrated, but the cycle time comes without an interval: {}",
-                    interval_monitor_->error()));
+    report.warnings.push_back(fmt::format("the machine is calibrated, but the cycle time has no interval: {}",
+                                          interval_monitor_->error()));
 }
 
 void RunMonitors::add_following(Report& report) const {

@@ -100,7 +100,7 @@ bool RunOutcome::fail_past_range(const machine::Axis& axis, const motion::PlanEr
     const double value = text::unsigned_zero(machine::axis_value(axis, error.value));
     const double limit = text::unsigned_zero(machine::axis_value(axis, error.limit));
     fail(DiagnosticKind::axis_limit,
-         fmt::format("axis {} would go to {:.10g} {}, past its limit of {:.10g} {}", axis.letter, value,
+         fmt::format("axis {} would move to {:.10g} {}, past its limit of {:.10g} {}", axis.letter, value,
                      unit(axis), limit, unit(axis)),
          location);
     alarm_->axis = axis.letter;

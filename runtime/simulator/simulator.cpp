@@ -80,7 +80,7 @@ Report Simulator::finish(std::string program) {
     monitors_.add_warnings(program_.files().names(), report);
     if (events_.log().dropped() > 0) {
         report.warnings.push_back(
-            fmt::format("{} more events than the report lists were left out", events_.log().dropped()));
+            fmt::format("{} more events are not listed in the report", events_.log().dropped()));
     }
     cell_.add_findings(report);
     monitors_.add_results(outcome_.status(), program_.calls().names(), report);

@@ -24,22 +24,21 @@ std::string zone_hit_text(const ZoneHit& hit) {
     }
     const char* location = hit.stay_inside ? "inside" : "outside";
     const std::string what =
-        hit.is_initial ? fmt::format("the tool is not {} {} when that comes into force", location, hit.zone)
+        hit.is_initial ? fmt::format("the tool is not {} {} when that becomes active", location, hit.zone)
                        : fmt::format("the tool {} {} on axis {}", hit.stay_inside ? "leaves" : "enters",
                                      hit.zone, static_cast<char>('X' + hit.axis));
     return fmt::format(
-        "{}, at {} mm after {:.9g} s; the zone is {} mm (machine coordinates of the tool's end), and the "
-        "tool "
-        "must stay {} it",
+        "{}, at {} mm after {:.9g} s; the zone is {} mm (machine coordinates of the TCP), and the tool must "
+        "stay {} it",
         what, at, hit.time_s, walls, location);
 }
 
 std::string zone_violation_message(const ZoneHit& hit, const Violation& violation) {
     const char* location = hit.stay_inside ? "inside" : "outside";
     const std::string what =
-        hit.is_initial ? fmt::format("the tool is not {} {} when that comes into force", location, hit.zone)
+        hit.is_initial ? fmt::format("the tool is not {} {} when that becomes active", location, hit.zone)
                        : fmt::format("the tool {} {}", hit.stay_inside ? "leaves" : "enters", hit.zone);
-    return fmt::format("{}: it goes {:.10g} mm past the wall at {} {:.10g} mm, and must stay {}", what,
+    return fmt::format("{}: it moves {:.10g} mm past the limit at {} {:.10g} mm, and must stay {}", what,
                        violation.amount(), violation.axis, violation.limit, location);
 }
 

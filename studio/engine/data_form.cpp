@@ -76,10 +76,10 @@ std::vector<std::string> read_values(KeyReader& keys) {
     if (values == nullptr) return changes;
     for (const auto& [field, value] : values->items()) {
         if (field.find('=') != std::string::npos)
-            keys.add_error(fmt::format("'{}' is no name of a field", field));
+            keys.add_error(fmt::format("'{}' is not the name of a field", field));
         else if (!value.is_string())
             keys.add_error(
-                fmt::format("the value of '{}' should be a text, not {}", field, display_text(value)));
+                fmt::format("the value of '{}' must be a string, not {}", field, display_text(value)));
         else
             changes.push_back(fmt::format("{}={}", field, value.get<std::string>()));
     }

@@ -80,10 +80,10 @@ const auto* find_row(const Rows& rows, const std::string& key) {
 
 Result<void> set(Request& request, const std::string& key, const nlohmann::json& value) {
     const auto error = [&](const std::string& expected_type) {
-        return Unexpected(fmt::format("'{}' should be {}, not {}", key, expected_type, display_text(value)));
+        return Unexpected(fmt::format("'{}' must be {}, not {}", key, expected_type, display_text(value)));
     };
     if (const TextKey* text = find_row(kTextKeys, key)) {
-        if (!value.is_string()) return error("a text");
+        if (!value.is_string()) return error("a string");
         text->target(request) = value.get<std::string>();
         return {};
     }
@@ -100,13 +100,13 @@ Result<void> set(Request& request, const std::string& key, const nlohmann::json&
         request.*switch_key->target = value.get<bool>();
         return {};
     }
-    return Unexpected(fmt::format("there is no key '{}' of a run", key));
+    return Unexpected(fmt::format("unknown key '{}' of a run", key));
 }
 
 }  // namespace
 
 Result<Request> run_request(const nlohmann::json& request_json) {
-    if (!request_json.is_object()) return Unexpected("a request should be an object");
+    if (!request_json.is_object()) return Unexpected("a request must be an object");
     Request request;
     for (const auto& [key, value] : request_json.items()) {
         if (auto done = set(request, key, value); !done) return tl::unexpected(done.error());

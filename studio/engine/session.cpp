@@ -48,16 +48,15 @@ constexpr std::array kRequestTypes = {
 };
 
 engine::Error check_word(const json& word) {
-    if (word.is_string())
-        return usage_error(fmt::format("nothing is known of how to do '{}'", word.get<std::string>()));
+    if (word.is_string()) return usage_error(fmt::format("unknown request '{}'", word.get<std::string>()));
     std::string words;
     for (const RequestType& row : kRequestTypes)
         words += fmt::format("{}{}", words.empty() ? "" : ", ", row.word);
-    return usage_error(fmt::format("'do' should be a text, one of {}", words));
+    return usage_error(fmt::format("'do' must be a string, one of {}", words));
 }
 
 VoidResult handle(json request_json, const engine::Host& host, const Post& post) {
-    if (!request_json.is_object()) return tl::unexpected(usage_error("a request should be an object"));
+    if (!request_json.is_object()) return tl::unexpected(usage_error("a request must be an object"));
     const json word = request_json.value("do", json());
     const auto* const row = std::find_if(kRequestTypes.begin(), kRequestTypes.end(),
                                          [&](const RequestType& each) { return word == each.word; });
@@ -116,7 +115,7 @@ VoidResult finish_keys(KeyReader& keys) {
 void handle_request(std::string_view request_json, const engine::Host& host, const Post& post) {
     end(guard_exceptions([&]() -> VoidResult {
             auto read = text::try_parse_json<json>(request_json);
-            if (read.is_discarded()) return tl::unexpected(usage_error("a request should be JSON"));
+            if (read.is_discarded()) return tl::unexpected(usage_error("a request must be JSON"));
             return handle(std::move(read), host, post);
         }),
         post);

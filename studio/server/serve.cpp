@@ -68,7 +68,7 @@ Result<ServerContent> read_server_content(const nlohmann::ordered_json& page_dat
 
 int run(const std::string& argument) {
     const auto page_data = text::try_parse_json<nlohmann::ordered_json>(argument);
-    if (!page_data.is_object()) return reject("gsim-serve is not made to be called; gsim studio calls it");
+    if (!page_data.is_object()) return reject("gsim-serve cannot be run directly; gsim studio starts it");
     auto server_content = read_server_content(page_data);
     if (!server_content) return reject(server_content.error().message);
     const sigset_t signals = termination_signals();
@@ -77,7 +77,7 @@ int run(const std::string& argument) {
     StudioServer server(*std::move(server_content));
     const int port = page_data.at("port").get<int>();
     if (server.bind(port) < 0)
-        return reject(fmt::format("port {} of this machine is taken; --port 0 takes one that is free", port));
+        return reject(fmt::format("port {} of this machine is in use; --port 0 selects a free port", port));
     std::printf("%s\n", server.address().c_str());
     std::fflush(stdout);
     const std::optional<BrowserPage> page =

@@ -41,7 +41,7 @@ Result<std::shared_ptr<StoredRun>> StoredRun::make() {
     const char* const folder = large_temporary_folder();
     os::Descriptor file(::open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600));
     if (file.number() < 0)
-        return tl::unexpected(std::string("the run cannot be kept in '") + folder +
+        return tl::unexpected(std::string("the run cannot be stored in '") + folder +
                               "': " + std::generic_category().message(errno));
     return std::make_shared<StoredRun>(std::move(file));
 }

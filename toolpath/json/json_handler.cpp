@@ -32,16 +32,16 @@ std::string JsonHandler::expected_type() const {
     switch (level()) {
         case Level::outside: return "a path file must be an object {...}";
         case Level::program: return program_.expected_type();
-        case Level::paths: return "'paths' must hold objects, each a path with 'name' and 'targets'";
+        case Level::paths: return "'paths' must contain objects, each a path with 'name' and 'targets'";
         case Level::path: return path_.expected_type();
-        case Level::targets: return "'targets' must hold objects, each a point or a sub-path";
-        case Level::vector: return fmt::format("'{}' must hold three numbers", vector_key());
-        case Level::touches: return "'probe_offset' must hold objects, each a touch";
+        case Level::targets: return "'targets' must contain objects, each a point or a sub-path";
+        case Level::vector: return fmt::format("'{}' must contain three numbers", vector_key());
+        case Level::touches: return "'probe_offset' must contain objects, each a touch";
         case Level::touch: return touch_.expected_type();
         case Level::offsets: return offset_.expected_offset();
         case Level::offset: return offset_.expected_type();
         case Level::rotary: return target_.expected_rotary();
-        case Level::actions: return "'actions' must hold strings";
+        case Level::actions: return "'actions' must contain strings";
         case Level::target: return target_.expected_type();
     }
     return {};
@@ -137,7 +137,7 @@ bool JsonHandler::end_path() {
     Path& path = file_.program.paths.back();
     if (auto done = path_.finish(path); !done) return fail(source_location, done.error().message);
     if (names_.add(path.name, file_.program.paths.size() - 1)) return true;
-    return fail(source_location, fmt::format("there are two paths of the name '{}'", path.name));
+    return fail(source_location, fmt::format("two paths have the name '{}'", path.name));
 }
 
 bool JsonHandler::end_target() {
@@ -221,7 +221,7 @@ bool JsonHandler::parse_error(std::size_t, const std::string&, const nlohmann::j
 
 Result<PathFile> JsonHandler::finish() {
     if (file_.program.paths.empty()) {
-        fail(SourceLocation{1, 1}, "a path file needs 'paths' with one path at least");
+        fail(SourceLocation{1, 1}, "a path file needs 'paths' with at least one path");
         return tl::unexpected(error_);
     }
     if (const auto error = names_.resolve(file_)) {

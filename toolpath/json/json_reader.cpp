@@ -30,7 +30,8 @@ Result<PathFile> read_json(std::function<std::size_t(char*, std::size_t)> read, 
     const bool parsed =
         nlohmann::json::sax_parse(JsonBytes::Iterator(*bytes), JsonBytes::Iterator(), &handler);
     if (size > kMaxBytes)
-        return Unexpected(fmt::format("{}: paths of up to {} MiB are read", file_name, kMaxBytes >> 20U));
+        return Unexpected(
+            fmt::format("{}: the maximum size of a path file is {} MiB", file_name, kMaxBytes >> 20U));
     if (!parsed) {
         return tl::unexpected(handler.error());
     }

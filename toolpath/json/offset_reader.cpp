@@ -15,14 +15,14 @@ ReadResult OffsetReader::start(Program& program) {
     const auto [added, is_new] = program.work_offsets.try_emplace(name_);
     offset_ = &added->second;
     if (is_new) return {};
-    return Unexpected(fmt::format("there are two work offsets of the name '{}'", name_));
+    return Unexpected(fmt::format("two work offsets have the name '{}'", name_));
 }
 
 ReadResult OffsetReader::key(const std::string& name) {
     const bool letter = name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z';
     if (!letter && name != kRotationKey) {
         return Unexpected(
-            fmt::format("a work offset names axes by one capital letter each, or has '{}'; not '{}'",
+            fmt::format("a work offset must contain axes by one capital letter each, or '{}'; not '{}'",
                         kRotationKey, name));
     }
     if (std::find(keys_.begin(), keys_.end(), name) != keys_.end()) return duplicate_key(name);

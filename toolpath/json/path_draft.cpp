@@ -25,7 +25,7 @@ Result<void> PathDraft::set_text(PathKey key, std::string_view value) {
 
 Result<void> PathDraft::set_number(PathKey key, double value) {
     if (!(value >= 0 && value <= kMaxToolNumber) || value != std::floor(value)) {
-        return Unexpected(fmt::format("'{}' must be a whole number from 0 to {}; it is {}", key_name(key),
+        return Unexpected(fmt::format("'{}' must be an integer from 0 to {}; it is {}", key_name(key),
                                       kMaxToolNumber, value));
     }
     auto& number = key == PathKey::tool            ? tool_
@@ -38,7 +38,7 @@ Result<void> PathDraft::set_number(PathKey key, double value) {
 Result<void> PathDraft::set_vector(PathKey key, const std::vector<double>& values) {
     if (values.size() != 3) {
         return Unexpected(
-            fmt::format("'{}' must hold three numbers; it holds {}", key_name(key), values.size()));
+            fmt::format("'{}' must contain three numbers; it contains {}", key_name(key), values.size()));
     }
     frame_.set_offset_mm = {values[0], values[1], values[2]};
     return {};
@@ -46,15 +46,16 @@ Result<void> PathDraft::set_vector(PathKey key, const std::vector<double>& value
 
 Result<void> PathDraft::end_touches() const {
     if (frame_.touches.empty())
-        return Unexpected(fmt::format("'{}' must hold one touch at least", key_name(PathKey::probe_offset)));
+        return Unexpected(
+            fmt::format("'{}' must contain at least one touch", key_name(PathKey::probe_offset)));
     return {};
 }
 
 Result<WorkFrame> PathDraft::finish_frame() const {
     if (frame_.set_offset_mm && frame_.name.empty())
-        return Unexpected("'set_offset_mm' goes with 'work_offset', which says what is set");
+        return Unexpected("'set_offset_mm' requires 'work_offset', which names the offset to set");
     if (!frame_.touches.empty() && frame_.name.empty())
-        return Unexpected("'probe_offset' goes with 'work_offset', which says what is found");
+        return Unexpected("'probe_offset' requires 'work_offset', which names the offset to measure");
     return frame_;
 }
 
@@ -66,7 +67,7 @@ Result<void> PathDraft::finish(Path& path) const {
         path.tool = Tool{*tool_, length_offset_.value_or(*tool_), diameter_offset_};
     } else if (length_offset_ || diameter_offset_) {
         return Unexpected(
-            fmt::format("'{}' goes with 'tool'",
+            fmt::format("'{}' requires 'tool'",
                         key_name(length_offset_ ? PathKey::length_offset : PathKey::diameter_offset)));
     }
     return {};

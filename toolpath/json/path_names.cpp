@@ -9,7 +9,7 @@ namespace gsim::path {
 namespace {
 
 Error unknown_path(std::string_view name, const SourceLocation& location) {
-    return {fmt::format("there is no path of the name '{}'", name), location.line, location.column};
+    return {fmt::format("no path has the name '{}'", name), location.line, location.column};
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ Result<void> TargetDraft::set_number(TargetKey key, double value) {
         default:
             if (!(value >= 1 && value <= kMaxRepeats) || value != std::floor(value)) {
                 return Unexpected(
-                    fmt::format("'repeats' must be a whole number from 1 to 1000000000; it is {}", value));
+                    fmt::format("'repeats' must be an integer from 1 to 1000000000; it is {}", value));
             }
             repeats_ = static_cast<int>(value);
     }
@@ -96,7 +96,7 @@ Result<void> TargetDraft::set_number(TargetKey key, double value) {
 Result<void> TargetDraft::set_point_number(TargetKey key, double value, int max) {
     if (!(value >= 1 && value <= max) || value != std::floor(value)) {
         return Unexpected(
-            fmt::format("'{}' must be a whole number from 1 to {}; it is {}", key_name(key), max, value));
+            fmt::format("'{}' must be an integer from 1 to {}; it is {}", key_name(key), max, value));
     }
     machine_point_.number = static_cast<int>(value);
     return {};
@@ -105,7 +105,7 @@ Result<void> TargetDraft::set_point_number(TargetKey key, double value, int max)
 Result<void> TargetDraft::set_vector(TargetKey key, const std::vector<double>& values) {
     if (values.size() != 3) {
         return Unexpected(
-            fmt::format("'{}' must hold three numbers; it holds {}", key_name(key), values.size()));
+            fmt::format("'{}' must contain three numbers; it contains {}", key_name(key), values.size()));
     }
     if (key == TargetKey::set_offset_mm) return frame_.set_vector(PathKey::set_offset_mm, values);
     const Vector vector = to_vector(values);
@@ -122,8 +122,8 @@ Result<void> TargetDraft::set_vector(TargetKey key, const std::vector<double>& v
 
 Result<void> TargetDraft::set_rotary(std::string_view letter, double value_deg) {
     if (letter.size() != 1 || letter[0] < 'A' || letter[0] > 'Z') {
-        return Unexpected(
-            fmt::format("'rotary_deg' names axes by one capital letter each, such as B, not '{}'", letter));
+        return Unexpected(fmt::format(
+            "'rotary_deg' must contain axes by one capital letter each, such as B, not '{}'", letter));
     }
     auto& axes = std::get<RotaryAxes>(*point_.orientation);
     if (!axes.emplace(letter[0], value_deg).second)
@@ -133,7 +133,7 @@ Result<void> TargetDraft::set_rotary(std::string_view letter, double value_deg) 
 
 std::optional<Error> TargetDraft::find_sub_path_error() const {
     if (!has(TargetKey::path)) {
-        return fmt::format("'{}' is of sub-paths; this target lacks the key 'path'",
+        return fmt::format("'{}' is only for sub-paths; this target lacks the key 'path'",
                            key_name(has(TargetKey::repeats)         ? TargetKey::repeats
                                     : has(TargetKey::set_offset_mm) ? TargetKey::set_offset_mm
                                                                     : TargetKey::probe_offset));
@@ -153,14 +153,14 @@ std::optional<Error> TargetDraft::find_arc_error() const {
     if (point_.motion != MotionType::circular) {
         for (const TargetKey key :
              {TargetKey::via_mm, TargetKey::center_mm, TargetKey::normal, TargetKey::turn_deg}) {
-            if (has(key)) return fmt::format("'{}' is of circular motions only", key_name(key));
+            if (has(key)) return fmt::format("'{}' is only for circular motions", key_name(key));
         }
         return std::nullopt;
     }
     if (via == center) return "a circular motion needs either 'via_mm' or 'center_mm' with 'turn_deg'";
     if (center && !has(TargetKey::turn_deg)) return "an arc about 'center_mm' lacks the key 'turn_deg'";
     if (via && (has(TargetKey::normal) || has(TargetKey::turn_deg))) {
-        return "an arc through 'via_mm' has neither 'normal' nor 'turn_deg'; these go with 'center_mm'";
+        return "an arc through 'via_mm' must not have 'normal' or 'turn_deg'; these require 'center_mm'";
     }
     return std::nullopt;
 }
@@ -170,22 +170,21 @@ std::optional<Error> TargetDraft::find_point_error() const {
     const int orientations = static_cast<int>(has(TargetKey::tool_axis)) +
                              static_cast<int>(has(TargetKey::rpy_deg)) +
                              static_cast<int>(has(TargetKey::rotary_deg));
-    if (orientations > 1) return "a point has one of 'tool_axis', 'rpy_deg' and 'rotary_deg', not several";
+    if (orientations > 1) return "a point may have only one of 'tool_axis', 'rpy_deg' and 'rotary_deg'";
     return find_arc_error();
 }
 
 std::optional<Error> TargetDraft::find_machine_point_error() const {
     if (has(TargetKey::fixed) && has(TargetKey::reference))
-        return "'fixed' and 'reference' are two points; a target is one of them";
+        return "'fixed' and 'reference' are two points; a target may have only one of them";
     for (std::size_t i = 0; i < kTargetKeys.size(); ++i) {
         const auto key = static_cast<TargetKey>(i);
         const bool is_point_key =
             std::find(kMachinePointKeys.begin(), kMachinePointKeys.end(), key) != kMachinePointKeys.end();
         if (!present_keys_[i] || is_point_key) continue;
         return fmt::format(
-            "a target with the key '{}' is a point of the machine, which it goes to by a rapid; it cannot "
-            "have "
-            "'{}'",
+            "a target with the key '{}' is a point of the machine, which is reached by a rapid; it cannot "
+            "have '{}'",
             key_name(has(TargetKey::fixed) ? TargetKey::fixed : TargetKey::reference), kTargetKeys[i]);
     }
     return std::nullopt;
@@ -223,7 +222,7 @@ std::string unknown_key(std::string_view key, std::string_view where,
     constexpr std::size_t kMaxShownLength = 64;
     const auto nearest = text::nearest_name(key, known);
     const std::string hint = nearest ? fmt::format("did you mean '{}'?", *nearest)
-                                     : fmt::format("it may hold: {}", text::joined(known, ", "));
+                                     : fmt::format("known keys: {}", text::joined(known, ", "));
     return fmt::format("unknown key '{}' in {}; {}", key.substr(0, kMaxShownLength), where, hint);
 }
 

@@ -57,9 +57,8 @@ Result<std::vector<std::string>> restore_actions(const ActiveModes& active_modes
     std::vector<std::string> actions;
     const auto make_error = [](std::string_view what) {
         return Unexpected(
-            fmt::format("this control stops the {0} to change the tool, and the places that lead to this "
-                        "change hand over "
-                        "different states of it; switch it by an action in front of the change",
+            fmt::format("this controller stops the {0} to change the tool, and the paths that lead to this "
+                        "change have different states of it; switch it by an action before the change",
                         what));
     };
     if (stops.spindle) {

@@ -29,12 +29,11 @@ Result<ArcShape> arc_through(const Vector3d& start, const Vector3d& via, const V
     const Vector3d to_via = via - start;
     if (chord.norm() < kMinArc_mm) {
         return Unexpected(
-            "an arc through 'via_mm' must end elsewhere than it starts; give a full circle by 'center_mm'");
+            "an arc through 'via_mm' must not end at its start; give a full circle by 'center_mm'");
     }
     const Vector3d cross = chord.cross(to_via);
     if (cross.norm() < kMinArc_mm * chord.norm()) {
-        return Unexpected(
-            "the via point lies on the line through start and end, which makes no arc; use a linear motion");
+        return Unexpected("the via point is on the line through start and end; use a linear motion");
     }
     // Centre of the circle through three points, from the first one.
     const Vector3d to_center =
@@ -55,7 +54,7 @@ Result<ArcShape> arc_about_center(const Vector3d& start, const CenterArc& given,
     if (!(normal.norm() > 0)) return Unexpected("the 'normal' of an arc must not be 0 0 0");
     if (!(given.turn_deg > 0 && given.turn_deg <= kMaxArcTurn_deg)) {
         return Unexpected(fmt::format(
-            "'turn_deg' must be above 0 and at most 360000; it is {}. The sense is that of 'normal'",
+            "'turn_deg' must be above 0 and at most 360000; it is {}. The direction is that of 'normal'",
             given.turn_deg));
     }
     arc.normal = normal.normalized();
@@ -74,7 +73,7 @@ Result<ArcShape> arc_about_center(const Vector3d& start, const CenterArc& given,
     const double off = std::remainder(arc.turn_rad - angle_between(arc.first, last, arc.normal), kTurn_rad);
     if (std::abs(off) * arc.radius_mm() > kArcTolerance_mm) {
         const double right = (arc.turn_rad - off) * kDegPerRad;
-        return Unexpected(fmt::format("'turn_deg' {} does not lead to the end; {:.6g} would", given.turn_deg,
+        return Unexpected(fmt::format("'turn_deg' {} does not reach the end; {:.6g} would", given.turn_deg,
                                       right > 0 ? right : right + 360));
     }
     arc.turn_rad = std::max(arc.turn_rad - off, std::abs(off));

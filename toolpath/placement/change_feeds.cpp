@@ -96,7 +96,7 @@ std::string unknown_path_message(const Program& program, const std::string& name
     std::vector<std::string_view> names;
     for (const Path& path : program.paths) names.emplace_back(path.name);
     const auto nearest = text::nearest_name(name, names);
-    return fmt::format("there is no path '{}'{}", name,
+    return fmt::format("unknown path '{}'{}", name,
                        nearest ? fmt::format("; did you mean '{}'?", *nearest) : std::string());
 }
 
@@ -112,10 +112,9 @@ Result<void> change_feeds(Program& program, const FeedChange& change) {
     const auto path = find_path(program, change.path);
     if (!path) return Unexpected(unknown_path_message(program, change.path));
     if (const auto dependent = FeedDependents(program, *path).find()) {
-        return Unexpected(
-            fmt::format("the feeds of '{}' cannot be changed alone: '{}' takes one over, and should have "
-                        "its own",
-                        change.path, program.paths[*dependent].name));
+        return Unexpected(fmt::format(
+            "the feeds of '{}' cannot be changed alone: '{}' inherits a feed and needs a separate one",
+            change.path, program.paths[*dependent].name));
     }
     if (change_feeds(program.paths[*path], change) == 0)
         return Unexpected(fmt::format("no point of '{}' has a feed", change.path));

@@ -101,11 +101,11 @@ class PathTransformer {
             return TargetError{{program_.root, std::nullopt},
                                fmt::format("the path cannot be placed: {}", reason)};
         };
-        if (program_.is_recorded()) return error("it was recorded, and is where the run was");
+        if (program_.is_recorded()) return error("it was recorded and has the position of the run");
         const Vector3d home_axis = space_.tool_axis(space_.home());
         if (space_.rotary_count() == 0 && (motion_.linear() * home_axis - home_axis).norm() > kAxisTolerance)
             return error(
-                "it would lean, and the machine has no rotary axis that leans its tool or its table");
+                "it would be tilted, but the machine has no rotary axis that tilts its tool or its table");
         const WorkFrame& root_frame = program_.paths[program_.root].frame;
         const auto is_root_frame = [&](const WorkFrame& frame) {
             return frame.touches.empty() && (frame.name.empty() || frame.name == root_frame.name);
@@ -116,7 +116,7 @@ class PathTransformer {
                 const auto* sub_path_call = std::get_if<SubPath>(&target);
                 all = all && (sub_path_call == nullptr || is_root_frame(sub_path_call->frame));
             }
-            if (!all) return error("it is in several work frames, or finds them by touches");
+            if (!all) return error("it is in several work frames, or measures them by touches");
         }
         return std::nullopt;
     }
@@ -147,7 +147,8 @@ class PathTransformer {
         auto& values = std::get<RotaryAxes>(*point.orientation);
         const auto error = [&](std::string letters) {
             return Unexpected(fmt::format(
-                "the path cannot be turned: the point should say where the rotary axes {} stand", letters));
+                "the path cannot be rotated: the point must define the positions of the rotary axes {}",
+                letters));
         };
         if (axis_) {
             const auto named = values.find(axis_->letter);

@@ -56,12 +56,13 @@ bool is_non_modal(const std::string& action) {
 /// Returns the effect of a target that lasts after the path, and is not compared.
 std::optional<Error> find_modal_error(const Target& target) {
     for (const std::string& action : target_actions(target)) {
-        if (!is_non_modal(action)) return fmt::format("'{}' may hold on, so that the order counts", action);
+        if (!is_non_modal(action))
+            return fmt::format("'{}' may remain active, so that the order matters", action);
     }
     const auto* point = std::get_if<Point>(&target);
     if (point == nullptr) return std::nullopt;
-    if (point->acceleration_mm_s2) return "an acceleration holds on, so that the order counts";
-    if (point->feed_deg_min) return "a feed of rotary axes holds on, so that the order counts";
+    if (point->acceleration_mm_s2) return "an acceleration remains active, so that the order matters";
+    if (point->feed_deg_min) return "a feed of rotary axes remains active, so that the order matters";
     return std::nullopt;
 }
 
@@ -113,19 +114,17 @@ bool starts_equivalent(const State& one, const State& other) {
 std::optional<Error> find_reorder_error(const Program& program, const Target& target,
                                         const MachineSpace& space) {
     const auto* sub_path_call = std::get_if<SubPath>(&target);
-    if (sub_path_call == nullptr) return "what is put in another order must be sub-paths";
+    if (sub_path_call == nullptr) return "only sub-paths can be reordered";
     const std::string& name = program.paths[sub_path_call->path].name;
     const Point* first = first_point(program, sub_path_call->path);
     if (first == nullptr || first->motion == MotionType::circular || first->motion == MotionType::none)
-        return fmt::format("the sub-path '{}' should begin with a straight motion or a rapid", name);
+        return fmt::format("the sub-path '{}' must begin with a straight motion or a rapid", name);
     if (!is_whole(first->orientation, space))
-        return fmt::format(
-            "the first point of the sub-path '{}' should have an orientation of its own, with all rotary "
-            "axes",
-            name);
+        return fmt::format("the first point of the sub-path '{}' needs an orientation with all rotary axes",
+                           name);
     bool known = false;
     if (!has_explicit_feed(program, sub_path_call->path, known))
-        return fmt::format("the sub-path '{}' should have a feed of its own before it cuts", name);
+        return fmt::format("the sub-path '{}' needs a separate feed before it cuts", name);
     return std::nullopt;
 }
 
@@ -141,7 +140,7 @@ tl::expected<void, TargetError> reorder(Program& program, std::span<const std::s
     std::iota(all.begin(), all.end(), std::size_t{0});
     if (!std::is_permutation(order.begin(), order.end(), all.begin(), all.end()))
         return make_error(std::nullopt,
-                          fmt::format("the order should have each of 0 to {} once", targets.size() - 1));
+                          fmt::format("the order must contain each of 0 to {} once", targets.size() - 1));
     for (const std::size_t i : all) {
         if (auto error = find_reorder_error(program, targets[i], space)) return make_error(i, error->message);
     }
@@ -153,7 +152,7 @@ tl::expected<void, TargetError> reorder(Program& program, std::span<const std::s
     for (const std::size_t i : all) {
         const std::size_t path = std::get<SubPath>(targets[i]).path;
         if (!starts_equivalent(before.entry(path), states_after.entry(path)))
-            return make_error(i, fmt::format("the sub-path '{}' begins with something else running there",
+            return make_error(i, fmt::format("the sub-path '{}' would begin with a different active state",
                                              program.paths[path].name));
     }
     program = std::move(changed);

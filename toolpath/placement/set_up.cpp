@@ -57,14 +57,14 @@ std::optional<TargetError> PathSetup::change(const Inherited<std::string>& frame
                                              const std::optional<Tool>& tool, const State& at) {
     if (frame.differs() && active_frame_)
         return make_error(
-            "the path needs its own 'work_offset': it goes back to it behind a sub-path in another one, "
-            "and the places that use it hand over different ones");
+            "the path needs a separate 'work_offset': it is restored after a sub-path in another one, and "
+            "the uses of the path have different ones");
     const std::string name = frame.value().value_or("");
     const bool is_other_frame = !name.empty() && name != active_frame_;
     const bool is_other_tool = tool && at.tool.value() != tool;
     if (!is_other_frame && !is_other_tool) return std::nullopt;
     if (jet_ && at.process_on.value() != false)
-        return make_error("the jet may be on where the tool or the work offset changes; turn it off before");
+        return make_error("the jet may be on at a change of the tool or the work offset; turn it off before");
     needs_rapid_ = needs_rapid_ || is_position_set(at);
     if (needs_rapid_ || is_other_tool) sink_.retract();
     if (is_other_tool) {
@@ -96,10 +96,9 @@ std::optional<TargetError> PathSetup::require_rapid(const TargetId& id) const {
         return require_rapid({sub_path_call->path, 0});
     const auto* point = std::get_if<Point>(&target);
     if (point == nullptr || point->motion == MotionType::rapid) return std::nullopt;
-    return TargetError{
-        id,
-        "the first motion in another work offset or with another tool must be a rapid: the tool comes "
-        "to it from above"};
+    return TargetError{id,
+                       "the first motion in another work offset or with another tool must be a rapid: the "
+                       "tool approaches from above"};
 }
 
 }  // namespace gsim::path

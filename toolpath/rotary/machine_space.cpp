@@ -59,9 +59,10 @@ Result<MachineSpace> MachineSpace::make(const machine::Machine& machine) {
         }
     }
     if (linear_count != 3) {
-        return Unexpected(fmt::format(
-            "the machine '{}' lacks linear axes X, Y and Z, by which programs of a path place the tool",
-            machine.name));
+        return Unexpected(
+            fmt::format("the machine '{}' lacks the linear axes X, Y and Z, by which programs of a path "
+                        "position the tool",
+                        machine.name));
     }
     space.kinematics_ = machine::make_kinematics(machine);
     space.analyze();

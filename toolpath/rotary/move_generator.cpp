@@ -41,8 +41,8 @@ std::optional<TargetError> MoveGenerator::go_to(const Point& point, std::size_t 
         if (point.motion == MotionType::circular) {
             if (!start) {
                 return error(
-                    "this arc starts elsewhere from each place that uses the sub-path; begin the "
-                    "sub-path with a line or a rapid");
+                    "this arc has a different start for each use of the sub-path; begin the sub-path with a "
+                    "line or a rapid");
             }
             arc = arc_shape(*start, point).value();
         }
@@ -57,8 +57,8 @@ std::optional<TargetError> MoveGenerator::go_to(const MachinePoint& point, std::
                                                 const State& before) {
     target_ = target;
     if (jet_ && before.process_on.value() != false)
-        return error(fmt::format("the jet may be on where the machine goes to {}; turn it off before",
-                                 point_title(point)));
+        return error(
+            fmt::format("the jet may be on during the move to {}; turn it off before", point_title(point)));
     if (auto range_error = space_.find_axis_range_error(point.axes))
         return error(std::move(range_error->message));
     const MachineApproach travel = plan_approach(point, options_.retract_mm);
@@ -79,7 +79,7 @@ std::optional<TargetError> MoveGenerator::arrive(double dwell_s, const std::vect
 
 std::optional<TargetError> MoveGenerator::report_work_offset(const Point& point, const State& before) {
     if (point.work_offset.empty() && before.work_offset.differs())
-        return error("the point needs 'work_offset': the places that lead here hand over different ones");
+        return error("the point needs 'work_offset': the paths that lead here have different ones");
     const std::string name =
         point.work_offset.empty() ? before.work_offset.value().value_or("") : point.work_offset;
     if (!name.empty() && name != work_offset_) sink_.work_offset(name);
@@ -92,7 +92,7 @@ std::optional<TargetError> MoveGenerator::set_position(const Point& point, const
                                                        const State& before) {
     const std::optional<Vector>& at = before.position_mm.value();
     if (at && (to_eigen(*at) - to_eigen(point.position_mm)).norm() > kPositionTolerance_mm)
-        return error("a point of motion \"none\" stands where the point before it does");
+        return error("a point of motion \"none\" must have the position of the previous point");
     if (!at) sink_.set_position(axes);
     return std::nullopt;
 }
@@ -123,19 +123,19 @@ std::optional<TargetError> MoveGenerator::run(const TcpMotion& motion, const Poi
     const bool is_start_known = before.position_mm.value().has_value();
     const bool is_rotary_only = is_start_known && motion.length_mm() < options_.resolution_mm / 2;
     if (point.duration_s && !is_start_known) {
-        return error("'duration_s' needs a start, which differs between the places that lead here");
+        return error("'duration_s' needs a start, which differs between the paths that lead here");
     }
     const std::optional<Feed> feed = motion_feed(motion, point, before, is_rotary_only);
     if (!feed) {
-        return error(
-            before.feed_mm_min.differs()
-                ? "the first motion of this sub-path needs 'feed_mm_min': the places that use it hand "
-                  "over different feeds"
-                : "the motion needs 'feed_mm_min': no point before has one");
+        return error(before.feed_mm_min.differs()
+                         ? "the first motion of this sub-path needs 'feed_mm_min': the uses of the sub-path "
+                           "have different feeds"
+                         : "the motion needs 'feed_mm_min': no previous point has one");
     }
     if (space_.is_coupled() && motion.turn_deg() > kMaxRotaryTurn_deg) {
-        return error(fmt::format("the rotary axes turn by {:.6g} degrees in one motion; {:.6g} is the most",
-                                 motion.turn_deg(), kMaxRotaryTurn_deg));
+        return error(
+            fmt::format("the rotary axes turn by {:.6g} degrees in one motion; the maximum is {:.6g}",
+                        motion.turn_deg(), kMaxRotaryTurn_deg));
     }
     if (motion.arc() || space_.is_coupled()) {
         for (int i = 1; i < kRangeSamples; ++i) {
@@ -144,10 +144,9 @@ std::optional<TargetError> MoveGenerator::run(const TcpMotion& motion, const Poi
         }
     }
     if (motion.tilts_through_vertical()) {
-        sink_.note(
-            target_id(),
-            "the tool, which leans at both ends of this arc, stands upright between them; with a point "
-            "in between it would turn with the arc");
+        sink_.note(target_id(),
+                   "the tool, which is tilted at both ends of this arc, is vertical between them; with a "
+                   "point in between it would turn with the arc");
     }
     if (motion.arc()) {
         if (!is_representable_arc(*motion.arc(), options_) &&
@@ -160,7 +159,7 @@ std::optional<TargetError> MoveGenerator::run(const TcpMotion& motion, const Poi
         const bool is_axis_arc = !space_.is_coupled() || motion.turn_deg() == 0;
         if (options_.arcs && options_.oblique_arcs == ObliqueArcs::rejected && is_axis_arc) {
             return error(
-                "this arc lies outside the planes of X, Y and Z, and the post refuses such arcs ([arcs], "
+                "this arc is outside the planes of X, Y and Z, and the post rejects such arcs ([arcs], "
                 "oblique)");
         }
     } else if (is_one_line(motion, is_start_known)) {
@@ -170,9 +169,9 @@ std::optional<TargetError> MoveGenerator::run(const TcpMotion& motion, const Poi
         sink_.move(move);
         return std::nullopt;
     }
-    if (point.lead_mm) return error("a line in step with the spindle would have to be cut into several");
-    sink_.note(target_id(), fmt::format("{} by lines within {:.6g} mm",
-                                        !motion.arc()   ? "a line with turning axes"
+    if (point.lead_mm) return error("a line in step with the spindle would have to be divided");
+    sink_.note(target_id(), fmt::format("{} as lines within {:.6g} mm",
+                                        !motion.arc()   ? "a line with rotating axes"
                                         : options_.arcs ? "an arc outside the planes of the axes"
                                                         : "an arc",
                                         options_.tolerance_mm));
@@ -186,8 +185,8 @@ bool MoveGenerator::is_one_line(const TcpMotion& motion, bool is_start_known) {
     if (is_start_known && is_rotary_known) return motion.is_axis_line(options_.tolerance_mm);
     if (space_.is_coupled() && is_sub_path_ && (!is_rotary_known || motion.turn_deg() > 0)) {
         sink_.note(target_id(),
-                   "the tip may leave the line to the first point of this sub-path, to which the axes come "
-                   "from different places; a rapid would be better");
+                   "the TCP may leave the line to the first point of this sub-path, because the axes come "
+                   "from different positions; a rapid would be better");
     }
     return true;
 }
@@ -249,7 +248,7 @@ bool MoveGenerator::arcs(const TcpMotion& motion, const Feed& feed, int parts, A
         found.push_back(*arc_part);
     }
     if (turns == 1 && motion.arc()->turn_rad > kFullCircle_rad)
-        sink_.note(target_id(), "an arc of several turns by several blocks");
+        sink_.note(target_id(), "an arc of several turns as several blocks");
     for (int i = 0; i < parts; ++i) {
         AxisMove move = feed_move(motion.at(static_cast<double>(i + 1) / parts), feed, 1.0 / parts);
         move.arc = found[static_cast<std::size_t>(i)];

@@ -56,7 +56,7 @@ Result<AxisValues> given_values(const MachineSpace& space, const RotaryAxes& giv
 }
 
 std::string out_of_range(const MachineSpace& space, const AxisValues& values) {
-    std::string text = "out of reach: no whole turn brings";
+    std::string text = "out of reach: no full turn brings";
     for (std::size_t i = 0; i < space.rotary_count(); ++i) {
         const machine::Axis& axis = space.rotary_axis(i);
         text += fmt::format("{} {} {:.6g} into {:.6g} to {:.6g}", i == 0 ? "" : " and", axis.letter,

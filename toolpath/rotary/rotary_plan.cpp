@@ -116,10 +116,9 @@ class Planner {
             const machine::Axis& axis = space_.rotary_axis(static_cast<std::size_t>(i));
             if (unwound_position[i] < axis.min || unwound_position[i] > axis.max ||
                 sub_path.repeats > kMaxUnwoundRepeats) {
-                return TargetError{
-                    id,
-                    "the sub-path cannot be repeated: the rotary axes would have to unwind each "
-                    "time before its first point, and have no room for that"};
+                return TargetError{id,
+                                   "the sub-path cannot be repeated: the rotary axes would have to unwind "
+                                   "each time before its first point, but their ranges are too small"};
             }
         }
         repeat_unwindings_.push_back({*id.target, unwound_position});
@@ -142,10 +141,10 @@ class Planner {
         if (named == 0 && space_.rotary_count() > 0) return keep_position(search, state, id);
         std::vector<AxisValues> from = search.now();
         if (from.empty() && named < space_.rotary_count()) {
-            return TargetError{
-                id, fmt::format("{} says of some rotary axes where they stand there, and nothing before "
-                                "it does of the others; begin with a point that has an orientation",
-                                point_title(point))};
+            return TargetError{id,
+                               fmt::format("{} defines the positions of only some rotary axes, and the "
+                                           "others are undefined; begin with a point that has an orientation",
+                                           point_title(point))};
         }
         if (from.empty()) from.push_back(space_.home_rotary());
         std::vector<AxisValues> next;
@@ -184,11 +183,11 @@ class Planner {
                    "rotary axes";
         }
         if (state.orientation.differs()) {
-            return "the first point of this sub-path needs an orientation: the places that use it hand over "
+            return "the first point of this sub-path needs an orientation: the uses of the sub-path have "
                    "different ones";
         }
-        return "the point needs an orientation: the machine has rotary axes, and no point before says where "
-               "they stand";
+        return "the point needs an orientation: the machine has rotary axes, and no previous point defines "
+               "their positions";
     }
 
     Result<std::vector<AxisValues>> candidates(const RotarySearch& search, const Point& point,
@@ -208,10 +207,9 @@ class Planner {
         if (search.step(std::move(next), cutting, jet_off ? kIdleStopCost_deg : kCuttingStopCost_deg)) {
             return std::nullopt;
         }
-        return TargetError{
-            id,
-            "out of reach: while the tool cuts, the rotary axes cannot go the short way from the "
-            "point before within their ranges"};
+        return TargetError{id,
+                           "out of reach: while the tool cuts, the rotary axes cannot move in the shorter "
+                           "direction from the previous point within their ranges"};
     }
 
     const Program& program_;

@@ -35,7 +35,7 @@ class ChainReader {
             if (auto result = add(solid); !result) return Unexpected(result.error());
         }
         if (auto error = selection_.find_error()) return Unexpected(*std::move(error));
-        if (found_.contours.empty()) return Unexpected("no edge is asked for");
+        if (found_.contours.empty()) return Unexpected("no edge is selected");
         return std::move(found_);
     }
 
@@ -69,14 +69,13 @@ class ChainReader {
         const std::string begin =
             fmt::format("edge {} at {}", file_.label(edge), display_text(edge_middle(edge)));
         if (options_.box_mm && !is_within_box({edge}, *options_.box_mm))
-            return Unexpected(begin + " does not lie in the box (--box-low, --box-high)");
+            return Unexpected(begin + " is not in the box (--box-low, --box-high)");
         std::vector<std::pair<double, TopoDS_Face>> candidates;
         for (const TopoDS_Shape& each : edge_faces.FindFromKey(edge)) {
             const TopoDS_Face& face = TopoDS::Face(each);
             if (is_requested(face)) candidates.emplace_back(facing_component(edge, face), face);
         }
-        if (candidates.empty())
-            return Unexpected(begin + " is of none of the faces that were chosen (--face)");
+        if (candidates.empty()) return Unexpected(begin + " does not belong to a selected face (--face)");
         std::stable_sort(candidates.begin(), candidates.end(),
                          [](const auto& a, const auto& b) { return a.first > b.first; });
         std::string reason;
@@ -91,7 +90,7 @@ class ChainReader {
                 reason = fmt::format("from {} it {}", display_text(face, file_), found.error().message);
         }
         if (reason.empty()) {
-            reason = fmt::format("no face beside it looks there: {}",
+            reason = fmt::format("no adjacent face faces this side: {}",
                                  display_text(candidates.front().second, file_));
             if (candidates.size() > 1)
                 reason += fmt::format(", {}", display_text(candidates.back().second, file_));

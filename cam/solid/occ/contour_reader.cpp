@@ -89,9 +89,8 @@ class ContourReader {
             if (!contour) {
                 if (auto left = leave_out(candidate, contour.error().message); !left) return left;
             } else if (facing_component(*contour, options_.side) <= kMinFacing) {
-                edges_.mark_rejected(
-                    candidate.loop.edges,
-                    fmt::format("it is of one that looks to another side than {}", options_.side));
+                edges_.mark_rejected(candidate.loop.edges,
+                                     fmt::format("it belongs to one that does not face {}", options_.side));
                 if (edges_.accepts_any()) ++other_side_count_;
             } else {
                 if (edges_.accepts(candidate.loop.edges)) found_.contours.push_back(*std::move(contour));
@@ -151,18 +150,18 @@ class ContourReader {
     void record_standstill(const Bodies& bodies) {
         for (const std::string& message : skipped_) found_.notes.push_back(message + "; it is not cut");
         if (other_side_count_ > 0) {
-            found_.notes.push_back(fmt::format("{} contours look to another side than {}, and are not cut",
-                                               other_side_count_, options_.side));
+            found_.notes.push_back(
+                fmt::format("{} contours do not face {}, and are not cut", other_side_count_, options_.side));
         }
         if (!bodies.faces.empty())
             found_.notes.push_back(
-                fmt::format("{} surfaces beside the bodies are left out", bodies.faces.size()));
+                fmt::format("{} surfaces that are not part of a body are ignored", bodies.faces.size()));
     }
 
     std::string nothing_found_message() const {
         if (!skipped_.empty()) return skipped_.front();
         return fmt::format(
-            "no {} of its faces that was chosen looks to {}",
+            "no {} of the selected faces faces {}",
             options_.kind == "all" ? "contour" : options_.kind.substr(0, options_.kind.size() - 1),
             options_.side);
     }
@@ -188,7 +187,7 @@ void set_bounding_box(const Bodies& bodies, WallContours& contours) {
 
 Result<WallContours> extract_contours(const ShapeFile& file, const ContourOptions& options) {
     const Bodies bodies = sort_bodies(file.shape());
-    if (bodies.solids.empty()) return Unexpected("there is no body in it; contours are those of bodies");
+    if (bodies.solids.empty()) return Unexpected("it contains no body; only contours of bodies can be cut");
     auto found = options.kind == "edges" ? extract_chains(file, bodies, options)
                                          : ContourReader(file, options).run(bodies);
     if (found) set_bounding_box(bodies, *found);

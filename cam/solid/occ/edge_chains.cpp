@@ -47,7 +47,7 @@ class EdgeChainer {
             if (!edge.begin.IsSame(at) && !edge.end.IsSame(at)) continue;
             names += (names.empty() ? "" : ", ") + edge.edge.name;
         }
-        return fmt::format("a chain of edges has no branches: at {} there are {}",
+        return fmt::format("a chain of edges must not branch: at {} there are {}",
                            display_text(BRep_Tool::Pnt(at)), names);
     }
 

@@ -80,7 +80,8 @@ std::optional<Error> EdgeSelection::find_error() const {
         if (named.empty()) return fmt::format("it has no edge with the number '{}'", number);
         if (std::any_of(named.begin(), named.end(), [](const EdgeMatch& each) { return each.is_cut; }))
             continue;
-        const std::string none = fmt::format("edge {} is of no contour that is chosen", named.front().label);
+        const std::string none =
+            fmt::format("edge {} does not belong to a selected contour", named.front().label);
         const std::string& reason = named.front().error;
         return reason.empty() ? none : fmt::format("{}: {}", none, reason);
     }

@@ -82,7 +82,7 @@ Result<Plate> plate_from_curves(std::span<const TopoDS_Edge> edges, const ShapeF
     for (const CurveSample& probe : samples) {
         const double deviation_mm = std::abs(frame.height_mm(probe.point));
         if (deviation_mm <= kHeightTolerance_mm) continue;
-        return Unexpected(fmt::format("the curves do not lie in one plane: curve {} at {} is {:.4g} mm off",
+        return Unexpected(fmt::format("the curves are not in one plane: curve {} at {} deviates by {:.4g} mm",
                                       edge_name(file, edges[probe.edge], probe.edge),
                                       display_text(probe.point), deviation_mm));
     }
@@ -101,8 +101,8 @@ Result<Plate> plate_from_faces(std::span<const TopoDS_Face> faces, const ShapeFi
                                const PlateOptions& options) {
     for (const TopoDS_Face& face : faces) {
         if (!face_plane(face))
-            return Unexpected(
-                fmt::format("{} belongs to no closed body and is not plane", display_text(face, file)));
+            return Unexpected(fmt::format("{} does not belong to a closed body and is not planar",
+                                          display_text(face, file)));
     }
     // An edge of two faces is inside the surface.
     TopTools_DataMapOfShapeInteger uses;

@@ -149,7 +149,7 @@ bool write_all(int descriptor, std::string_view bytes) {
 int main(int argc, char** argv) {
     if (argc < 4 || ::isatty(STDOUT_FILENO) != 0) {
         constexpr std::string_view kUsageText =
-            "gsim-solid reads STEP and IGES files for gsim-run and autopath; it is not made to be called\n";
+            "gsim-solid reads STEP and IGES files for gsim-run and autopath; do not run it directly\n";
         write_all(STDERR_FILENO, kUsageText);
         return 2;
     }

@@ -73,9 +73,9 @@ Result<void> OutlinePen::check(const Contour& drawn_contour) const {
         const Point& at = vertex.position;
         const auto is_near = [](double value) { return std::abs(value) <= drawing::kMaxCoordinate_mm; };
         if (is_near(at.x) && is_near(at.y)) continue;  // false for NaN
-        return Unexpected(
-            fmt::format("{} has the point ({}, {}) mm; nothing can be cut further off than {} mm",
-                        display_text(drawing_.entities.back()), at.x, at.y, drawing::kMaxCoordinate_mm));
+        return Unexpected(fmt::format("{} has the point ({}, {}) mm; coordinates must not exceed {} mm",
+                                      display_text(drawing_.entities.back()), at.x, at.y,
+                                      drawing::kMaxCoordinate_mm));
     }
     return {};
 }

@@ -12,7 +12,7 @@ namespace {
 
 void note_ignored(std::size_t count, const char* what, Plate& plate) {
     if (count == 0) return;
-    plate.drawing.notes.push_back(fmt::format("{} {} beside the bodies left out", count, what));
+    plate.drawing.notes.push_back(fmt::format("{} {} that are not part of a body are ignored", count, what));
 }
 
 Result<Plate> plate_from_solids(const Bodies& bodies, const ShapeFile& file, const PlateOptions& options) {
@@ -35,7 +35,7 @@ Result<Plate> extract_plate(const ShapeFile& file, const PlateOptions& options) 
     if (!bodies.solids.empty()) return plate_from_solids(bodies, file, options);
     if (!bodies.faces.empty()) return plate_from_faces(bodies.faces, file, options);
     if (!bodies.edges.empty()) return plate_from_curves(bodies.edges, file, options);
-    return Unexpected("there is no body, surface or curve in it");
+    return Unexpected("it contains no body, surface or curve");
 }
 
 }  // namespace gsim::solid

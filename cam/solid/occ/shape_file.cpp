@@ -60,14 +60,14 @@ Result<ShapeFile> ShapeFile::read(const std::string& name) {
     XSControl_Reader& reader = *file.reader_;
     if (reader.ReadFile(name.c_str()) != IFSelect_RetDone || reader.Model().IsNull())
         return Unexpected(
-            fmt::format("this is no whole {} file", format == FileFormat::step ? "STEP" : "IGES"));
+            fmt::format("this is not a complete {} file", format == FileFormat::step ? "STEP" : "IGES"));
     const Interface_InterfaceModel& model = *reader.Model();
     if (auto checked = check(reader.WS()->ModelCheckList(), model); !checked)
         return Unexpected(checked.error());
     reader.TransferRoots();
     if (auto checked = check(reader.WS()->TransferReader()->LastCheckList(), model); !checked)
         return Unexpected(checked.error());
-    if (reader.NbShapes() < 1) return Unexpected("there is no body, surface or curve in it");
+    if (reader.NbShapes() < 1) return Unexpected("it contains no body, surface or curve");
     file.shape_ = reader.OneShape();
     file.index_entities();
     return file;

@@ -41,7 +41,7 @@ class Side {
 
     Result<std::vector<BevelInterval>> run() {
         if (!is_through_cut())
-            return Unexpected("does not go through the plate from its upper to its lower side");
+            return Unexpected("does not extend through the plate from its upper to its lower side");
         const double from = curve_.FirstParameter();
         const double to = curve_.LastParameter();
         for (const double share : kSampleShares) {
@@ -49,7 +49,7 @@ class Side {
             const auto bevel = bevel_deg(at);
             if (!bevel) return Unexpected("has no normal at its upper edge");
             if (std::abs(*bevel) > kMaxBevel_deg) {
-                return Unexpected(fmt::format("leans by {:.1f} deg; a jet can lean by {} deg",
+                return Unexpected(fmt::format("is tilted by {:.1f} deg; a jet can be tilted by up to {} deg",
                                               std::abs(*bevel), kMaxBevel_deg));
             }
             if (!is_straight(at)) return Unexpected("is not straight from the upper to the lower side");

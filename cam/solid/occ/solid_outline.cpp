@@ -98,9 +98,9 @@ Result<PlateFrame> find_plate(std::span<const TopoDS_Solid> solids, const PlateO
     }
     if (!best) {
         return Unexpected(fmt::format(
-            "the body at {} has no plane face{}; only flat plates are cut",
+            "the body at {} has no planar face{}; only flat plates can be cut",
             display_text(face_point(shape_faces(solids.front()).front())),
-            options.facing_axis.empty() ? "" : fmt::format(" that looks along {}", options.facing_axis)));
+            options.facing_axis.empty() ? "" : fmt::format(" that faces {}", options.facing_axis)));
     }
     const PlateFrame frame(best->position, best->normal);
     if (!options.flip) return frame;
@@ -127,9 +127,10 @@ Result<void> SolidOutline::sort_faces(const TopoDS_Solid& solid) {
         } else if (rise > 1 - kLevelTolerance) {
             if (std::abs(height_mm) > kHeightTolerance_mm) {
                 return reject(
-                    face, fmt::format("lies {:.6g} mm {} the upper side; all of a plate's upper side is in "
-                                      "one plane",
-                                      std::abs(height_mm), height_mm > 0 ? "above" : "below"));
+                    face,
+                    fmt::format(
+                        "is {:.6g} mm {} the upper side; the upper side of a plate must be in one plane",
+                        std::abs(height_mm), height_mm > 0 ? "above" : "below"));
             }
             upper_.push_back(face);
         } else {
@@ -143,18 +144,17 @@ Result<void> SolidOutline::find_thickness() {
     if (lower_.empty() || upper_.empty()) {
         const TopoDS_Face& face =
             others_.empty() ? (lower_.empty() ? upper_ : lower_).front() : others_.front();
-        return reject(face, fmt::format("belongs to a body without {} side; a plate has two plane ones",
-                                        upper_.empty() ? "an upper" : "a lower"));
+        return reject(face,
+                      fmt::format("belongs to a body without {} side; a plate must have two planar sides",
+                                  upper_.empty() ? "an upper" : "a lower"));
     }
     for (std::size_t i = 0; i < lower_.size(); ++i) {
         const double depth_mm = std::round(depths_mm_[i] / kThicknessStep_mm) * kThicknessStep_mm;
         if (plate_.thickness_mm == 0) plate_.thickness_mm = depth_mm;
         if (std::abs(depth_mm - plate_.thickness_mm) <= kHeightTolerance_mm) continue;
-        return reject(
-            lower_[i],
-            fmt::format("lies {:.6g} mm below the upper side, but another one {:.6g} mm; a plate has "
-                        "one thickness",
-                        depth_mm, plate_.thickness_mm));
+        return reject(lower_[i], fmt::format("is {:.6g} mm below the upper side, but another one {:.6g} mm; "
+                                             "a plate must have one thickness",
+                                             depth_mm, plate_.thickness_mm));
     }
     return {};
 }
@@ -201,7 +201,7 @@ Result<void> SolidOutline::add(const TopoDS_Solid& solid) {
     }
     for (const TopoDS_Face& face : others_) {
         if (!upper_edge_faces.Contains(face))
-            return reject(face, "has no edge in the upper side: it is not reached by a jet from there");
+            return reject(face, "has no edge on the upper side: a jet cannot reach it from there");
     }
     for (const TopoDS_Face& face : upper_) {
         if (auto result = draw_face(face, edge_faces); !result) return result;

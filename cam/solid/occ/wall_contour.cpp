@@ -196,9 +196,9 @@ Result<WallEdge> ContourTracer::make_wall_edge(const TopoDS_Edge& edge, const To
     for (const TopoDS_Shape& each : edge_faces_.FindFromKey(edge)) {
         if (!each.IsSame(face)) other = TopoDS::Face(each);
     }
-    if (other.IsNull()) return Unexpected("closes upon itself in a seam");
+    if (other.IsNull()) return Unexpected("closes on itself at a seam");
     if (is_smooth(edge, face, other))
-        return Unexpected(fmt::format("goes over smoothly into {}", display_text(other, file_)));
+        return Unexpected(fmt::format("continues smoothly into {}", display_text(other, file_)));
     auto points = EdgeSampler(edge, face, other, options_).run();
     if (!points)
         return Unexpected(
@@ -212,7 +212,7 @@ Result<WallEdge> ContourTracer::make_wall_edge(const TopoDS_Edge& edge, const To
     const gp_Vec normal = to_gp_vec(middle.normal);
     if (normal.Dot(to_gp_vec(middle.along_wall)) > 0)
         return Unexpected(
-            fmt::format("is the foot of {}, which stands up there", display_text(other, file_)));
+            fmt::format("is at the foot of {}, which rises from there", display_text(other, file_)));
     if (edge.Orientation() == TopAbs_REVERSED) reverse_edge(found);
     found.next_surface_mm = next_surface_mm(found);
     return found;
@@ -243,8 +243,9 @@ std::optional<Error> ContourTracer::find_blind_wall(const WallContour& contour) 
                edge.next_surface_mm <= edge.points.front().depth_mm + kBlindTolerance_mm;
     });
     if (blind == contour.edges.end()) return std::nullopt;
-    return fmt::format("does not go through: below {} at {} there is material {:.4g} mm down", blind->name,
-                       display_text(to_gp_pnt(blind->points.front().position_mm)), blind->next_surface_mm);
+    return fmt::format("is not a through cut: below {} at {} there is material at a depth of {:.4g} mm",
+                       blind->name, display_text(to_gp_pnt(blind->points.front().position_mm)),
+                       blind->next_surface_mm);
 }
 
 Result<ChainEdge> ContourTracer::trace_edge(const TopoDS_Edge& edge, const TopoDS_Face& face) const {

@@ -72,8 +72,8 @@ tl::expected<CuttingCell, Error> CuttingCell::read(const Host& host, const Cutti
     std::vector<std::string> notes = parts.input.notes;
     if (bodies->pair_count() == 0)
         notes.push_back(
-            "machine and cell have no bodies that could touch each other: ways between cuts stay as they "
-            "are");
+            "machine and cell have no bodies that can touch each other: linking moves between cuts are "
+            "unchanged");
     return CuttingCell(
         std::make_unique<Parts>(Parts{*std::move(machine), std::move(origin), *std::move(space),
                                       std::move(setup), *std::move(bodies), std::move(notes)}));

@@ -60,9 +60,10 @@ Result<ResolvedCutting> resolve_by_parameters(const CuttingOptions& options) {
     if (!options.speed_mm_min || !options.kerf_mm)
         return Unexpected("give --material and --thickness, or --speed and --kerf");
     if (options.taper_compensation)
-        return Unexpected("--taper-compensation needs --material and --thickness: the taper is theirs");
+        return Unexpected(
+            "--taper-compensation requires --material and --thickness, which determine the taper");
     if (options.dynamic_pierce && !options.pierce_s)
-        return Unexpected("--dynamic-pierce needs --material, or how long it takes (--pierce)");
+        return Unexpected("--dynamic-pierce requires --material, or its time (--pierce)");
     ResolvedCutting resolved;
     resolved.rules.kerf_mm = *options.kerf_mm;
     resolved.rules.speed_mm_min = *options.speed_mm_min;
@@ -97,7 +98,7 @@ std::optional<std::string> thickness_mismatch(const CuttingOptions& options, dou
     if (plate_thickness_mm <= 0 || options.thickness_mm == 0) return std::nullopt;
     if (std::abs(options.thickness_mm - plate_thickness_mm) <= kEqualTolerance * plate_thickness_mm)
         return std::nullopt;
-    return fmt::format("the solid is {:.6g} mm thick; --thickness says {:.6g} mm", plate_thickness_mm,
+    return fmt::format("the solid is {:.6g} mm thick, but --thickness is {:.6g} mm", plate_thickness_mm,
                        options.thickness_mm);
 }
 

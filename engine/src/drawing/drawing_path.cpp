@@ -264,7 +264,7 @@ std::string DrawingPath::summary() const {
         fmt::format("{} contours, {} pierces, {:.1f} mm cut in {:.1f} s, {:.1f} mm between the cuts",
                     metrics.outlines, metrics.pierces, metrics.cut_mm, metrics.cut_s, metrics.travel_mm);
     if (metrics.ways == 0) return message;
-    return message + fmt::format("; nothing is touched, and {} of {} ways lead round something",
+    return message + fmt::format("; there are no collisions, and {} of {} linking moves were rerouted",
                                  metrics.rerouted_moves, metrics.ways);
 }
 

@@ -84,30 +84,30 @@ script::ContourDescription contour_facts(const solid::WallContour& contour) {
 std::optional<gsim::Error> find_contour_option_error(const DrawingRequest& request) {
     const DrawingOptions& reading = request.reading;
     if (request.cutting.taper_compensation || request.cutting.dynamic_pierce) {
-        return fmt::format("{} is for drawings and flat parts: it does not go with --contours",
+        return fmt::format("{} applies to drawings and flat parts: it cannot be combined with --contours",
                            request.cutting.taper_compensation ? "--taper-compensation" : "--dynamic-pierce");
     }
-    if (reading.flip || !reading.up.empty()) return "--up and --flip are for flat parts, without --contours";
+    if (reading.flip || !reading.up.empty()) return "--up and --flip apply to flat parts, without --contours";
     if (reading.unit_mm != 0 || !reading.layers.empty())
-        return "--unit and --layer are for drawings; a STEP or IGES file says its unit";
+        return "--unit and --layer apply to drawings; a STEP or IGES file defines its unit";
     if (std::abs(request.ways.bevel_deg) > 0)
-        return "--bevel is for flat parts; with --contours the jet goes along the walls, or leans by "
+        return "--bevel applies to flat parts; with --contours the jet follows the walls, or is tilted by "
                "--tilt-angle";
     const SurfaceCuttingOptions& surface = *request.surface;
     if (surface.contours.kind == "edges" && surface.contours.edges.empty())
-        return "--contours edges needs the numbers of edges (--edge)";
+        return "--contours edges requires the numbers of edges (--edge)";
     if (surface.contours.along_walls && std::abs(surface.tilt_deg) > 0)
-        return "--tilt-angle is from the face's normal (--axis normal); along walls they say how the jet "
-               "leans";
+        return "--tilt-angle is relative to the face normal (--axis normal); along walls, the walls define "
+               "the tilt angle";
     return {};
 }
 
 Result<solid::WallContours> read_part_contours(const Host& host, const std::string& file,
                                                const ContourSelection& selection) {
-    if (!solid::is_solid_file(file)) return Unexpected("--contours is for STEP and IGES files");
+    if (!solid::is_solid_file(file)) return Unexpected("--contours applies to STEP and IGES files");
     if (!host.read_contours) {
         return Unexpected(
-            fmt::format("{}: STEP and IGES files are not read here; DXF and SVG files are", file));
+            fmt::format("{}: STEP and IGES files are not supported here, only DXF and SVG files", file));
     }
     return host.read_contours(file, selection).map(to_wall_contours);
 }
@@ -132,7 +132,7 @@ Result<void> choose_contours(std::string_view script, const std::string& file_na
     }
     if (kept.empty()) {
         return Unexpected(
-            fmt::format("{}:1: the script chooses none of the {} contours", file_name, part.contours.size()));
+            fmt::format("{}:1: the script selects 0 of the {} contours", file_name, part.contours.size()));
     }
     part.contours = std::move(kept);
     return {};

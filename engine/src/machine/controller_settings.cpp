@@ -62,7 +62,7 @@ std::vector<Diagnostic> left_out_diagnostics(const import::ImportResult& importe
                                .text = std::move(message)});
     };
     for (const std::string& warning : imported.warnings) add(Severity::warning, warning);
-    for (const std::string& entry : imported.left_out) add(Severity::note, "not taken over: " + entry);
+    for (const std::string& entry : imported.left_out) add(Severity::note, "not imported: " + entry);
     return diagnostics;
 }
 
@@ -88,8 +88,8 @@ tl::expected<ControllerSettings, Error> ControllerSettings::read(std::string_vie
         };
         if (!is_table(name) && !import::is_controller_file(text, name)) {
             return unexpected_error(
-                fmt::format("'{}' is no LinuxCNC .ini, .tbl or .var, and has no lines as grbl "
-                            "answers to $$ ($110=500.000)",
+                fmt::format("'{}' is not a LinuxCNC .ini, .tbl or .var, and has no lines of grbl's response "
+                            "to $$ ($110=500.000)",
                             name));
         }
         auto imported = is_table(name) ? read_table(text, name, options)

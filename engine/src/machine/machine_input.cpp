@@ -19,7 +19,7 @@ MachineInput from_controller_settings(import::ImportResult imported, const std::
     input.notes = std::move(imported.warnings);
     if (!imported.left_out.empty()) {
         input.notes.push_back(
-            fmt::format("{}: lines that are not taken over: {}; gsim-data import {} lists them", file,
+            fmt::format("{}: lines that are not imported: {}; gsim-data import {} lists them", file,
                         imported.left_out.size(), file));
     }
     return input;

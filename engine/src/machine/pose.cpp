@@ -65,19 +65,19 @@ class PoseSolver {
     std::optional<gsim::Error> find_value_error(const char* what,
                                                 const std::optional<std::vector<double>>& values) const {
         if (!values || values->size() == machine_.axes.size()) return std::nullopt;
-        return fmt::format("'{}' should have {} values, one for each axis of the machine, not {}", what,
+        return fmt::format("'{}' must have {} values, one for each axis of the machine, not {}", what,
                            machine_.axes.size(), values->size());
     }
 
     std::optional<gsim::Error> find_error() const {
         const PoseRequest& of = options_;
         if (of.joints.has_value() == of.tcp_mm.has_value())
-            return "a pose is told by 'joints' or by 'tip_mm', by one of them";
+            return "a pose must have either 'joints' or 'tip_mm'";
         if (of.joints && (of.tool_axis || of.rpy_deg))
-            return "'tool_axis' and 'rpy_deg' go with 'tip_mm', not with 'joints'";
-        if (of.tool_axis && of.rpy_deg) return "'tool_axis' and 'rpy_deg' do not go together";
+            return "'tool_axis' and 'rpy_deg' require 'tip_mm', not 'joints'";
+        if (of.tool_axis && of.rpy_deg) return "'tool_axis' and 'rpy_deg' cannot be combined";
         if (of.tool_axis && vector(*of.tool_axis).norm() < kParallel)
-            return "'tool_axis' has no length, so that it has no direction";
+            return "'tool_axis' must have a length greater than 0";
         if (auto error = find_value_error("joints", of.joints)) return error;
         return find_value_error("near", of.near);
     }

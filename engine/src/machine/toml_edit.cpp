@@ -50,7 +50,7 @@ Result<void> remove(TomlEditor& edit, const TomlPath& path, const ordered_json& 
     return edit.remove(path);
 }
 Result<void> move(TomlEditor& edit, const TomlPath& path, const ordered_json& to) {
-    if (!to.is_number_unsigned()) return Unexpected("'to' should be the number of a place, from 0 on");
+    if (!to.is_number_unsigned()) return Unexpected("'to' must be an index, from 0 on");
     return edit.move(path, to.get<std::size_t>());
 }
 
@@ -58,9 +58,7 @@ constexpr std::array kOperations{Operation{"set", "value", set}, Operation{"add"
                                  Operation{"remove", "", remove}, Operation{"move", "to", move}};
 
 Result<TomlPath> toml_path(const ordered_json& at) {
-    const auto error = [] {
-        return Unexpected("'at' should be a list of keys and of numbers of elements, from 0 on");
-    };
+    const auto error = [] { return Unexpected("'at' must be a list of keys and of indices, from 0 on"); };
     if (!at.is_array()) return error();
     TomlPath path;
     for (const ordered_json& step : at) {
@@ -76,15 +74,15 @@ Result<TomlPath> toml_path(const ordered_json& at) {
 }
 
 Result<void> change(TomlEditor& edit, const ordered_json& operation_json) {
-    if (!operation_json.is_object()) return Unexpected("a change should be an object");
+    if (!operation_json.is_object()) return Unexpected("a change must be an object");
     const ordered_json name = operation_json.value("op", ordered_json());
     const auto* const operation =
         std::find_if(kOperations.begin(), kOperations.end(),
                      [&](const Operation& each) { return name.is_string() && name == each.name; });
-    if (operation == kOperations.end()) return Unexpected("'op' should be one of set, add, remove, move");
+    if (operation == kOperations.end()) return Unexpected("'op' must be one of set, add, remove, move");
     for (const auto& [key, value] : operation_json.items()) {
         if (key != "op" && key != "at" && key != operation->key)
-            return Unexpected(fmt::format("there is no key '{}' of '{}'", key, operation->name));
+            return Unexpected(fmt::format("unknown key '{}' of '{}'", key, operation->name));
     }
     const auto path = toml_path(operation_json.value("at", ordered_json()));
     if (!path) return tl::unexpected(path.error());
@@ -118,7 +116,7 @@ tl::expected<EditedToml, Error> edited_toml(const Host& host, const std::string&
     return guard_exceptions([&]() -> tl::expected<EditedToml, Error> {
         const auto operation_json = text::try_parse_json<ordered_json>(changes);
         if (!operation_json.is_array())
-            return tl::unexpected(make_error(DiagnosticKind::usage, "the changes should be a list"));
+            return tl::unexpected(make_error(DiagnosticKind::usage, "the changes must be a list"));
         auto edit = read(host, name, on_diagnostic);
         if (!edit) return tl::unexpected(edit.error());
         for (std::size_t i = 0; i < operation_json.size(); ++i) {

@@ -45,7 +45,7 @@ Result<path::Vector> program_origin(const path::Program& program, const PathCont
             origin_mm[static_cast<std::size_t>(letter - 'X')] = value;
         } else if (turns && value != 0) {
             return Unexpected(
-                fmt::format("the path cannot be turned: its work offset G{} moves {}", name, letter));
+                fmt::format("the path cannot be rotated: its work offset G{} moves {}", name, letter));
         }
     }
     return origin_mm;

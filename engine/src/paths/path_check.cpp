@@ -29,9 +29,10 @@ bool is_message_action(std::string_view action) {
 void PathCheck::move(const path::AxisMove& move) {
     if (move.duration_s) post_.feed_modes.inverse_time.empty() ? ++mean_feeds_ : ++feed_modes_;
     if (move.feed_mm_rev) post_.feed_modes.per_revolution.empty() ? ++per_minute_ : ++feed_modes_;
-    if (move.lead_mm && post_.thread.code.empty()) ++unsupported_actions_["a line in step with the spindle"];
+    if (move.lead_mm && post_.thread.code.empty())
+        ++unsupported_actions_["a line synchronized with the spindle"];
     if (move.lead_mm && uses_machine_coordinates_)
-        ++unsupported_actions_["a line in step with the spindle, in machine coordinates"];
+        ++unsupported_actions_["a line synchronized with the spindle, in machine coordinates"];
 }
 
 void PathCheck::action(const std::string& name) {
@@ -52,17 +53,17 @@ Result<PathCheck::PathSummary> PathCheck::finish() {
     }
     if (retracts_ > 0 && post_.offsets.machine.empty()) {
         notes_.push_back(fmt::format(
-            "the tool does not go up {} times to be changed, to another work offset or on the way "
-            "of a reference point: the post '{}' has no word for machine coordinates ([offsets] "
-            "machine)",
+            "the tool does not retract {} times for a tool change, another work offset or a reference point: "
+            "the post '{}' has no word for machine coordinates ([offsets] machine)",
             retracts_, post_.name));
     }
     note_feeds();
     if (!keep_going_ && !unsupported_actions_.empty()) return tl::unexpected(error());
     for (const auto* list : {&message_actions_, &unsupported_actions_}) {
         for (const auto& [name, count] : *list) {
-            notes_.push_back(fmt::format("{} is a comment, {} times: the post '{}' has no block for it", name,
-                                         count, post_.name));
+            notes_.push_back(
+                fmt::format("{} is written as a comment, {} times: the post '{}' has no block for it", name,
+                            count, post_.name));
         }
     }
     return PathSummary{std::move(notes_), feed_modes_ > 0, accelerations_ > 0, retracts_ > 0};
@@ -75,9 +76,10 @@ void PathCheck::note_feeds() {
                         mean_feeds_, post_.name));
     }
     if (per_minute_ > 0) {
-        notes_.push_back(fmt::format(
-            "feeds per revolution of {} moves are written per minute: the post '{}' has no others",
-            per_minute_, post_.name));
+        notes_.push_back(
+            fmt::format("feeds per revolution of {} moves are written per minute: the post '{}' has no feed "
+                        "per revolution",
+                        per_minute_, post_.name));
     }
 }
 

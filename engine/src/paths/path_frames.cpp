@@ -38,10 +38,10 @@ std::optional<gsim::Error> find_frame_error(const WorkFrame& frame, const codege
         return fmt::format("the post '{}' has no work offset G{}; it has G{}", post.name, frame.name,
                            text::joined(systems, ", G"));
     if (!frame.touches.empty() && post.touch.empty())
-        return fmt::format("the post '{}' has no words that find a work offset by touches ([probe] touch)",
+        return fmt::format("the post '{}' has no words to measure a work offset by touches ([probe] touch)",
                            post.name);
     if (frame.set_offset_mm && post.offsets.set.empty())
-        return fmt::format("the post '{}' has no word that sets a work offset ([offsets] set)", post.name);
+        return fmt::format("the post '{}' has no word to set a work offset ([offsets] set)", post.name);
     return std::nullopt;
 }
 
@@ -51,16 +51,15 @@ std::optional<gsim::Error> apply_defaults(path::Program& program, const PathRequ
     const bool is_requested = !request.work_offset.empty() || request.set_offset_mm || request.tool;
     if (!is_requested) return std::nullopt;
     if (program.is_recorded())
-        return "work offsets and tools are of paths that no run has recorded; those of a recorded one are at "
-               "its "
+        return "work offsets and tools apply to paths that are not recorded; a recorded path has them at its "
                "points";
     path::Path& root = program.paths[program.root];
     const std::string requested_frame = path::frame_name(request.work_offset);
     if (root.frame.name.empty()) root.frame.name = requested_frame;
     if (request.set_offset_mm) {
         if (!requested_frame.empty() && root.frame.name != requested_frame) {
-            return fmt::format("the path names G{} itself, and is not put where G{} is to be set",
-                               root.frame.name, requested_frame);
+            return fmt::format("the path names G{}, so G{} cannot be set for it", root.frame.name,
+                               requested_frame);
         }
         if (root.frame.name.empty() && !post.offsets.systems.empty())
             root.frame.name = post.offsets.systems.front();
@@ -130,7 +129,7 @@ std::vector<std::string> PathFrames::notes() const {
     }
     if (names.empty()) return {};
     return {fmt::format(
-        "the path does not say where {} lies, so whether X, Y and Z stay in their ranges is not looked at",
+        "the path does not define the position of {}, so the ranges of X, Y and Z are not checked",
         text::joined(names, ", "))};
 }
 

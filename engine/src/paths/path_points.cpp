@@ -35,9 +35,9 @@ std::string list_points(const Points& points) {
         texts.push_back(name == points.names.end() ? fmt::format("{}", number)
                                                    : fmt::format("{} ({})", number, name->second));
     }
-    if (texts.empty()) return "there are none";
+    if (texts.empty()) return "none are defined";
     const std::size_t more = points.values.size() - texts.size();
-    return fmt::format("there are {}{}", text::joined(texts, ", "),
+    return fmt::format("available: {}{}", text::joined(texts, ", "),
                        more > 0 ? fmt::format(" and {} more", more) : "");
 }
 
@@ -70,8 +70,8 @@ class Completer {
     std::vector<std::string> notes() const {
         if (unknown_.empty()) return {};
         return {
-            fmt::format("neither the machine file nor machine data say where the reference points {} lie; "
-                        "Z goes there first, as if that led up",
+            fmt::format("neither the machine file nor machine data define the positions of the reference "
+                        "points {}; Z moves there first, as if it moved up",
                         text::joined(unknown_, ", "))};
     }
 
@@ -88,12 +88,12 @@ class Completer {
 
     std::optional<gsim::Error> complete_point(MachinePoint& point) const {
         if (tables_.data == nullptr)
-            return fmt::format("nothing says where {} lies; name the machine data by --machine-data",
+            return fmt::format("the position of {} is not defined; give the machine data with --machine-data",
                                path::point_title(point));
         const Points points = machine_points(*tables_.data, point.kind);
         const machine::AxisValues* values = find_point(points, point);
         if (values == nullptr)
-            return fmt::format("{} is not among those of {}; {}", path::point_title(point), tables_.data_name,
+            return fmt::format("{} is not defined in {}; {}", path::point_title(point), tables_.data_name,
                                list_points(points));
         point.axes = moved(*values);
         return std::nullopt;
@@ -102,8 +102,8 @@ class Completer {
     std::optional<gsim::Error> check_point_word(const MachinePoint& point) const {
         if (!post_.offsets.machine.empty()) return std::nullopt;
         return fmt::format(
-            "the post '{}' has no word for machine coordinates ([offsets] machine), by which the "
-            "machine would go to {}",
+            "the post '{}' has no word for machine coordinates ([offsets] machine), which are required to "
+            "move to {}",
             post_.name, path::point_title(point));
     }
     std::optional<gsim::Error> check_home_word(const MachinePoint& point) const {

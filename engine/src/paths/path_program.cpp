@@ -174,8 +174,8 @@ Result<PathProgram> PathProgram::plan(const path::PathFile& file, const machine:
     for (const codegen::WrittenAxis& axis : program.written_axes()) {
         if (post.blocks.axes.empty() || post.blocks.axes.find(axis.letter) != std::string::npos) continue;
         return Unexpected(
-            fmt::format("the post '{}' is for the axes {}, and the machine '{}' has {}; name another machine "
-                        "by --machine",
+            fmt::format("the post '{}' is for the axes {}, but the machine '{}' has {}; give another machine "
+                        "with --machine",
                         post.name, post.blocks.axes, machine.name, axis.letter));
     }
     if (!program.options_.words.decimals_mm && file.program.is_recorded())
@@ -197,12 +197,10 @@ Offsets PathProgram::offsets() const {
 Result<void> PathProgram::check_offsets() const {
     const codegen::OffsetWords& words = post_->offsets;
     if (frames_.any() && offsets() != Offsets::as_path)
-        return Unexpected(
-            "--offsets says how to write what a run has recorded; this path names its "
-            "own work offsets");
+        return Unexpected("--offsets applies to recorded paths; this path names its work offsets");
     if (frames_.tools() && offsets() == Offsets::machine)
         return Unexpected(
-            "--offsets G53 is for paths without tools of their own: no length offset counts in machine "
+            "--offsets G53 applies to paths that name no tools: length offsets have no effect in machine "
             "coordinates");
     const auto missing_word_error = [this](std::string_view what) {
         return Unexpected(fmt::format("the post '{}' has no word for {}", post_->name, what));
@@ -210,8 +208,7 @@ Result<void> PathProgram::check_offsets() const {
     switch (offsets()) {
         case Offsets::as_path: return {};
         case Offsets::none:
-            if (words.preset.empty())
-                return missing_word_error("the place where the machine stands ([offsets] here)");
+            if (words.preset.empty()) return missing_word_error("the current position ([offsets] here)");
             return {};
         case Offsets::machine:
             if (words.machine.empty()) return missing_word_error("machine coordinates ([offsets] machine)");
@@ -220,7 +217,7 @@ Result<void> PathProgram::check_offsets() const {
     }
     if (!file_->program.is_recorded()) {
         return Unexpected(
-            "--offsets keep is for recorded paths (gsim-run --record), which say what offsets were in force");
+            "--offsets keep applies to recorded paths (gsim-run --record), which contain the active offsets");
     }
     for (const auto& [name, offset] : file_->program.work_offsets) {
         if (auto known = check_work_offset(name); !known) return known;
@@ -234,22 +231,22 @@ Result<void> PathProgram::check_work_offset(const std::string& name) const {
     if (std::find(systems.begin(), systems.end(), name) == systems.end()) {
         return Unexpected(
             fmt::format("the post '{}' has no word for the work offset G{}; --offsets none or G53 writes the "
-                        "program without",
+                        "program without it",
                         post_->name, name));
     }
     if (rotation_deg == 0) return {};
-    return Unexpected(fmt::format(
-        "the work offset G{} is turned by {:.10g} degrees, which is not written; --offsets none or "
-        "G53 writes the program without",
-        name, rotation_deg));
+    return Unexpected(
+        fmt::format("the work offset G{} is rotated by {:.10g} degrees, which cannot be written; --offsets "
+                    "none or G53 writes the program without it",
+                    name, rotation_deg));
 }
 
 Result<void> PathProgram::check_retract() const {
     if (post_->offsets.machine.empty()) return {};
     if (!options_.retract_mm && !space_.max_z_mm()) {
         return Unexpected(
-            fmt::format("Z of the machine '{}' has no end that the tool could go up to for changes; "
-                        "name a height by --retract",
+            fmt::format("Z of the machine '{}' has no end to which the tool could retract for changes; give "
+                        "a height with --retract",
                         space_.machine().name));
     }
     path::AxisValues up = space_.home();
@@ -317,11 +314,11 @@ tl::expected<void, path::TargetError> PathProgram::check_size() const {
     }
     const double size = sizes[file_->program.root];
     if (size <= kMaxTargets) return {};
-    return tl::unexpected(path::TargetError{
-        {file_->program.root, std::nullopt},
-        fmt::format("the post '{}' has no subprograms, and all sub-paths written where they are used "
-                    "come to {:.3g} points; {:.0e} is the most",
-                    post_->name, size, kMaxTargets)});
+    return tl::unexpected(
+        path::TargetError{{file_->program.root, std::nullopt},
+                          fmt::format("the post '{}' has no subprograms, and the path with all expanded "
+                                      "sub-paths has {:.3g} points; the max is {:.0e}",
+                                      post_->name, size, kMaxTargets)});
 }
 
 std::vector<codegen::WrittenAxis> PathProgram::written_axes() const {

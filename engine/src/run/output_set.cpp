@@ -54,7 +54,7 @@ Result<void> OutputSet::add(OutputKind output_kind, TextSink sink, const OutputO
         case OutputKind::path: add_path(std::move(sink)); return {};
         case OutputKind::plot: return add_plot(std::move(sink), options);
     }
-    return Unexpected("there is no such document");
+    return Unexpected("the output does not exist");
 }
 
 Result<void> OutputSet::add_trajectory(TextStream& out, const OutputOptions& options) {
@@ -80,7 +80,7 @@ Result<void> OutputSet::add_plot(TextSink sink, const OutputOptions& options) {
     const machine::Machine& machine = simulator_.machine();
     const auto plane = find_plane(options.plane);
     if (!plane)
-        return Unexpected(fmt::format("'{}' is no plane of a plot; there are xy, zx and yz", options.plane));
+        return Unexpected(fmt::format("'{}' is not a plane of a plot; use xy, zx or yz", options.plane));
     if (auto missing_axes = simulation::PlotData::find_missing_axes_error(machine, *plane))
         return tl::unexpected(*missing_axes);
     plot_ = std::make_unique<Plot>(machine, *plane, options.bitmap, std::move(sink));
@@ -129,9 +129,9 @@ std::optional<Error> OutputSet::check_output_size() const {
     if (trajectory_ != nullptr && trajectory_->is_truncated()) {
         return make_error(
             text::DiagnosticKind::output,
-            fmt::format("{}the trajectory would have more than {} samples; a longer --step or a "
-                        "lower --max-time makes it shorter",
-                        quoted_name(trajectory_name_), simulation::TrajectoryWriter::kMaxSamples));
+            fmt::format(
+                "{}the trajectory would have more than {} samples; increase --step or reduce --max-time",
+                quoted_name(trajectory_name_), simulation::TrajectoryWriter::kMaxSamples));
     }
     if (drawing_ != nullptr && drawing_->is_truncated()) {
         return make_error(

@@ -24,11 +24,11 @@ namespace gsim::engine {
 
 /// Message if no output can contain forces.
 inline constexpr std::string_view kNoMassesError =
-    "forces are asked for, and the machine file has no [dynamics] that tells of masses";
+    "forces are requested, but the machine file has no [dynamics] with masses";
 
 /// Message for following errors.
 inline constexpr std::string_view kNoServosError =
-    "following errors are asked for, and no [[axis]] of the machine file tells of its servo loop "
+    "following errors are requested, but no [[axis]] of the machine file defines its servo loop "
     "(position_gain_1_s)";
 
 /// The outputs and results of a run of one machine, attached to its simulator.

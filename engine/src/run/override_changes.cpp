@@ -73,9 +73,9 @@ std::optional<gsim::Error> find_override_error(const Kind& kind, double percent,
                            planner.name, planner.speed_factor_word);
     const PercentRange allowed = kind.allowed(controller.overrides);
     if (!allowed.accepts(percent))
-        return fmt::format("the controller {} takes {}", controller.model, allowed.text());
+        return fmt::format("the controller {} supports {}", controller.model, allowed.text());
     if (percent <= 0 && kind.share == &Overrides::spindle)
-        return "a spindle at 0 % would never let go on what follows it";
+        return "motion synchronized with a spindle at 0 % would never end";
     return {};
 }
 
@@ -85,7 +85,7 @@ class ChangesReader {
         : error_(error), controller_(controller), changes_{{0, first}} {}
 
     std::vector<OverrideChange> read(const toml::table& root) {
-        base::TomlSection file(error_, root, "a file of overrides", kOverrideFileKeys);
+        base::TomlSection file(error_, root, "the overrides file", kOverrideFileKeys);
         for (const toml::table* table : file.tables("override")) read_change(*table);
         if (changes_.size() > 1 && changes_.front() == OverrideChange{}) changes_.erase(changes_.begin());
         return std::move(changes_);
@@ -100,16 +100,16 @@ class ChangesReader {
         bool turns = false;
         for (const Kind& kind : kOverrideKinds) turns = read_share(section, kind, change.to) || turns;
         if (!turns)
-            section.fail("at_s",
-                         "[[override]] turns nothing: it takes feed_percent, rapid_percent and "
-                         "spindle_percent");
+            section.fail(
+                "at_s",
+                "[[override]] changes nothing: it must have feed_percent, rapid_percent or spindle_percent");
         if (change.at_s == 0 && is_first_) {
             changes_.back() = change;
         } else if (change.at_s > changes_.back().at_s) {
             changes_.push_back(change);
         } else {
-            section.fail("at_s", fmt::format("'at_s' is {:g}, not behind the one above, {:g}", change.at_s,
-                                             changes_.back().at_s));
+            section.fail("at_s", fmt::format("'at_s' is {:g}; it must be greater than the one above, {:g}",
+                                             change.at_s, changes_.back().at_s));
         }
         is_first_ = false;
     }
@@ -140,8 +140,7 @@ Result<OverrideSchedule> read_override_changes(std::string_view toml_text, std::
     const Overrides& last = changes.back().to;
     if (last.feed <= 0 || last.rapid <= 0) {
         error.report(root.source().end,
-                     "the last [[override]] leaves the machine held (0 %): the run would "
-                     "never end");
+                     "the last [[override]] stops the machine (0 %): the run would never end");
     }
     if (error.text()) return tl::unexpected(*error.text());
     return OverrideSchedule(std::move(changes));
@@ -157,8 +156,8 @@ Result<OverrideSchedule> read_overrides(const os::Files& files, const OverrideOp
             return Unexpected(fmt::format("{} {:g}: {}", kind.option, *percent, error->message));
         if (*percent <= 0) {
             return Unexpected(
-                fmt::format("{} 0 would hold the machine for ever; a file of changes (--overrides) may hold "
-                            "it for a time",
+                fmt::format("{} 0 would stop the machine indefinitely; a file of changes (--overrides) may "
+                            "stop it for a time",
                             kind.option));
         }
         first.*kind.share = *percent / 100;

@@ -34,8 +34,8 @@ Result<ProbeSurface> read_probe_options(std::string_view value, const machine::M
         if (at_mm && std::isfinite(*at_mm)) return plane(axis, *at_mm, machine);
     }
     return Unexpected(
-        fmt::format("--probe takes none, or where a plane lies that stops probes, as x=, y= or z= in mm of "
-                    "machine coordinates (z=-3.2), not '{}'",
+        fmt::format("--probe must be none, or the position of a plane that stops probes, as x=, y= or z= in "
+                    "mm of machine coordinates (z=-3.2), not '{}'",
                     value));
 }
 

@@ -41,7 +41,7 @@ std::optional<gsim::Error> find_word_error(const SwitchWord& word) {
         return find_code(word, *dialect) != nullptr;
     };
     if (std::any_of(dialects.begin(), dialects.end(), has_code))
-        return fmt::format("[process]: M{} takes no such words as in {}", word.code, word.text());
+        return fmt::format("[process]: M{} does not accept the words in {}", word.code, word.text());
     std::vector<std::string> names;
     names.reserve(dialects.size());
     for (const grammar::Dialect* dialect : dialects) names.push_back(dialect->name());
@@ -76,7 +76,7 @@ std::optional<gsim::Error> find_process_error(const machine::Process& process,
                                               const grammar::Dialect& dialect) {
     for (const auto& [words, state] : {std::pair{&process.on, "on"}, {&process.off, "off"}}) {
         if (has_word_in_dialect(*words, dialect)) continue;
-        return fmt::format("[process]: the {} is switched {} by {}, and {} has none of these",
+        return fmt::format("[process]: the {} is switched {} by {}, which {} does not support",
                            machine::name(process.kind), state, texts(*words), dialect.name());
     }
     return std::nullopt;

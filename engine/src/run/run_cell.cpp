@@ -22,15 +22,16 @@ solid::Mesh to_mesh(Triangles triangles) {
 }  // namespace
 
 cell::MeshFiles mesh_files(const Host& host) {
-    return {.files = host.files.impl(),
-            .read_solid = [read = host.read_solid](const std::filesystem::path& file,
-                                                   double tolerance_mm) -> Result<solid::Mesh> {
-                if (!read) {
-                    return Unexpected(fmt::format(
-                        "{}: STEP and IGES files are not read here; STL and OBJ files are", file.string()));
-                }
-                return read(file.string(), tolerance_mm).map(to_mesh);
-            }};
+    return {
+        .files = host.files.impl(),
+        .read_solid = [read = host.read_solid](const std::filesystem::path& file,
+                                               double tolerance_mm) -> Result<solid::Mesh> {
+            if (!read) {
+                return Unexpected(fmt::format(
+                    "{}: STEP and IGES files are not supported here, only STL and OBJ files", file.string()));
+            }
+            return read(file.string(), tolerance_mm).map(to_mesh);
+        }};
 }
 
 Result<cell::Cell> read_bodies(const CellSource& cell_source, const machine::Machine& machine) {

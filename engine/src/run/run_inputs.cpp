@@ -46,7 +46,7 @@ std::optional<gsim::Error> robots_contradiction(const Request& request) {
                                         {&request.probe, "--probe"},
                                         {&request.module, "--rcs"},
                                         {&request.variables, "--variables"}}) {
-        if (!value->empty()) return fmt::format("{} does not go with --robots", option);
+        if (!value->empty()) return fmt::format("{} cannot be combined with --robots", option);
     }
     return {};
 }
@@ -78,7 +78,7 @@ Result<std::optional<rrs::RcsModule>> load_module(const Request& request, const 
     std::optional<rrs::RcsModule> none;
     if (request.module.empty()) return none;
     if (!request.host.load_module)
-        return Unexpected(fmt::format("{}: controller modules are not loaded here", request.module));
+        return Unexpected(fmt::format("{}: controller modules are not supported here", request.module));
     return request.host.load_module(request.module, machine)
         .map([](const std::shared_ptr<rrs::RcsModule>& module) {
             return std::optional<rrs::RcsModule>(std::move(*module));
@@ -87,8 +87,9 @@ Result<std::optional<rrs::RcsModule>> load_module(const Request& request, const 
 
 std::optional<gsim::Error> find_contradiction(const Request& request) {
     if (!request.module.empty() && !request.overrides.is_default()) {
-        return fmt::format("{} does not go with --rcs: a module has an override of its own, SetOverrideSpeed",
-                           first_override(request.overrides));
+        return fmt::format(
+            "{} cannot be combined with --rcs: a module has a separate override, SetOverrideSpeed",
+            first_override(request.overrides));
     }
     return request.robots.empty() ? std::nullopt : robots_contradiction(request);
 }

@@ -143,7 +143,7 @@ tl::expected<Report, Error> Run::State::go() {
 tl::expected<ProgramRun*, Error> Run::State::kept() {
     if (program_run_) return program_run_.get();
     return tl::unexpected(
-        make_error(DiagnosticKind::usage, "what a control keeps is told of a run of one robot"));
+        make_error(DiagnosticKind::usage, "persistent data are available only for a run of one robot"));
 }
 
 tl::expected<std::string, Error> Run::State::variables() {

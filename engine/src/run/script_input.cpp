@@ -59,8 +59,7 @@ Result<Script> read_lua_script(lexer::Source& source, std::uint64_t memory_bytes
     if (source.size() > memory_bytes / 2) {
         return Unexpected(
             fmt::format("the text of the script {} has {:.1f} MB, which is more than half of the {} MB that "
-                        "the run may use "
-                        "(--memory): it is held twice while it is compiled",
+                        "the run may use (--memory): it is stored twice while it is compiled",
                         source.name(), static_cast<double>(source.size()) / kMegabyte, memory_bytes >> 20U));
     }
     std::string text = read_all(source);
@@ -143,7 +142,7 @@ bool is_number(std::string_view name) {
 std::optional<gsim::Error> find_link_error(const os::Files& files, const fs::path& folder,
                                            const fs::path& name) {
     if (files.is_within(folder, name)) return std::nullopt;
-    return fmt::format("{} is a link that leads out of the folder of the script", name.string());
+    return fmt::format("{} is a link to a file outside the folder of the script", name.string());
 }
 
 /// Returns files that may contain the program with this number or, in RS274/NGC, the subroutine with this
@@ -271,12 +270,13 @@ script::FindProgram module_finder(const os::Files& files, const std::string& mai
         const std::optional<fs::path> file = module_file(name);
         if (!file) {
             return Unexpected(
-                "a module's name has letters, digits, _ and -, and dots for folders within that "
-                "of the script: \"lib.shapes\" is lib/shapes.lua there");
+                "the name of a module may have letters, digits, _ and -, and dots for subfolders of the "
+                "script's folder: \"lib.shapes\" is lib/shapes.lua there");
         }
         const fs::path path = folder / *file;
         if (!files.has(path))
-            return Unexpected(fmt::format("there is no file {} in the folder of the script", file->string()));
+            return Unexpected(
+                fmt::format("the file {} does not exist in the folder of the script", file->string()));
         if (auto link_error = find_link_error(files, folder, *file))
             return tl::unexpected(*std::move(link_error));
         Result<lexer::Source> source = lexer::Source::open(files, path.lexically_normal().string());

@@ -25,8 +25,8 @@ Result<std::map<int, double>> parse_variables(std::string_view text, std::string
         std::string remainder;
         if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
         if (!(words >> variable >> value) || words >> remainder)
-            return Unexpected(
-                fmt::format("{}:{}: a line is the number of a variable and its value", file_name, number));
+            return Unexpected(fmt::format("{}:{}: a line must have the number of a variable and its value",
+                                          file_name, number));
         values[variable] = value;
     }
     return values;

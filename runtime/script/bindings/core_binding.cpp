@@ -49,7 +49,7 @@ int make_counted_word(lua_State* state) {
 DiagnosticKind check_kind(lua_State* state, int index) {
     const char* code = luaL_checkstring(state, index);
     const std::optional<DiagnosticKind> kind = text::diagnostic_kind(code);
-    if (!kind) luaL_error(state, "'%s' is no code of a diagnostic", code);
+    if (!kind) luaL_error(state, "'%s' is not a diagnostic code", code);
     return *kind;
 }
 
@@ -177,7 +177,7 @@ int set_feed(lua_State* state) {
     const double value = luaL_checknumber(state, 1);
     if (!(value > 0) || !std::isfinite(value))
         interpreter.alarm(state, DiagnosticKind::word_value,
-                          fmt::format("F is a number above 0, not {:.10g}", value));
+                          fmt::format("F must be a number above 0, not {:.10g}", value));
     interpreter.modal().feed = value;
     interpreter.modal().feed_unit_mm = interpreter.unit_mm();
     interpreter.modal().feed_is_new = true;

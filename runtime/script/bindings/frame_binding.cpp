@@ -37,7 +37,7 @@ class WordList final : public NonAxisWords {
 int check_axis(lua_State* state, int argument) {
     const std::string_view letter = luaL_checkstring(state, argument);
     const int axis = letter.size() == 1 ? bound_interpreter(state).axis(letter[0]) : -1;
-    luaL_argcheck(state, axis >= 0, argument, "no axis of the machine");
+    luaL_argcheck(state, axis >= 0, argument, "not an axis of the machine");
     return axis;
 }
 
@@ -85,7 +85,7 @@ int set_matrix(lua_State* state) {
     }
     if (!interpreter.frame().set_matrix(matrix))
         interpreter.alarm(state, DiagnosticKind::frame,
-                          "a scale of 0 leaves nothing of the program; scales are other than 0");
+                          "a scale of 0 is not allowed, because it reduces the program to a point");
     return 0;
 }
 

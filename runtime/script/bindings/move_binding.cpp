@@ -185,7 +185,7 @@ int dwell(lua_State* state) {
     const double seconds = luaL_checknumber(state, 1);
     if (!(seconds >= 0) || !std::isfinite(seconds))
         interpreter.alarm(state, DiagnosticKind::word_value,
-                          fmt::format("a dwell takes 0 seconds or more, not {:.10g}", seconds));
+                          fmt::format("a dwell must be 0 seconds or more, not {:.10g}", seconds));
     interpreter.check(state, interpreter.simulator().dwells().enqueue(seconds, check_location(state, 2)));
     return 0;
 }
@@ -234,7 +234,7 @@ int select_work_offset(lua_State* state) {
     offset.name = luaL_checkstring(state, 1);
     luaL_checktype(state, 2, LUA_TTABLE);
     for (lua_pushnil(state); lua_next(state, 2) != 0; lua_pop(state, 1)) {
-        luaL_argcheck(state, lua_type(state, -2) == LUA_TSTRING, 2, "letters of axes are expected");
+        luaL_argcheck(state, lua_type(state, -2) == LUA_TSTRING, 2, "axis letters are expected");
         const int axis = bound_interpreter(state).axis(*lua_tostring(state, -2));
         if (axis < 0) continue;
         const auto& axes = bound_interpreter(state).simulator().machine().axes;
@@ -279,9 +279,9 @@ int set_ramp_limits(lua_State* state) {
     luaL_checktype(state, 2, LUA_TTABLE);
     std::map<int, double> values;  // in the order of the axes, which that of a table is not
     for (lua_pushnil(state); lua_next(state, 2) != 0; lua_pop(state, 1)) {
-        luaL_argcheck(state, lua_type(state, -2) == LUA_TSTRING, 2, "letters of axes are expected");
+        luaL_argcheck(state, lua_type(state, -2) == LUA_TSTRING, 2, "axis letters are expected");
         const int axis = bound_interpreter(state).axis(*lua_tostring(state, -2));
-        luaL_argcheck(state, axis >= 0, 2, "there is no such axis");
+        luaL_argcheck(state, axis >= 0, 2, "unknown axis");
         values[axis] = luaL_checknumber(state, -1);
     }
     for (const auto& [axis, value] : values)

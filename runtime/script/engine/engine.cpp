@@ -62,7 +62,7 @@ Engine::Engine(std::vector<Robot> robots, std::vector<process::Conveyor> conveyo
     lua_.on_last_step([this](lua_State* state) { last_step_location_ = source_locator_.current(state, 0); });
     const int status = call_protected([](Engine& engine) { engine.open_controllers(); });
     if (!process_result(status, lua_.get(), *controllers_.front())) {
-        throw std::runtime_error("the library in Lua cannot be loaded: " +
+        throw std::runtime_error("the Lua library cannot be loaded: " +
                                  controllers_.front()->simulator().outcome().alarm()->message);
     }
 }
@@ -158,8 +158,8 @@ Result<void> Engine::read_retained(void (*read)(Engine&)) {
     lua_.set_time_limit(nullptr);
     error_.clear();
     if (call_protected(read) == LUA_OK) return {};
-    return Unexpected(fmt::format("what the control keeps cannot be read: {}",
-                                  error_.empty() ? "the script has used up its memory" : error_));
+    return Unexpected(fmt::format("the stored data of the controller cannot be read: {}",
+                                  error_.empty() ? "the script has run out of memory" : error_));
 }
 
 void Engine::read_permanent() {
@@ -180,11 +180,10 @@ void Engine::report(simulation::Report& report) const {
     report.signals = processes_.signals().board().changes();
     if (const std::uint64_t dropped = processes_.signals().board().dropped(); dropped > 0)
         report.warnings.push_back(
-            fmt::format("{} more changes of signals than the report lists were left out", dropped));
+            fmt::format("{} more signal changes are not listed in the report", dropped));
     report.zone_uses = processes_.zones().shared_zones().uses();
     if (const std::uint64_t dropped = processes_.zones().shared_zones().dropped(); dropped > 0)
-        report.warnings.push_back(
-            fmt::format("{} more uses of zones than the report lists were left out", dropped));
+        report.warnings.push_back(fmt::format("{} more zone uses are not listed in the report", dropped));
 }
 
 void Engine::read_stored() {
@@ -201,8 +200,9 @@ void Engine::read_stored() {
 /// `level` levels up.
 void Engine::record_error(lua_State* state, int index, int level) {
     const char* text = lua_tostring(state, index);
-    error_ = text != nullptr ? text
-                             : fmt::format("an error that is no text but a {}", luaL_typename(state, index));
+    error_ = text != nullptr
+                 ? text
+                 : fmt::format("an error that is not a string but a {}", luaL_typename(state, index));
     error_location_ = source_locator_.strip(error_);
     if (error_location_.line == 0) error_location_ = source_locator_.current(state, level);
 }
@@ -250,9 +250,8 @@ bool Engine::process_result(int status, lua_State* state, RobotController& contr
         return simulator.outcome().has_cpu_time(last_step_location_.line > 0 ? last_step_location_
                                                                              : location);
     if (LuaState::is_stop(state, -1)) return !simulator.outcome().alarm();
-    return simulator.outcome().fail(DiagnosticKind::script,
-                                    error_.empty() ? "an error in the handling of an error" : error_,
-                                    error_location_);
+    return simulator.outcome().fail(
+        DiagnosticKind::script, error_.empty() ? "an error in the error handler" : error_, error_location_);
 }
 
 }  // namespace gsim::script

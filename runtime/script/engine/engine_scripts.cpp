@@ -113,7 +113,7 @@ int Engine::load_module(lua_State* state) {
         engine.push_script(state, engine.add_script(state, std::move(**script), controller));
         return 1;
     }
-    const std::string reason = script ? "this run has no folder of modules" : script.error().message;
+    const std::string reason = script ? "this run has no module folder" : script.error().message;
     lua_pushnil(state);
     lua_pushlstring(state, reason.data(), reason.size());
     return 2;

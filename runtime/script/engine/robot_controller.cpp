@@ -135,11 +135,11 @@ void set_klipper_rules(lua_State* state, const rrs::ControllerRules& rules) {
 }
 
 int raise_unknown_name(lua_State* state) {
-    return luaL_error(state, "the library knows no '%s'", luaL_tolstring(state, 2, nullptr));
+    return luaL_error(state, "the library does not define '%s'", luaL_tolstring(state, 2, nullptr));
 }
 
 int raise_shared_name(lua_State* state) {
-    return luaL_error(state, "'%s' would be shared by all files of the library; return it, or make it local",
+    return luaL_error(state, "'%s' would be global for all files of the library; return it, or make it local",
                       luaL_tolstring(state, 2, nullptr));
 }
 
@@ -305,7 +305,7 @@ void RobotController::load_module(lua_State* state, const std::string& name) {
     if (begun != loading_.end()) {
         const std::string dependency_chain(text::joined(begun, loading_.end(), " needs "));
         throw std::runtime_error(
-            fmt::format("files of the library need each other: {} needs {}", dependency_chain, name));
+            fmt::format("circular dependency of library files: {} needs {}", dependency_chain, name));
     }
     loading_.push_back(name);
     lua_rawgeti(state, LUA_REGISTRYINDEX, library_);
@@ -328,7 +328,8 @@ int RobotController::use_module(lua_State* state) {
     for (int field = 2; field <= fields; ++field) {
         lua_pushvalue(state, field);
         if (lua_gettable(state, fields + 1) == LUA_TNIL)
-            luaL_error(state, "lua_lib/%s.lua gives no '%s'", name.c_str(), luaL_checkstring(state, field));
+            luaL_error(state, "lua_lib/%s.lua does not return '%s'", name.c_str(),
+                       luaL_checkstring(state, field));
     }
     return fields - 1;
 }

@@ -113,14 +113,15 @@ Feed Interpreter::feed(lua_State* state, std::optional<double> sweep_rad) {
     modal_.feed_is_new = false;
     if (modal_.feed_mode == FeedMode::inverse_time) {
         if (!is_new)
-            alarm(state, DiagnosticKind::feed, "inverse time feed (G93) needs an F in each block that moves");
+            alarm(state, DiagnosticKind::feed,
+                  "inverse time feed (G93) needs an F in each block with a motion");
         Feed feed;
         feed.motion_s =
             (modal_.inverse_time_by_angle ? sweep_rad.value_or(1.0) : 1.0) * kSecondsPerMinute / modal_.feed;
         return feed;
     }
     if (modal_.feed <= 0)
-        alarm(state, DiagnosticKind::feed, "no feed is in force: program F before the first feed move");
+        alarm(state, DiagnosticKind::feed, "no feed is active: program F before the first feed move");
     double per_min = 1;
     if (modal_.feed_mode == FeedMode::per_revolution) {
         if (modal_.spindle_rpm <= 0)
@@ -146,7 +147,7 @@ bool Interpreter::set_axis(char letter, double value, AxisVector& target, std::u
     if (!std::isfinite(value)) {
         record_word_error_message(
             {&letter, 1}, DiagnosticKind::script,
-            fmt::format("the value of {} is no number", static_cast<char>(letter - 'a' + 'A')));
+            fmt::format("the value of {} is not a number", static_cast<char>(letter - 'a' + 'A')));
     }
     if ((seen_axes & (1U << static_cast<unsigned>(index))) != 0) {
         const char axis = simulator_.machine().axes[static_cast<std::size_t>(index)].letter;
@@ -181,7 +182,7 @@ void Interpreter::record_value_error(std::string_view key, const NonAxisWords* o
     if (key.size() == 1 && key[0] >= 'A' && key[0] <= 'Z')
         return record_word_error(key, std::nullopt, others);
     record_word_error_message(key, DiagnosticKind::script,
-                              fmt::format("the value of '{}' is no number", key));
+                              fmt::format("the value of '{}' is not a number", key));
 }
 
 void Interpreter::record_word_error(std::string_view key, std::optional<double> value,
@@ -189,7 +190,7 @@ void Interpreter::record_word_error(std::string_view key, std::optional<double> 
     if (key.size() == 1 && kArcWords.find(key) != std::string_view::npos && others == nullptr) {
         return record_word_error_message(
             key, DiagnosticKind::word_out_of_place,
-            "I, J, K and R belong to an arc, and the motion in force is a straight one");
+            "I, J, K and R need an arc, but the active motion is a straight line");
     }
     if (key.size() == 1 && std::string_view("abcuvwxyz").find(key) != std::string_view::npos) {
         return record_word_error_message(
@@ -207,7 +208,7 @@ void Interpreter::record_word_error(std::string_view key, std::optional<double> 
     }
     record_word_error_message(
         key, DiagnosticKind::word_out_of_place,
-        fmt::format("'{}' is no word that this motion takes{}", key, word_advice(key, value, used_letters)));
+        fmt::format("'{}' is not a word of this motion{}", key, word_advice(key, value, used_letters)));
 }
 
 /// `target` is in program coordinates here if a matrix is active, else in machine coordinates. Returns false
@@ -217,7 +218,7 @@ bool Interpreter::read_words(lua_State* state, int index, NonAxisWords* others, 
     word_error_.reset();
     for (lua_pushnil(state); lua_next(state, index) != 0; lua_pop(state, 1)) {
         if (lua_type(state, -2) != LUA_TSTRING)
-            alarm(state, DiagnosticKind::script, "the words of a motion are named: x=1, y=2");
+            alarm(state, DiagnosticKind::script, "the words of a motion must be named: x=1, y=2");
         std::size_t size = 0;
         const char* text = lua_tolstring(state, -2, &size);
         const std::string_view key(text, size);

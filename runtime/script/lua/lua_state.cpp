@@ -130,7 +130,7 @@ std::string LuaState::printed(std::string line) {
     if (printed_bytes_ > kMostPrinted_bytes) return {};
     printed_bytes_ += line.size();
     if (printed_bytes_ <= kMostPrinted_bytes) return line;
-    return fmt::format("the script has printed {} MB; what it prints from here on is left out\n",
+    return fmt::format("the script has printed {} MB; further output is suppressed\n",
                        kMostPrinted_bytes >> 20U);
 }
 

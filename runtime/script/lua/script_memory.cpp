@@ -51,10 +51,10 @@ const char* ScriptMemory::largest_holder() const {
 
 std::string ScriptMemory::error() const {
     const std::string amounts =
-        fmt::format("{} are in use, and it asks for {}", megabytes(error_.retained_bytes),
+        fmt::format("{} are used, and {} more are requested", megabytes(error_.retained_bytes),
                     megabytes(error_.requested_bytes));
     if (error_.by_system)
-        return fmt::format("{} needs more memory than the system gives: {}", error_.what, amounts);
+        return fmt::format("{} needs more memory than the system provides: {}", error_.what, amounts);
     return fmt::format("{} needs more memory than the run may use, {} MB (--memory): {}", error_.what,
                        limit_bytes_ >> 20U, amounts);
 }

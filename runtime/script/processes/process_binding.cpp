@@ -39,15 +39,14 @@ std::string check_name(lua_State* state, int index, const char* what) {
     std::size_t size = 0;
     const char* text = lua_type(state, index) == LUA_TSTRING ? lua_tolstring(state, index, &size) : nullptr;
     if (text == nullptr || size == 0)
-        alarm(state, fmt::format("the name of a {} is a text that is not empty", what));
+        alarm(state, fmt::format("the name of a {} must be a string that is not empty", what));
     return {text, size};
 }
 
 Value check_value(lua_State* state, int index) {
     if (lua_isboolean(state, index)) return lua_toboolean(state, index) != 0;
     const double number = lua_type(state, index) == LUA_TNUMBER ? lua_tonumber(state, index) : NAN;
-    if (!std::isfinite(number))
-        alarm(state, "the value of a signal is true, false or a number that is finite");
+    if (!std::isfinite(number)) alarm(state, "the value of a signal must be true, false or a finite number");
     return number;
 }
 
@@ -62,7 +61,7 @@ void push_value(lua_State* state, const Value& value) {
 double check_seconds(lua_State* state, int index) {
     const double seconds = lua_type(state, index) == LUA_TNUMBER ? lua_tonumber(state, index) : NAN;
     if (!(seconds >= 0) || !std::isfinite(seconds))
-        alarm(state, "a wait takes 0 seconds or more, as a number");
+        alarm(state, "a wait needs a number of seconds, 0 or more");
     return seconds;
 }
 
@@ -70,8 +69,8 @@ template <typename Names>
 std::string hint(std::string_view name, const Names& names) {
     if (const auto nearest = text::nearest_name(name, names))
         return fmt::format("did you mean '{}'?", *nearest);
-    return names.empty() ? "a file of robots (--robots) has them"
-                         : fmt::format("there are: {}", text::joined(names, ", "));
+    return names.empty() ? "they are defined in a robots file (--robots)"
+                         : fmt::format("available: {}", text::joined(names, ", "));
 }
 
 /// Implements join(): continues when no process is earlier.
@@ -92,7 +91,7 @@ int wait_seconds(lua_State* state) {
 /// Implements start(name, f, background).
 int start(lua_State* state) {
     std::string name = check_name(state, 1, "process");
-    if (!lua_isfunction(state, 2)) alarm(state, "a process is a name and a function");
+    if (!lua_isfunction(state, 2)) alarm(state, "a process needs a name and a function");
     const bool background = lua_toboolean(state, 3) != 0;
     lua_settop(state, 2);
     bound_processes(state).start(state, std::move(name), background);
@@ -130,7 +129,7 @@ int on_signal(lua_State* state) {
     const std::string name = check_name(state, 1, "signal");
     lua_settop(state, 2);
     if (!lua_isnil(state, 2) && !lua_isfunction(state, 2))
-        alarm(state, "on_signal takes the name of a signal and a function, or nil");
+        alarm(state, "on_signal needs the name of a signal and a function, or nil");
     bound_processes(state).signals().set_interrupt(state, name);
     return 0;
 }
@@ -145,7 +144,7 @@ int robot(lua_State* state) {
     const std::string name = check_name(state, 1, "robot");
     const RobotController* found = bound_processes(state).robots().find(name);
     if (found == nullptr) {
-        alarm(state, fmt::format("there is no robot '{}'; {}", name,
+        alarm(state, fmt::format("unknown robot '{}'; {}", name,
                                  hint(name, bound_processes(state).robots().names())));
     }
     found->push_environment(state);
@@ -162,14 +161,14 @@ std::size_t check_zone(lua_State* state, int index) {
     const std::string name = check_name(state, index, "zone");
     const process::SharedZones& zones = bound_processes(state).zones().shared_zones();
     if (const auto found = zones.find(name)) return *found;
-    alarm(state, fmt::format("there is no zone '{}'; {}", name, hint(name, zones.names())));
+    alarm(state, fmt::format("unknown zone '{}'; {}", name, hint(name, zones.names())));
 }
 
 /// Implements enter_zone(name): continues when the process has the zone.
 int enter_zone(lua_State* state) {
     const std::size_t zone = check_zone(state, 1);
     if (bound_processes(state).zones().has(zone)) {
-        alarm(state, fmt::format("the process has the zone '{}' already",
+        alarm(state, fmt::format("the process already occupies the zone '{}'",
                                  bound_processes(state).zones().shared_zones().name(zone)));
     }
     return bound_processes(state).zones().enter(state, zone);
@@ -178,7 +177,7 @@ int enter_zone(lua_State* state) {
 int leave_zone(lua_State* state) {
     const std::size_t zone = check_zone(state, 1);
     if (!bound_processes(state).zones().has(zone)) {
-        alarm(state, fmt::format("the process does not have the zone '{}'",
+        alarm(state, fmt::format("the process does not occupy the zone '{}'",
                                  bound_processes(state).zones().shared_zones().name(zone)));
     }
     bound_processes(state).zones().leave(zone);
@@ -189,7 +188,7 @@ process::Conveyor& check_conveyor(lua_State* state, int index) {
     const std::string name = check_name(state, index, "conveyor");
     process::Conveyor* found = bound_processes(state).conveyors().find(name);
     if (found != nullptr) return *found;
-    alarm(state, fmt::format("there is no conveyor '{}'; {}", name,
+    alarm(state, fmt::format("unknown conveyor '{}'; {}", name,
                              hint(name, bound_processes(state).conveyors().names())));
 }
 
@@ -209,7 +208,7 @@ int conveyor_position(lua_State* state) {
 int conveyor_speed(lua_State* state) {
     process::Conveyor& conveyor = check_conveyor(state, 1);
     const double speed_mm_s = lua_type(state, 2) == LUA_TNUMBER ? lua_tonumber(state, 2) : NAN;
-    if (!std::isfinite(speed_mm_s)) alarm(state, "the speed of a conveyor is a number of mm/s");
+    if (!std::isfinite(speed_mm_s)) alarm(state, "the speed of a conveyor must be a number in mm/s");
     bound_processes(state).conveyors().set_speed(state, conveyor, speed_mm_s);
     return 0;
 }
@@ -219,7 +218,7 @@ int conveyor_speed(lua_State* state) {
 int conveyor_reaches(lua_State* state) {
     const process::Conveyor& conveyor = check_conveyor(state, 1);
     const double position_mm = lua_type(state, 2) == LUA_TNUMBER ? lua_tonumber(state, 2) : NAN;
-    if (!std::isfinite(position_mm)) alarm(state, "the position of a conveyor is a number of mm");
+    if (!std::isfinite(position_mm)) alarm(state, "the position of a conveyor must be a number in mm");
     const double now_s = bound_processes(state).time_s();
     const double arrival_s = conveyor.arrival_time_s(position_mm, now_s);
     if (!std::isfinite(arrival_s)) return 0;

@@ -31,7 +31,7 @@ void ProcessConveyors::set_speed(lua_State* state, process::Conveyor& conveyor, 
         if (followed != &conveyor) continue;
         robots_.alarm(
             state, DiagnosticKind::process,
-            fmt::format("the speed of the conveyor '{}' cannot change while {} follows it", conveyor.name(),
+            fmt::format("the speed of the conveyor '{}' cannot change while {} tracks it", conveyor.name(),
                         controller->name().empty() ? "the robot" : fmt::format("'{}'", controller->name())));
     }
     const double time_s = table_.running().time_s;

@@ -67,7 +67,7 @@ void ProcessRobots::check_free(lua_State* state, const RobotController& controll
     for (ProcessId id = 0; id < table_.size(); ++id) {
         if (table_.lua_process(id).controller != &controller || id == table_.running_id()) continue;
         alarm(state, DiagnosticKind::process,
-              fmt::format("the robot{} belongs to the process '{}' as long as that runs",
+              fmt::format("the robot{} belongs to the process '{}' as long as that process runs",
                           controller.name().empty() ? "" : fmt::format(" '{}'", controller.name()),
                           table_.schedule().process(id).name));
     }

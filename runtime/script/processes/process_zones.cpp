@@ -17,7 +17,7 @@ int ProcessZones::enter(lua_State* state, std::size_t zone) {
     if (const std::vector<ProcessId> deadlocked = schedule.deadlocked_from(table_.running_id());
         !deadlocked.empty()) {
         robots_.alarm(state, DiagnosticKind::process,
-                      fmt::format("dead-lock: {}",
+                      fmt::format("deadlock: {}",
                                   schedule.waits(robots_.interpreter().simulator().program().files().names(),
                                                  deadlocked)));
     }

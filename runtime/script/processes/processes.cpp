@@ -56,12 +56,12 @@ Processes::Outcome Processes::deadlock() {
     ProcessId first = 0;
     while (schedule.process(first).background || schedule.process(first).state == ProcessState::done) ++first;
     RobotController& controller = robots_.controller_of(first);
-    return {
-        .end = RunEnd::deadlock,
-        .message = fmt::format("{}nothing can go on: {}", schedule.any_waits_for_zone() ? "dead-lock, " : "",
-                               schedule.waits(controller.simulator().program().files().names())),
-        .controller = &controller,
-        .location = schedule.process(first).location};
+    return {.end = RunEnd::deadlock,
+            .message = fmt::format("{}no process can continue: {}",
+                                   schedule.any_waits_for_zone() ? "deadlock, " : "",
+                                   schedule.waits(controller.simulator().program().files().names())),
+            .controller = &controller,
+            .location = schedule.process(first).location};
 }
 
 /// Returns a deadlock if another process waits for a zone that this ended process has kept. It would wait
@@ -74,7 +74,7 @@ std::optional<Processes::Outcome> Processes::find_deadlock(ProcessId id) {
     const std::string waits =
         schedule.waits(controller.simulator().program().files().names(), schedule.deadlocked_from(*first));
     return Outcome{.end = RunEnd::deadlock,
-                   .message = "dead-lock: " + waits,
+                   .message = "deadlock: " + waits,
                    .controller = &controller,
                    .location = schedule.process(*first).location};
 }
@@ -188,7 +188,7 @@ void Processes::count_join(lua_State* state) {
     if (++joins_ <= simulator.outcome().limits().max_blocks) return;
     simulator.outcome().stop(
         DiagnosticKind::run_limit,
-        fmt::format("the processes have joined each other {} times (--max-blocks)", joins_ - 1),
+        fmt::format("the processes have called join {} times (--max-blocks)", joins_ - 1),
         table_.running().location);
     LuaState::raise_stop(state);
 }

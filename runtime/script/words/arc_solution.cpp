@@ -82,9 +82,9 @@ Result<ArcSolution> arc_by_radius(const ArcEnds& ends, double radius_mm, const A
 Result<ArcSolution> arc_by_angle(const ArcEnds& ends, double angle_rad) {
     const double half = distance(ends.start, ends.end) / 2;
     if (half < kPointTolerance_mm / 2) {
-        return Unexpected("an arc by its angle needs an end other than its start, or its centre");
+        return Unexpected("an arc given by its angle needs an end other than its start, or its centre");
     }
-    if (angle_rad >= kTurn_rad) return Unexpected("AR= of an arc with an end is below 360 degrees");
+    if (angle_rad >= kTurn_rad) return Unexpected("AR= of an arc with an end must be below 360 degrees");
     const double left = half / std::tan(angle_rad / 2);
     return ArcSolution{point_beside_chord(ends, ends.ccw ? left : -left), angle_rad};
 }
@@ -98,14 +98,15 @@ Vector2d end_by_angle(const ArcEnds& ends, const Vector2d& center, double angle_
 }
 
 Result<double> arc_angle_rad(double degrees) {
-    if (!(degrees > 0 && degrees <= 360)) return Unexpected("AR= is an angle above 0 and up to 360 degrees");
+    if (!(degrees > 0 && degrees <= 360))
+        return Unexpected("AR= must be an angle above 0 and up to 360 degrees");
     return degrees * kRadPerDeg;
 }
 
 Result<double> additional_turns_rad(double turns, const ArcRules& rules) {
     const double rounded_turns = std::floor(turns + 0.5);
     if (!(std::abs(turns - rounded_turns) <= rules.turns_tolerance) || rounded_turns < 1) {
-        return Unexpected("P of an arc is its number of turns, a whole number from 1 on");
+        return Unexpected("P of an arc (number of turns) must be an integer of at least 1");
     }
     return (rounded_turns - 1) * kTurn_rad;
 }

@@ -20,7 +20,7 @@ void move_along_arc(lua_State* state, Interpreter& interpreter) {
     if (!lua_istable(state, 1)) {
         const char* name = lua_tostring(state, lua_upvalueindex(4));
         interpreter.alarm(state, DiagnosticKind::script,
-                          fmt::format("{0} takes its words in braces: {0}{{x=1, y=2}}", name));
+                          fmt::format("{0} needs its words in braces: {0}{{x=1, y=2}}", name));
     }
     simulation::ArcMove move = read_arc(state, interpreter, ccw, 1);
     move.feed = interpreter.feed(state, move.sweep_rad);

@@ -70,7 +70,7 @@ bool AxisGroups::move(std::size_t group, const std::vector<GroupTarget>& targets
     position_.set_joints(source.position());
     for (const GroupTarget& target : targets) independent_axes_.push_back(target.axis);
     ids_.set_last_location(location);
-    notifier_.notify_unrecordable("a group of axes goes by itself, beside other moves");
+    notifier_.notify_unrecordable("an axis group moves independently during other moves");
     events_.add(source.time_s(),
                 {.location = location,
                  .kind = "group",

@@ -12,7 +12,8 @@ bool MoveAcceptance::finish(const motion::EnqueueResult& enqueue, const SourceLo
     violations_.ranges().add_last(location);
     if (*enqueue) {
         warnings_.add(
-            "an inverse time feed (G93) asks for less time than the machine's limits allow; the limits hold");
+            "an inverse time feed (G93) requires less time than the machine's limits allow; the limits "
+            "apply");
     }
     return !outcome_.is_past_max_time() || outcome_.stop_for_time(location);
 }

@@ -38,10 +38,9 @@ void MoveFeeds::apply(const Feed& feed, bool rotary, motion::Move& move) {
     parameters.position_speed_mm_s = speed_mm_s;
     if (speed_mm_s <= machine_.path.max_feed_mm_s || speed_mm_s == warned_feed_mm_s_) return;
     warned_feed_mm_s_ = speed_mm_s;
-    warnings_.add(
-        fmt::format("F of {:.10g} mm/min is above the machine's contour speed limit of {:.10g} "
-                    "mm/min, which holds",
-                    speed_mm_s * kSecondsPerMinute, machine_.path.max_feed_mm_s * kSecondsPerMinute));
+    warnings_.add(fmt::format(
+        "F of {:.10g} mm/min is above the machine's contour speed limit of {:.10g} mm/min, which applies",
+        speed_mm_s * kSecondsPerMinute, machine_.path.max_feed_mm_s * kSecondsPerMinute));
 }
 
 double MoveFeeds::per_min(const LineMove& move, bool rotary) const {

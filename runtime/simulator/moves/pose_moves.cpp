@@ -50,8 +50,8 @@ bool MoveQueue::enqueue(const PoseMove& move) {
     if (!enqueue) return outcome_.fail(enqueue.error(), move.location);
     position_.set_joints(motion_.source().position());
     notifier_.notify_unrecordable(
-        "the script moves to poses of the tool, which the recorder is not told as moves of the axes; use "
-        "words such as G1, or move");
+        "the script moves to poses of the tool, which cannot be recorded as moves of the axes; use words "
+        "such as G1, or move");
     poses_.warn_if_singular(position_.axes(), move.location);
     return acceptance_.finish(enqueue, move.location);
 }

@@ -31,10 +31,9 @@ void PoseSolver::warn_if_singular(const AxisVector& axes, const SourceLocation& 
         if (!letters.empty()) letters += " and ";
         letters += machine_.axes[static_cast<std::size_t>(joint)].letter;
     }
-    warnings_.add(
-        fmt::format("{}the pose is singular: axes {} line up, and can turn against each other while the tool "
-                    "stands",
-                    program_.files().prefix(location), letters));
+    warnings_.add(fmt::format(
+        "{}the pose is singular: axes {} are aligned and can turn against each other without moving the tool",
+        program_.files().prefix(location), letters));
 }
 
 }  // namespace gsim::simulation

@@ -12,9 +12,8 @@ namespace {
 constexpr double kPlaneClearance_mm = 1e-9;   // on the plane is not clear of it
 constexpr double kFullPathTolerance = 1e-12;  // share of the path
 constexpr const char* kNoProbeSurfaceWarning =
-    "probes touch at their targets, as nothing says what they meet: a cell (--cell), a plane (--probe "
-    "z=-3.2), "
-    "or a script (on_probe); --probe none lets them pass";
+    "probes touch at their targets, because nothing defines their contact: use a cell (--cell), a plane "
+    "(--probe z=-3.2), or a script (on_probe); with --probe none they never touch";
 
 /// Reduces the time to that of the part of a move that was made.
 void shorten(LineMove& move, const AxisVector& from, const AxisVector& stop) {
@@ -140,7 +139,7 @@ bool Probing::make_move(const ProbeMove& move, ProbeSignal* signal, ProbeResult&
                                               : motion_.source().enqueue(probe_move);
     if (at && !enqueue && enqueue.error().status == Status::RRS_SERVICE_NOT_SUPPORTED) {
         return outcome_.fail(DiagnosticKind::probe,
-                             "this controller cannot stop a probe where it touches: it has no StopMotion",
+                             "this controller cannot stop a probe at the contact: it has no StopMotion",
                              line.location);
     }
     result.found = at || (signal == nullptr && ends_at_target(move));

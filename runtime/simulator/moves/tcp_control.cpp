@@ -18,14 +18,13 @@ bool TcpControl::set(const std::optional<Eigen::Vector3d>& offset_mm, const Sour
     const motion::PlanResult planned =
         motion_.source().check_tcp(frame ? std::optional(frame->tcp_mm()) : std::optional<Eigen::Vector3d>());
     if (!planned && planned.error().status == Status::RRS_SERVICE_NOT_SUPPORTED) {
-        return outcome_.fail(DiagnosticKind::mode, "this controller has no tool-centre-point control",
-                             location);
+        return outcome_.fail(DiagnosticKind::mode, "this controller does not support TCP control", location);
     }
     if (!planned) return outcome_.fail(planned.error(), location);
     position_.set_tcp_frame(frame);
     offset_mm_ = offset_mm.value_or(Eigen::Vector3d::Zero());
     if (frame) {
-        notifier_.notify_unrecordable("tool-centre-point control (G43.4) moves the tip, not the axes");
+        notifier_.notify_unrecordable("TCP control (G43.4) moves the TCP, not the axes");
     }
     position_.set_joints(motion_.source().position());
     return true;

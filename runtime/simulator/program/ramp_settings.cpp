@@ -24,14 +24,15 @@ void RampSettings::warn_about_jerk() {
                                   planner.name,
                                   planner.s_curves == rrs::SCurves::release_2_10 ? " of release 2.9" : ""));
     } else if (has_no_jerk_limit()) {
-        warnings_.add("limit_jerk makes no difference: no axis of the machine has a jerk limit");
+        warnings_.add("limit_jerk has no effect: no axis of the machine has a jerk limit");
     }
 }
 
 void RampSettings::set_mode(rrs::RampMode mode) {
     if (mode == rrs::RampMode::s_curve && has_no_jerk_limit()) {
         warnings_.add(
-            "S-curves: no axis of the machine has a jerk limit; without one its ramps are straight");
+            "S-curves: no axis of the machine has a jerk limit; without one its ramps have constant "
+            "acceleration");
     }
     notifier_.notify([&](ProgramObserver& observer) { observer.ramps(position_.axes(), mode); });
     if (mode != rrs::RampMode::machine && !are_supported()) return;

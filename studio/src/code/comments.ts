@@ -4,13 +4,13 @@
 
 import type { EditorState, Line, StateCommand } from "@codemirror/state";
 
-const wrapped = /^(\s*)\((.*)\)\s*$/;
+const parenthesizedLine = /^(\s*)\((.*)\)\s*$/;
 
 const isComment = (text: string, semicolonComments: boolean) => (semicolonComments ? /^\s*;/.test(text) : isSingleComment(text));
 
 // "(A) G1 (B)" begins and ends like a comment, but is none.
 function isSingleComment(text: string): boolean {
-  const found = wrapped.exec(text);
+  const found = parenthesizedLine.exec(text);
   return found !== null && !found[2].includes("(") && !found[2].includes(")");
 }
 
@@ -19,9 +19,9 @@ function toComment(text: string, semicolonComments: boolean): string {
   return `(${text.replaceAll("(", "{").replaceAll(")", "}")})`;
 }
 
-function toBlock(text: string, semicolonComments: boolean): string {
+function removeComment(text: string, semicolonComments: boolean): string {
   if (semicolonComments) return text.replace(/^(\s*); ?/, "$1");
-  const [, indent, inside] = wrapped.exec(text)!;
+  const [, indent, inside] = parenthesizedLine.exec(text)!;
   return indent + inside.replaceAll("{", "(").replaceAll("}", ")");
 }
 
@@ -49,7 +49,7 @@ export function toggleLineComment(semicolonComments: boolean): StateCommand {
     const off = lines.every(({ text }) => isComment(text, semicolonComments));
     const changes = lines
       .filter(({ text }) => off || !isComment(text, semicolonComments))
-      .map(({ from, to, text }) => ({ from, to, insert: off ? toBlock(text, semicolonComments) : toComment(text, semicolonComments) }));
+      .map(({ from, to, text }) => ({ from, to, insert: off ? removeComment(text, semicolonComments) : toComment(text, semicolonComments) }));
     dispatch(state.update({ changes, userEvent: "input.comment" }));
     return true;
   };

@@ -1,7 +1,7 @@
 // Dialect for the editor: its codes and letters by name, and the dialect of a program.
 
 import { defaultDialect, dialectOfController, dialectProperties, type DialectProperties } from "../core/dialects";
-import { dialectOfName } from "../core/kinds";
+import { dialectOfName } from "../core/file_kinds";
 import type { Code, Language } from "../core/languages";
 import type { Session } from "../core/session";
 

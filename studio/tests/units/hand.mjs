@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { near, runOf, scene } from "./made.mjs";
 
 export const modules = [
-  ...["run/run", "run/chain", "run/path/tool_direction", "run/path/rotary_solver", "run/path/rotate_orientation", "view/camera", "view/hand_path/grips"],
+  ...["run/run", "run/chain", "run/path/tool_direction", "run/path/rotary_solver", "run/path/rotate_orientation", "view/camera", "view/path_editing/handle_grips"],
   ...["core/store", "core/path_editing", "panels/teach/jog_state", "panels/paths/target_selection", "panels/paths/tree_rows", "three"],
 ];
 
@@ -206,6 +206,6 @@ export default {
     const circle = toDisplayedPath("y", '{"paths": [{"name": "a", "targets": [{"path": "a"}]}]}');
     state.set("0", true);
     state.set("0/0", true);
-    assert.deepEqual([...visibleRows(circle, state)].map(({ below, fault }) => [below, fault]), [[0, ""], [-1, "The path 'a' leads back to itself."]]);
+    assert.deepEqual([...visibleRows(circle, state)].map(({ below, error }) => [below, error]), [[0, ""], [-1, "The path 'a' contains itself."]]);
   },
 };

@@ -1,6 +1,6 @@
 // Actions on the same object, done one after another: each one finds the result of the one before.
 
-export class Turns {
+export class TaskQueues {
   private readonly last = new Map<string, Promise<unknown>>();
 
   /** Does `act` after all earlier actions for this name have ended, with or without an error. */

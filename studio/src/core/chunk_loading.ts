@@ -3,5 +3,5 @@
 import type { Store } from "./store";
 
 export function loadVisiblePart(store: Store): void {
-  store.watch(["time_s", "run", "playing"], () => store.get("run")?.want(store.get("time_s"), store.get("playing")));
+  store.watch(["time_s", "run", "playing"], () => store.get("run")?.prefetch(store.get("time_s"), store.get("playing")));
 }

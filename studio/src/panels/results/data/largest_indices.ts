@@ -1,17 +1,17 @@
 // Selects the first few of many in an order, without sorting all of them.
 
 /**
- * Returns up to `most` numbers below `count` that `passes` accepts, with the largest `key`, in descending
+ * Returns up to `maxCount` numbers below `count` that `passes` accepts, with the largest `key`, in descending
  * order; of equal keys the lower number is first.
  */
-export function greatest(
+export function largestIndices(
   count: number,
-  most: number,
+  maxCount: number,
   key: (index: number) => number,
   passes: (index: number) => boolean,
 ): { indices: Uint32Array; passed: number } {
-  const heap = new Uint32Array(most);
-  const keys = new Float64Array(most);
+  const heap = new Uint32Array(maxCount);
+  const keys = new Float64Array(maxCount);
   let size = 0;
   let passed = 0;
   // The root is the first to be replaced.
@@ -45,7 +45,7 @@ export function greatest(
     if (!passes(index)) continue;
     ++passed;
     const value = key(index);
-    if (size < most) rise(index, value);
+    if (size < maxCount) rise(index, value);
     else if (size > 0 && before(keys[0], heap[0], value, index)) sink(0, index, value);
   }
   const indices = heap.slice(0, size).sort((a, b) => key(b) - key(a) || a - b);

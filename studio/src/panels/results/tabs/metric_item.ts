@@ -2,5 +2,5 @@
 
 import { element } from "../../../core/dom";
 
-export const figure = (name: string, value: string, title = ""): HTMLElement =>
+export const metricItem = (name: string, value: string, title = ""): HTMLElement =>
   element("div", { class: "figure", title }, element("dt", {}, name), element("dd", {}, value));

@@ -20,7 +20,7 @@ function createStorageKeys(): string[] {
   return ["0", "1"].map((end) => random.slice(1) + end);
 }
 
-export class GrowingRun {
+export class PartialRun {
   private readonly names = createStorageKeys();
   private shown_ms = 0;
 
@@ -31,7 +31,7 @@ export class GrowingRun {
     const { store } = this;
     const storageKey = this.names.find((name) => name !== store.get("run")?.storageKey)!;
     const run = new Run(sources, (number) => runStorage.laws(storageKey, number), storageKey);
-    run.laws!.come = () => store.set("fetched", store.get("fetched") + 1);
+    run.laws!.onLoaded = () => store.set("loadCount", store.get("loadCount") + 1);
     run.laws!.failed = (why) => {
       if (store.get("run") === run) store.set("notice", texts.folder.notFetched(why));
     };
@@ -48,13 +48,13 @@ export class GrowingRun {
     if (!run.storageKey || count < MIN_SHOWN_SEGMENTS) return;
     // The page has memory for one long run.
     if (run.isLong && store.get("run")?.isLong) store.set("run", null);
-    const [growing, now_ms] = [store.get("growing"), performance.now()];
-    if (growing && (count < MIN_GROWTH * growing.count || now_ms - this.shown_ms < MIN_UPDATE_MS)) return;
+    const [partialRun, now_ms] = [store.get("partialRun"), performance.now()];
+    if (partialRun && (count < MIN_GROWTH * partialRun.count || now_ms - this.shown_ms < MIN_UPDATE_MS)) return;
     this.shown_ms = now_ms;
-    store.set("growing", { run, count });
+    store.set("partialRun", { run, count });
   }
 
   end(): void {
-    this.store.set("growing", null);
+    this.store.set("partialRun", null);
   }
 }

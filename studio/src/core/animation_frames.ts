@@ -1,16 +1,16 @@
 // Time of the next picture: set by the window, or, while a headset shows pictures, by the headset, which may
 // stop the window's.
 
-export class Frames {
+export class AnimationFrames {
   private readonly waiting = new Map<number, (now_ms: number) => void>();
   private last = 0;
   private asked = 0;
   /** Time of the headset's last picture; null: the window sets it. */
-  private shown_ms: number | null = null;
+  private headsetFrame_ms: number | null = null;
 
   /** Returns the time in the clock of the frames. */
   get now_ms(): number {
-    return this.shown_ms ?? performance.now();
+    return this.headsetFrame_ms ?? performance.now();
   }
 
   /** Calls back once, at the next picture; returns a function that cancels it. */
@@ -25,7 +25,7 @@ export class Frames {
   }
 
   private ask(): void {
-    if (this.shown_ms !== null || this.waiting.size === 0) return;
+    if (this.headsetFrame_ms !== null || this.waiting.size === 0) return;
     this.asked ||= requestAnimationFrame((now_ms) => this.tell(now_ms));
   }
 
@@ -39,13 +39,13 @@ export class Frames {
   /** Handles a picture of another display; the window's are ignored until release(). */
   drive(now_ms: number): void {
     cancelAnimationFrame(this.asked);
-    this.shown_ms = now_ms;
+    this.headsetFrame_ms = now_ms;
     this.tell(now_ms);
   }
 
   /** Returns the timing to the window. */
   release(): void {
-    this.shown_ms = null;
+    this.headsetFrame_ms = null;
     this.ask();
   }
 }

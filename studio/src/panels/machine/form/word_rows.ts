@@ -5,7 +5,7 @@ import { texts } from "../../../texts";
 import type { TomlTable } from "../file/toml";
 import type { Context } from "./context";
 import { Field, type FieldSpec } from "./field";
-import type { Home } from "./rows";
+import type { TableLocation } from "./rows";
 
 const words = texts.machine.words;
 
@@ -14,17 +14,17 @@ export class WordRows {
   private readonly list = element("div", {});
   private readonly fields = new Map<string, Field>();
   private readonly word = element("input", { type: "text", "aria-label": words.word, placeholder: words.word, spellcheck: "false" });
-  private readonly fault = element("p", { class: "key-fault", role: "alert" });
+  private readonly error = element("p", { class: "key-fault", role: "alert" });
 
   /** `spec`: description of each value; `first`: value of a new word. */
   constructor(
     private readonly context: Context,
     private readonly spec: Omit<FieldSpec, "label">,
     private readonly first: string | number,
-    private readonly home: () => Home,
+    private readonly home: () => TableLocation,
   ) {
     const add = element("button", { type: "button", onclick: () => void this.add() }, words.add);
-    this.element = element("div", {}, this.list, element("div", { class: "buttons" }, this.word, add), this.fault);
+    this.element = element("div", {}, this.list, element("div", { class: "buttons" }, this.word, add), this.error);
     this.word.addEventListener("keydown", (event) => {
       if (event.key === "Enter") void this.add();
     });
@@ -57,8 +57,8 @@ export class WordRows {
     if (!name) return;
     const { part, at, owner } = this.home();
     const change = { op: "set" as const, at: [...at, name], value: this.first };
-    this.fault.textContent = await this.context.edits.change(part, texts.machine.changed(owner, name), [change]);
-    if (this.fault.textContent) return;
+    this.error.textContent = await this.context.edits.change(part, texts.machine.changed(owner, name), [change]);
+    if (this.error.textContent) return;
     this.word.value = "";
     this.fields.get(name)?.focus();
   }

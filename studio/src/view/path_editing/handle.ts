@@ -15,7 +15,7 @@ import {
 import { blue, green, vermilion } from "../../core/colours";
 import { setLines } from "../marks/grid";
 import type { Palette } from "../theme";
-import { ARROW_PX, RING_PX, ringPoint, handleScale, unitVector, type HandleGrip, type HandleContext } from "./grips";
+import { ARROW_PX, RING_PX, ringPoint, handleScale, unitVector, type HandleGrip, type HandleContext } from "./handle_grips";
 
 const colours = [vermilion, green, blue].map((colour) => new Color(colour));
 const DOT_PX = 6;

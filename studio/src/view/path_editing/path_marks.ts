@@ -31,7 +31,7 @@ const DASH_PX = 6;
 const ARROW_PX = 10;
 /** Shorter motions have no arrow. */
 const MIN_ARROW_DISTANCE_PX = 28;
-const MOST_ARROWS = 400;
+const MAX_ARROWS = 400;
 
 interface Dot {
   place: TargetId;
@@ -93,7 +93,7 @@ export class PathMarks {
   }
 
   recolour(colours: Palette): void {
-    for (const { material } of [this.cuts, this.rapids, this.points, this.arrows]) material.color.copy(colours.handPath);
+    for (const { material } of [this.cuts, this.rapids, this.points, this.arrows]) material.color.copy(colours.editedPath);
   }
 
   /** Places it for the frame of the path. */
@@ -112,7 +112,7 @@ export class PathMarks {
       const [at, along] = motionMiddle(motion);
       const mmPerPixel = rig.mmPerPixelAt(world.set(...at).applyMatrix4(work));
       if (distance(motion.from_mm!, motion.to_mm) < MIN_ARROW_DISTANCE_PX * mmPerPixel && !motion.arc) continue;
-      if (++count > MOST_ARROWS) break;
+      if (++count > MAX_ARROWS) break;
       addArrow(corners, new Vector3(...at), new Vector3(...along).normalize(), ARROW_PX * mmPerPixel, back);
     }
     this.arrows.geometry.dispose();

@@ -14,9 +14,9 @@ import { texts } from "../../texts";
 import type { ActiveGrab } from "../gestures";
 import type { Draggable, DraggableContext, Size } from "../draggables";
 import type { Palette } from "../theme";
-import { gripAt, HandleDrag, type HandleGrip, type HandleContext } from "./grips";
 import { Handle } from "./handle";
-import { PathMarks } from "./marks";
+import { gripAt, HandleDrag, type HandleGrip, type HandleContext } from "./handle_grips";
+import { PathMarks } from "./path_marks";
 
 const HIT_DISTANCE_PX = 9;
 const words = texts.paths.labels;
@@ -185,7 +185,7 @@ export class PathEditor implements Draggable {
     };
   }
 
-  escape(): boolean {
+  cancelDrag(): boolean {
     const { activeDrag } = this;
     activeDrag?.cancel();
     return activeDrag !== null;

@@ -9,7 +9,7 @@ const MAX_SHARE = 0.75;
 const STEP_PX = 20;
 
 /** `strip` is in the last row of a grid. */
-export function createGrip(strip: HTMLElement): HTMLElement {
+export function createResizeHandle(strip: HTMLElement): HTMLElement {
   const grid = strip.parentElement!;
   const grow = (by_px: number) => {
     const most_px = grid.clientHeight * MAX_SHARE;

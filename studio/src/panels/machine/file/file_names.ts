@@ -1,21 +1,23 @@
 // Adapts file names in files when a file gets another name, and finds free names.
 
-import { baseName } from "../../../core/kinds";
+import { baseName } from "../../../core/file_kinds";
 import { folderOf, isTomlFile, referenceTo, resolved } from "../../../core/references";
-import { tablesAt, textAt, type At, type TomlChange, type TomlTable } from "./toml";
+import { tablesAt, textAt, type TomlPath, type TomlChange, type TomlTable } from "./toml";
 
 /**
  * Returns the positions that name other files: machines name their controller and meshes, cells and robots
  * also their machines.
  */
-function findReferences(value: TomlTable): At[] {
-  const meshes = ["object", "shape"].flatMap((kind) => tablesAt(value, [kind]).map((_, i): At => [kind, i, "shape", "mesh"]));
-  const robots = tablesAt(value, ["robot"]).flatMap((_, i) => ["machine", "machine_data", "cell"].map((key): At => ["robot", i, key]));
-  const single: At[] = [
+function findReferences(value: TomlTable): TomlPath[] {
+  const meshes = ["object", "shape"].flatMap((kind) => tablesAt(value, [kind]).map((_, i): TomlPath => [kind, i, "shape", "mesh"]));
+  const robots = tablesAt(value, ["robot"]).flatMap((_, i) =>
+    ["machine", "machine_data", "cell"].map((key): TomlPath => ["robot", i, key]),
+  );
+  const single: TomlPath[] = [
     ["cell", "machine"],
     ["cell", "machine_data"],
   ];
-  const controller: At[] = isTomlFile(textAt(value, ["controller", "model"])) ? [["controller", "model"]] : [];
+  const controller: TomlPath[] = isTomlFile(textAt(value, ["controller", "model"])) ? [["controller", "model"]] : [];
   return [...controller, ...single, ...meshes, ...robots].filter((at) => textAt(value, at) !== "");
 }
 

@@ -1,4 +1,4 @@
-// Names of limits and marks of a run.
+// Displayed names of limits and marks of a run.
 
 import type { NamedLimit } from "../run/limits";
 import type { Mark } from "../run/marks";

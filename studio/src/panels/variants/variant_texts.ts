@@ -1,20 +1,20 @@
 // Words about variants that several modules use.
 
-import { shortName } from "../../core/kinds";
+import { shortName } from "../../core/file_kinds";
 import { emptySetup, overrideKeys, type Setup } from "../../core/setup";
 import { timeText } from "../../core/units";
 import type { Run } from "../../run/run";
 import { texts } from "../../texts";
 import { blockOf } from "./data/differences";
 import type { VariantStatus } from "./data/results";
-import type { From, Variant } from "./data/variants_file";
+import type { StartBlock, Variant } from "./data/variants_file";
 
 const words = texts.variants;
 
 /** "+1.250 s" */
 export const signedTime = (difference_s: number): string => `${difference_s < 0 ? "−" : "+"}${timeText(Math.abs(difference_s))}`;
 
-export const fromText = ({ line, pass }: From): string => words.from(line, pass);
+export const startText = ({ line, pass }: StartBlock): string => words.from(line, pass);
 
 /**
  * Returns the differences of a setup from another one, in few words; for that one itself, its differences
@@ -35,7 +35,7 @@ function setupText(setup: Readonly<Setup>, first: Readonly<Setup>): string[] {
 
 /** Returns the differences of a variant from the first one. */
 export function variantText({ setup, from }: Variant, first: Variant): string {
-  const said = [...setupText(setup, first.setup), ...(from ? [fromText(from)] : [])];
+  const said = [...setupText(setup, first.setup), ...(from ? [startText(from)] : [])];
   return said.join(", ") || words.as;
 }
 
@@ -66,7 +66,7 @@ function errorText(run: Run, stopped: boolean): [string, "error" | "good"] {
 }
 
 /** Returns the time from the start of the count to the end of the run, s; null: the run never reaches it. */
-export function countedTime_s(run: Run, from: From | null, robot: number): number | null {
+export function countedTime_s(run: Run, from: StartBlock | null, robot: number): number | null {
   const machine = run.robots[robot] ?? run.robots[0];
   if (!from) return run.end_s;
   const block = machine ? blockOf(machine, from) : -1;
@@ -74,9 +74,9 @@ export function countedTime_s(run: Run, from: From | null, robot: number): numbe
 }
 
 /** Returns the time of a run with results, and a note on it. */
-export function runTime(run: Run, from: From | null, robot: number, stopped: boolean): [text: string, note: string] {
+export function runTime(run: Run, from: StartBlock | null, robot: number, stopped: boolean): [text: string, note: string] {
   if (stopped) return [words.stoppedAt(timeText(run.end_s)), ""];
   const counted_s = countedTime_s(run, from, robot);
-  if (counted_s === null) return ["–", words.neverThere(from!.line)];
+  if (counted_s === null) return ["–", words.lineNotReached(from!.line)];
   return [timeText(counted_s), from ? words.fromLine(from.line, timeText(run.end_s)) : ""];
 }

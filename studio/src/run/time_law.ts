@@ -13,9 +13,9 @@ export interface LawState {
  * follow.
  */
 const HEADER_SIZE = 4;
-const PIECE = 5;
+const SECTION_SIZE = 5;
 
-export const lawSize = (values: Float64Array, at: number): number => HEADER_SIZE + PIECE * values[at + 3];
+export const lawSize = (values: Float64Array, at: number): number => HEADER_SIZE + SECTION_SIZE * values[at + 3];
 export const lawLength = (values: Float64Array, at: number): number => values[at];
 export const lawDuration_s = (values: Float64Array, at: number): number => values[at + 1];
 
@@ -28,10 +28,10 @@ export function lawAt(values: Float64Array, at: number, t_s: number): LawState {
   const over = t_s >= duration_s;
   let t = t_s;
   let section = at + HEADER_SIZE;
-  const last = section + PIECE * (count - 1);
+  const last = section + SECTION_SIZE * (count - 1);
   while (section < last && (over || t > values[section])) {
     t -= values[section];
-    section += PIECE;
+    section += SECTION_SIZE;
   }
   // The last part is counted from the end, so it reaches standstill exactly, however long the others are.
   const own_s = values[section];
@@ -53,7 +53,7 @@ export const newRange = (): Float64Array => new Float64Array([Infinity, -Infinit
 export function extendByLaw(values: Float64Array, at: number, range: Float64Array): void {
   const end = at + lawSize(values, at);
   if (end === at + HEADER_SIZE) extendBySpeed(range, values[at + 2]);
-  for (let section = at + HEADER_SIZE; section < end; section += PIECE) {
+  for (let section = at + HEADER_SIZE; section < end; section += SECTION_SIZE) {
     const duration_s = values[section];
     const [v0, a0, jerk] = [values[section + 2], values[section + 3], values[section + 4]];
     const a1 = a0 + duration_s * jerk;
@@ -75,7 +75,7 @@ function extendBySpeed(range: Float64Array, speed: number): void {
 export function addBreaks_s(values: Float64Array, at: number, breaks_s: number[]): void {
   let t_s = 0;
   for (let section = 0; section < values[at + 3] - 1; ++section) {
-    t_s += values[at + HEADER_SIZE + PIECE * section];
+    t_s += values[at + HEADER_SIZE + SECTION_SIZE * section];
     breaks_s.push(t_s);
   }
 }
