@@ -35,7 +35,7 @@ Result<std::string> command_output(const std::vector<std::string>& command, cons
     const os::FileHandle in(std::fopen(input.c_str(), "rb"));
     if (!in) return Unexpected(fmt::format("cannot read {}", input.string()));
     const os::FileHandle out(std::tmpfile());
-    if (!out) return Unexpected("cannot make a temporary file");
+    if (!out) return Unexpected("cannot create a temporary file");
     const auto ran = os::run_child(command, in.get(), out.get());
     std::string printed = read_all(out.get());
     if (ran) return printed;

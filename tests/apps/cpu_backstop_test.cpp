@@ -21,7 +21,7 @@ class CpuBackstop : public Apps {
         SCOPED_TRACE(arguments.front());
         const Ended ended = gsim(arguments);
         EXPECT_EQ(ended.status, 1) << ended.err;
-        EXPECT_EQ(ended.err, "error: the processor time that --max-cpu-seconds allows is used up\n");
+        EXPECT_EQ(ended.err, "error: the processor time exceeds --max-cpu-seconds\n");
         EXPECT_FALSE(exists(output));
         for (const auto& entry : std::filesystem::directory_iterator(folder_))
             EXPECT_EQ(entry.path().filename().string().find(output), std::string::npos)

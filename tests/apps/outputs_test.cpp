@@ -67,7 +67,7 @@ TEST_F(Outputs, NamesThatWillNotDoAreRefusedBeforeTheRun) {
     EXPECT_EQ(gsim_run({alarms, "--quiet", "--plot", "no/such/p.svg"}).err,
               "gsim-run: cannot write 'no/such/p.svg': No such file or directory\n");
     EXPECT_EQ(gsim_run({alarms, "--quiet", "--plot", "p.pdf"}).err,
-              "gsim-run: cannot draw 'p.pdf': a picture's name ends in .svg or .png\n");
+              "gsim-run: cannot draw 'p.pdf': the name of a picture must end in .svg or .png\n");
     EXPECT_TRUE(contains(gsim_run({alarms, "--quiet", "--plot", "p.svg", "--plot-plane", "xz"}).err,
                          "xz not in {xy,zx,yz}"));
 }

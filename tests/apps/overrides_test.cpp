@@ -66,7 +66,7 @@ TEST_F(OverrideOption, RangesAreThoseOfTheController) {
     rejected("grbl-router", {"--rapid-override", "33"},
              "--rapid-override 33: the controller grbl-1.1 takes 25, 50 or 100 %");
     rejected("klipper-router", {"--feed-override", "90"},
-             "--feed-override 90: the planner \"klipper\" follows no override; M220 in the program sets its "
+             "--feed-override 90: the planner \"klipper\" supports no override; M220 in the program sets its "
              "speed factor");
     rejected("linuxcnc-router", {"--feed-override", "120"},
              "--feed-override 120: the controller linuxcnc-2.9 takes from 0 to 100 %");
@@ -99,7 +99,7 @@ TEST_F(OverrideOption, AFileIsReadStrictly) {
     refused_file("[[override]]\nat_s = 1\nfeed_percent = 250\n",
                  "turned.toml:3:16: 'feed_percent' is 250: the controller exact-stop takes from 0 to 200 %");
     refused_file("[[override]]\nat_s = 5\nfeed_percent = 50\n[[override]]\nat_s = 5\nfeed_percent = 60\n",
-                 "turned.toml:5:8: 'at_s' is 5, not behind the one above, 5");
+                 "turned.toml:5:8: 'at_s' is 5; it must be greater than the one above, 5");
     refused_file("[[override]]\nat_s = 5\nrapid_percent = 0\n", "leaves the machine held (0 %)");
     refused_file("overrides = 3\n", "turned.toml:1:1: unknown key 'overrides'");
     rejected("router3", {"--overrides", "none.toml"}, "none.toml");
@@ -107,8 +107,9 @@ TEST_F(OverrideOption, AFileIsReadStrictly) {
 
 TEST_F(OverrideOption, AModuleHasOverridesOfItsOwn) {
     for (const std::string option : {"--feed-override", "--rapid-override", "--spindle-override"}) {
-        rejected("router3", {option, "50", "--rcs", tests::default_module_path()},
-                 option + " does not go with --rcs: a module has an override of its own, SetOverrideSpeed");
+        rejected(
+            "router3", {option, "50", "--rcs", tests::default_module_path()},
+            option + " cannot be combined with --rcs: a module has a separate override, SetOverrideSpeed");
     }
 }
 

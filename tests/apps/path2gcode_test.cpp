@@ -120,10 +120,9 @@ TEST_F(Path2Gcode, FilesOfSubPathsReplaceNoOthers) {
     const std::vector<std::string> repeated = {"--separate-files", "-o", "wheel.nc", kWheel};
     const Ended rejected = path2gcode(repeated);
     EXPECT_EQ(rejected.status, 2);
-    EXPECT_EQ(
-        rejected.err,
-        "path2gcode: the post calls the file of a subprogram 'wheel_O0002.ppg', which is there already; "
-        "--overwrite replaces it\n");
+    EXPECT_EQ(rejected.err,
+              "path2gcode: the subprogram file 'wheel_O0002.ppg' of the post already exists; --overwrite "
+              "replaces it\n");
     EXPECT_EQ(read("wheel_O0002.ppg"), "of somebody else");
     EXPECT_EQ(files(), 1U) << "nothing is written";
     EXPECT_EQ(path2gcode({"--separate-files", "--overwrite", "-o", "wheel.nc", kWheel}).status, 0);
@@ -142,9 +141,8 @@ TEST_F(Path2Gcode, FilesOfSubPathsAreNeitherTheProgramNorWhatIsRead) {
         return ended.err;
     };
     EXPECT_EQ(rejected("./sub0002.nc", kWheel),
-              "path2gcode: the post calls the file of a subprogram './sub0002.nc', which is the program "
-              "itself; give "
-              "the output another name or another folder\n");
+              "path2gcode: the subprogram file './sub0002.nc' of the post is also the program itself; choose "
+              "another name or folder for the output\n");
     std::ifstream file(kWheel);
     const std::string path{std::istreambuf_iterator<char>(file), {}};
     write("sub0002.nc", path);
@@ -206,7 +204,7 @@ TEST_F(Path2Gcode, ErrorsNameThePlaceAndLeaveNoFile) {
     EXPECT_TRUE(contains(rejected(head + start + ",\n" + R"({"position_mm": [1, 2, 3000]}]}]})"),
                          "p.path.json:3:1: error: out of reach: Z 3000 is outside 0 to 609.6"));
     EXPECT_TRUE(contains(rejected(head + start + ",\n" + R"({"path": "a"}]}]})"),
-                         "p.path.json:3:1: error: the path 'a' leads back to itself"));
+                         "p.path.json:3:1: error: the path 'a' contains itself"));
     EXPECT_TRUE(contains(rejected(head + R"({"position_mm": [1, 2, 3], "rotary_deg": {"B": 0}}]}]})"),
                          "p.path.json:2:1: error: the motion needs 'feed_mm_min'"));
     EXPECT_TRUE(contains(rejected(head + start + "]}]}", {"--dialect", "grbl"}), "axes XYZ"));

@@ -66,7 +66,7 @@ TEST_F(ReadRights, CalledProgramsStayInTheFolderOfTheScript) {
     EXPECT_NE(ended.status, 0);
     EXPECT_FALSE(contains(ended.out + ended.err, "secret\n")) << ended.out;
     EXPECT_TRUE(
-        contains(ended.out + ended.err, "sub.lua is a link that leads out of the folder of the script"))
+        contains(ended.out + ended.err, "sub.lua is a link to a file outside the folder of the script"))
         << ended.out << ended.err;
     write("inside/main.lua", "run('near')\n");
     const Ended near = gsim_run({"inside/main.lua"});

@@ -41,7 +41,7 @@ TEST_F(Violations, OnePassTellsAllAndWhatMendsThem) {
     EXPECT_EQ(r["suggested_fix"],
               text::parse_json<json>(R"([{"offset": "G54", "axis": "X", "shift_mm": 12.5}])"));
     EXPECT_TRUE(contains(gsim_run({"--machine", kRouter, "off.nc"}).out,
-                         "G54 X +12.5 mm would bring the whole program within the limits\n"));
+                         "G54 X +12.5 mm would bring the complete program within the limits\n"));
     EXPECT_EQ(report({"--machine", kRouter, "--stop-at-first", "off.nc"}, 1)["status"], "alarm");
 }
 
@@ -85,8 +85,8 @@ TEST_F(Violations, CheckTellsThemToo) {
     const Ended off = check({"--machine", kRouter, "off.nc"});
     EXPECT_EQ(off.status, 1);
     EXPECT_EQ(off.out,
-              "off.nc:3: error: axis X goes to -12.5 mm, 12.5 mm past its limit of 0 mm\n"
-              "off.nc: note: G54 X +12.5 mm would bring the whole program within the limits\n");
+              "off.nc:3: error: axis X moves to -12.5 mm, 12.5 mm past its limit of 0 mm\noff.nc: note: G54 "
+              "X +12.5 mm would bring the complete program within the limits\n");
     const Ended jet = check({"jet.nc"});
     EXPECT_EQ(jet.status, 1);
     EXPECT_EQ(jet.out, "jet.nc:3: warning: a rapid move with the jet on\n");
@@ -114,12 +114,11 @@ TEST_F(Violations, WordsThatNoDialectHasAreRefusedAtOnce) {
         return gsim_run({"--machine", machine(on), write("p.nc", "G0 X1\nM30\n")}).err;
     };
     EXPECT_EQ(error("\"M13\""),
-              "gsim-run: m.toml: [process]: M13 is no code of ab9 or rs274ngc; user codes are M100 to M199, "
-              "of ab9 to "
-              "M999\n");
-    EXPECT_EQ(error("\"M8 P1\""), "gsim-run: m.toml: [process]: M8 takes no such words as in M8 P1\n");
+              "gsim-run: m.toml: [process]: M13 is not a code of ab9 or rs274ngc; user codes are M100 to "
+              "M199, in ab9 to M999\n");
+    EXPECT_EQ(error("\"M8 P1\""), "gsim-run: m.toml: [process]: M8 does not accept the words in M8 P1\n");
     EXPECT_EQ(error("\"M62 P0\", \"M64 P0\""),
-              "gsim-run: [process]: the jet is switched on by M62 P0, M64 P0, and ab9 has none of these\n");
+              "gsim-run: [process]: the jet is switched on by M62 P0, M64 P0, which ab9 does not support\n");
     EXPECT_EQ(error("\"M8\", \"M3\", \"M62 P0\", \"M101\""), "");
 }
 

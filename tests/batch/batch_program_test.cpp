@@ -323,7 +323,7 @@ TEST_F(BatchProgram, RefusesWhatItIsToldWrongly) {
     EXPECT_EQ(read("p.ngc"), "M2\n");
     EXPECT_THAT(batch({"p.ngc", "--results", "r.sqlite", "--csv", "r.sqlite"}).err, HasSubstr("r.sqlite"));
     EXPECT_THAT(batch({"p.ngc", "--results", "none/r.sqlite"}).err, HasSubstr("none"));
-    EXPECT_THAT(batch({"p.ngc", "--views"}).err, HasSubstr("--views goes with --pages"));
+    EXPECT_THAT(batch({"p.ngc", "--views"}).err, HasSubstr("--views requires --pages"));
     EXPECT_THAT(batch({"--slurm"}).err, HasSubstr("name a plan"));
 }
 

@@ -46,7 +46,7 @@ TEST(EditedToml, FindsElementsByWhatTheyAreCalled) {
 
 TEST(EditedToml, SaysWhatIsNotThere) {
     EXPECT_THAT(edited("axis.Q.max_speed_mm_s", 75),
-                HasSubstr("m.toml: 'axis.Q.max_speed_mm_s': there is no 'Q'"));
+                HasSubstr("m.toml: 'axis.Q.max_speed_mm_s': 'Q' does not exist"));
     EXPECT_THAT(edited("axis.7.max_speed_mm_s", 75), HasSubstr("there is no '7'"));
     EXPECT_THAT(edited("machine.name.of", 75), HasSubstr("nothing is below"));
     EXPECT_THAT(edited("axis.X.max_jerk_mm_s3", 2, SettingUse::factor),

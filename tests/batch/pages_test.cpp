@@ -32,10 +32,9 @@ TEST_F(Pages, TellWhatHasChanged) {
            {.program = "other.nc", .cause = "zone"},
            {.program = "new.nc"}});
     write_and_read();
-    EXPECT_THAT(
-        rows_below("newly-failing"),
-        ElementsAre(ElementsAre("breaks.nc", "m.toml", "violations : collision",
-                                "the nozzle meets the clamp  breaks.nc:7", "nothing that is known of")));
+    EXPECT_THAT(rows_below("newly-failing"),
+                ElementsAre(ElementsAre("breaks.nc", "m.toml", "violations : collision",
+                                        "the nozzle meets the clamp  breaks.nc:7", "unknown")));
     EXPECT_THAT(rows_below("mended"), ElementsAre(ElementsAre("mended.nc", "m.toml", "violations : feed",
                                                               "too far  mended.nc:7", "the program")));
     EXPECT_THAT(
@@ -93,7 +92,7 @@ TEST_F(Pages, SayWhyARunIsAnotherOne) {
         "itself";
     EXPECT_THAT(rows_below("times"), ElementsAre(testing::Contains(reason)));
     EXPECT_THAT(words_of_page("a.nc"), HasSubstr("Run anew for: " + reason));
-    EXPECT_THAT(words_of_page("a.nc"), HasSubstr("old.stl looked for, and not there"));
+    EXPECT_THAT(words_of_page("a.nc"), HasSubstr("old.stl not found by the run"));
 }
 
 // If a remark was added above, the same finding is on another line.
@@ -144,7 +143,7 @@ TEST_F(Pages, SayThatABatchIsNotWhole) {
     write_and_read();
     const std::string words = page_words(front());
     EXPECT_THAT(words, HasSubstr("the batch was cut off, or is under way"));
-    EXPECT_THAT(words, HasSubstr("Gone, or not run yet"));
+    EXPECT_THAT(words, HasSubstr("Removed, or not run yet"));
     EXPECT_THAT(words, HasSubstr("That batch was of another plan: plan.toml."));
 }
 

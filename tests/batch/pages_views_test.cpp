@@ -65,7 +65,7 @@ TEST_F(Views, AreNotOfOtherRunsThanTheOneThatIsTold) {
     EXPECT_EQ(view_count(), 0U);
     EXPECT_THAT(words_of_page("changed.nc"), HasSubstr("changed.nc' is another one by now."));
     EXPECT_THAT(words_of_page("old.nc"), HasSubstr("it was run by another version of gsim."));
-    EXPECT_THAT(words_of_page("edited.nc"), HasSubstr("gsim run has no word for machine.axis.X.max_mm."));
+    EXPECT_THAT(words_of_page("edited.nc"), HasSubstr("gsim run has no option for machine.axis.X.max_mm."));
     EXPECT_THAT(words_of_page("refused.nc"), HasSubstr("the program was not run."));
 }
 

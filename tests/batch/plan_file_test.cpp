@@ -98,11 +98,11 @@ TEST_F(PlanFile, SaysWhereItIsWrong) {
     EXPECT_THAT(rejection(setting + "key = \"machine.a\"\nfrom = 1\nto = 2"), HasSubstr("as a grid needs"));
     const std::string two = setting + "key = \"machine.a\"\nvalues = [1]\n";
     EXPECT_THAT(rejection(two + "[[setting]]\nkey = \"machine.a\"\nvalues = [2]"), HasSubstr("is set twice"));
-    EXPECT_THAT(rejection(two + "steps = 2"), HasSubstr("'steps' says nothing beside 'values'"));
+    EXPECT_THAT(rejection(two + "steps = 2"), HasSubstr("'steps' has no effect together with 'values'"));
     EXPECT_THAT(rejection(head + "[sampling]\nruns = 5"), HasSubstr("a grid has as many runs"));
     const std::string normal = "key = \"machine.a\"\ndistribution = \"normal\"\nmean = 1\ndeviation = 1\n";
     EXPECT_THAT(rejection(setting + normal + "from = 1\nto = 2"),
-                HasSubstr("'from' says nothing beside 'normal'"));
+                HasSubstr("'from' has no effect together with 'normal'"));
     EXPECT_THAT(rejection(setting + "key = \"machine.a\"\ndistribution = \"triangular\""),
                 HasSubstr("lacks the key 'from'"));
     EXPECT_THAT(rejection(setting + "key = \"option.passes\"\nfrom = 1\nto = 2"),
@@ -179,7 +179,7 @@ TEST_F(PlanFile, SaysWhichKeysDoNotGoTogether) {
     EXPECT_THAT(with("keys = [1]\nvalues = [1]\n"), HasSubstr("list of texts"));
     EXPECT_THAT(with("key = \"machine.a\"\nvalues = [1]\nshift = true\nscale = true\n"),
                 HasSubstr("not both"));
-    EXPECT_THAT(with("key = \"option.passes\"\nvalues = [1]\nshift = true\n"), HasSubstr("what is added"));
+    EXPECT_THAT(with("key = \"option.passes\"\nvalues = [1]\nshift = true\n"), HasSubstr("an added value"));
     EXPECT_THAT(with("key = \"machine.a\"\norders = 3\n"), HasSubstr("'path.order' has 'orders'"));
     EXPECT_THAT(with("key = \"path.order\"\nfrom = 1\nto = 2\n"), HasSubstr("'path.order' has 'orders'"));
     EXPECT_THAT(with("key = \"path.order\"\norders = 40\n"), HasSubstr("from 2 to 18"));

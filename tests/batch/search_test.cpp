@@ -222,7 +222,7 @@ TEST_F(SearchFile, ASettingThatNoRunCanHaveIsToldEarly) {
         return row;
     });
     ASSERT_FALSE(state);
-    EXPECT_THAT(state.error().message, HasSubstr("each of the 20 first variants is refused: "));
+    EXPECT_THAT(state.error().message, HasSubstr("each of the 20 first variants is rejected: "));
     EXPECT_THAT(state.error().message, HasSubstr("p.nc: there is no 'Q'"));
     EXPECT_EQ(evaluated_, 21);
 }

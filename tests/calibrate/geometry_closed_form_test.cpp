@@ -96,7 +96,7 @@ TEST(GeometryClosedForm, AGantryThatIsNotSquare) {
     EXPECT_NEAR(square[1].value_um_m, 0, 1e-2);
     EXPECT_NEAR(square[2].value_um_m, -1e6 * std::sin(back) * std::cos(tilt_rad), 1e-2);
     EXPECT_EQ(fixed_reason(fit, "tool x_mm"), "does what -X zero_mm does");
-    EXPECT_EQ(fixed_reason(fit, "tool turn_x_deg"), "moves no tip that was measured");
+    EXPECT_EQ(fixed_reason(fit, "tool turn_x_deg"), "moves no measured TCP position");
 }
 
 // The table turns about (c, d): a point p is at R (p - c) + c of it.
@@ -259,10 +259,11 @@ TEST(GeometryClosedForm, HeldDeviationsStay) {
     EXPECT_EQ(find_unknown_fixed(gantry(), {.instrument_frame = true, .fixed = {"X", "instrument"}}),
               std::nullopt);
     const auto none = fit_geometry(gantry(), {}, {});
-    EXPECT_EQ(none.error().message, "there are no measured tips");
+    EXPECT_EQ(none.error().message, "there are no measured TCP positions");
     const std::vector<MeasuredTcp> one(tcps.begin(), tcps.begin() + 1);
     EXPECT_EQ(fit_geometry(gantry(), one, {}).error().message,
-              "these tips tell nothing of the machine's geometry: there are too few, or all is held");
+              "these TCP positions do not determine the machine's geometry: there are too few, or all "
+              "deviations are fixed");
 }
 
 // With the table LinuxCNC sends the motor to nominal + (nominal - forward). The axis is then where it should
@@ -296,8 +297,9 @@ TEST(GeometryClosedForm, TheWorkOffsetIsWhereTheWorkIs) {
               "G21\nG10 L2 P1 X0.2500 Y-0.5000 Z0.1250\n");
     const machine::Machine arm = sample("arm6");
     const auto poses = suggest_poses(arm, 30, true, {}).value();
-    EXPECT_EQ(work_offset_line(arm, fitted(arm, poses)).error().message,
-              "a work offset (--g10) needs three linear axes that bring the tip to the work frame's origin");
+    EXPECT_EQ(
+        work_offset_line(arm, fitted(arm, poses)).error().message,
+        "a work offset (--g10) requires three linear axes that move the TCP to the origin of the work frame");
 }
 
 // D-optimal: the deviations' ellipsoid is smaller than that of as many poses that are spread evenly.
@@ -326,7 +328,7 @@ TEST(GeometryClosedForm, SuggestedPosesTellMore) {
         }
     }
     EXPECT_EQ(suggest_poses(gantry(), 3, false, {}).error().message,
-              "12 deviations of this machine can be told, which takes 5 poses at least");
+              "12 deviations of this machine can be determined, which requires at least 5 poses");
 }
 
 TEST(GeometryClosedForm, OutcomesTellBothWays) {

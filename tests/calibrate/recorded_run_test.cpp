@@ -39,7 +39,7 @@ TEST(RecordedRuns, MayNameFilesOfPositions) {
 TEST(RecordedRuns, SayWhichLineLacksWhat) {
     EXPECT_EQ(read_recorded_runs("", "").error().message, "it is empty");
     EXPECT_EQ(read_recorded_runs("a,b\n", "").error().message,
-              "line 1: it should name the columns, 'program' and 'time_s' (or 'record') among them");
+              "line 1: it must name the columns, including 'program' and 'time_s' (or 'record')");
     EXPECT_EQ(read_recorded_runs("program,time_s\na.nc\n", "").error().message,
               "line 2: a column is missing");
     EXPECT_EQ(read_recorded_runs("name,cycle_time_s\na,1\n,2\n", "").error().message,

@@ -39,14 +39,13 @@ TEST(DialectHint, SignsOfRs274ngc) {
 
 TEST(DialectHint, SignsOfThe9SeriesAndItsRelatives) {
     EXPECT_EQ(as_ngc("%\nO0012\nIF [#1 EQ 2] GOTO 8\n"),
-              "part.nc:3: note: GOTO is of the 9/Series (and its relatives, as Fanuc and Haas); try "
-              "--dialect ab9\n");
+              "part.nc:3: note: GOTO is of the 9/Series (and related controllers, such as Fanuc and Haas); "
+              "try --dialect ab9\n");
     EXPECT_EQ(as_ngc("WHILE [#1 LT 2] DO1\n").find("part.nc:1: note: WHILE is of"), 0U);
     EXPECT_EQ(as_ngc("G65 P9010 A1\n").find("part.nc:1: note: G65 is of"), 0U);
     EXPECT_EQ(as_ngc("G1 X10 ,R2\n").find("part.nc:1: note: ,R is of"), 0U);
     EXPECT_EQ(as_ngc("M98 P1000\n").find("part.nc:1: note: M98 P is of"), 0U);
-    EXPECT_EQ(as_ngc("%\nO1234 (PART)\nG0 X1\n").find("part.nc:2: note: O with a program's number is of"),
-              0U);
+    EXPECT_EQ(as_ngc("%\nO1234 (PART)\nG0 X1\n").find("part.nc:2: note: O with a program number is of"), 0U);
 }
 
 TEST(DialectHint, WhatBothHaveSaysNothingBesideSignsOfTheOwnOne) {
@@ -72,12 +71,10 @@ std::string inches(const std::string& text) {
 constexpr const char* kHaas = "T1 M6\nG0 X1.125 Y-.375\nZ.1\nG1 Z-.2501 F10.\nX2.4375 F45.\nM30\n";
 
 TEST(InchSigns, ASmallPartWithThousandthsAndSlowFeeds) {
-    EXPECT_EQ(
-        inches(kHaas),
-        "part.nc: warning: the program says neither G20 nor G21 and is read in mm, but looks like inches: "
-        "its coordinates are "
-        "within 2.4375, with up to 4 decimals, its feeds within 45; say G20 or G21, or units = \"inch\" or "
-        "\"mm\" under [program] in the machine file\n");
+    EXPECT_EQ(inches(kHaas),
+              "part.nc: warning: the program has neither G20 nor G21 and is read in mm, but seems to be in "
+              "inches: its coordinates are within 2.4375, with up to 4 decimals, its feeds within 45; add "
+              "G20 or G21, or set units = \"inch\" or \"mm\" under [program] in the machine file\n");
     EXPECT_NE(inches("G1 X30.1255 Y12.0001 Z-.5004 F20\nX20.1\n"), "")
         << "a larger one, in tenths of thousandths";
 }
@@ -112,12 +109,12 @@ TEST(ControllerName, NamesAsPeopleWriteThem) {
 
 TEST(ControllerName, WhatIsNoneIsASentence) {
     EXPECT_EQ(grammar::find_controller("fanux").error(),
-              "there is no dialect or control 'fanux'; did you mean 'fanuc'?");
+              "unknown dialect or controller 'fanux'; did you mean 'fanuc'?");
     EXPECT_EQ(grammar::find_controller("Heidenhain").error(),
-              "Heidenhain's own language (BEGIN PGM, L X+10 FMAX) is not read");
+              "the language of Heidenhain (BEGIN PGM, L X+10 FMAX) is not supported");
     EXPECT_EQ(grammar::find_controller("").error(),
-              "there is no dialect or control ''; the dialects are ab9, rs274ngc and klipper, and "
-              "docs/language.md lists the controls");
+              "unknown dialect or controller ''; the dialects are ab9, rs274ngc and klipper, and "
+              "docs/language.md lists the controllers");
     for (const std::string& name : grammar::controller_names())
         EXPECT_TRUE(grammar::find_controller(name)) << name;
 }

@@ -115,10 +115,9 @@ TEST(BodyMass, MeshThatIsTurnedInsideOutIsTheSame) {
 TEST(BodyMass, OpenMeshHasNoMass) {
     Surface surface;
     surface.box(Vector3d::Zero(), Matrix3d(Vector3d(100, 200, 300).asDiagonal()), false);
-    EXPECT_EQ(
-        of_mesh(surface, 1000).error().message,
-        "part.obj: the surface is not closed, so that it encloses no mass: an edge at 0 0 300 has a triangle "
-        "on one side alone");
+    EXPECT_EQ(of_mesh(surface, 1000).error().message,
+              "part.obj: the surface is not closed, so it encloses no mass: an edge at 0 0 300 has a "
+              "triangle on one side only");
 }
 
 }  // namespace

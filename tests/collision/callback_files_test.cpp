@@ -76,15 +76,14 @@ TEST(CallbackFiles, WhatIsNotGivenIsNamed) {
     RecordingFiles given;
     const auto machine = machine::read_machine(machine_toml(), "shop/af5.toml", given.files);
     ASSERT_FALSE(machine);
-    EXPECT_THAT(machine.error().message,
-                HasSubstr("cannot read 'shop/../rules/own.toml': there is no such file"));
+    EXPECT_THAT(machine.error().message, HasSubstr("cannot read 'shop/../rules/own.toml': file not found"));
     const auto bare =
         machine::read_machine(machine::built_in_machine_toml(), "af5.toml", given.files).value();
     const auto cell =
         read_cell("[cell]\nname = \"shop\"\n[[object]]\nname = \"post\"\nshape = { mesh = \"post.obj\" }\n",
                   "shop/cell.toml", bare, {}, {.files = given.files});
     ASSERT_FALSE(cell);
-    EXPECT_THAT(cell.error().message, HasSubstr("cannot read 'shop/post.obj': there is no such file"));
+    EXPECT_THAT(cell.error().message, HasSubstr("cannot read 'shop/post.obj': file not found"));
 }
 
 TEST(CallbackFiles, AreBoundedAsThoseOnDisk) {

@@ -108,11 +108,11 @@ TEST(CellFile, SaysWhereAndWhatIsWrong) {
                 HasSubstr("the name 'X' is taken"));
     EXPECT_THAT(
         error_of(with("[[object]]\nname = \"a\"\nattached_to = \"tabel\"\nshape = { sphere_mm = 1 }")),
-        HasSubstr("nothing above is called 'tabel'; did you mean 'table'?"));
+        HasSubstr("'tabel' is not defined above; did you mean 'table'?"));
     EXPECT_THAT(error_of(with("[[shape]]\nname = \"a\"\non = \"post\"\nshape = { sphere_mm = 1 }")),
                 HasSubstr("'on' must be \"base\""));
     EXPECT_THAT(error_of(fmt::format("{}{}", "ignore = [[\"head\", \"pots\"]]\n", kWhole)),
-                HasSubstr("no object or shape is called 'pots'"));
+                HasSubstr("no object or shape has the name 'pots'"));
     EXPECT_THAT(error_of(fmt::format("{}{}", "ignore = [\"head\"]\n", kWhole)),
                 HasSubstr("must hold pairs of names"));
     EXPECT_THAT(error_of(fmt::format("{}{}", "ignore = 3\n", kWhole)), HasSubstr("must be a list of pairs"));
@@ -143,7 +143,7 @@ TEST(CellFile, ANameOfTheMachineFileIsTaken) {
         read_cell(with("[[object]]\nname = \"bed\"\nshape = { sphere_mm = 1 }"), "c.toml", with_body());
     ASSERT_FALSE(cell);
     EXPECT_EQ(cell.error().message,
-              "c.toml:32:8: the name 'bed' is taken by a [[shape]] of the machine file");
+              "c.toml:32:8: the name 'bed' is already used by a [[shape]] of the machine file");
 }
 
 TEST(CellFile, AToolOfTheCellTakesThePlaceOfTheMachines) {

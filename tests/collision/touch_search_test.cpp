@@ -86,10 +86,9 @@ TEST(TouchSearch, IsRefusedWhereFramesGoByThemselves) {
     cell.make_movable(*cell.frames.find("block"), false);
     const auto search = TouchSearch::make(cell, af5(), {0, 0, 0});
     ASSERT_FALSE(search);
-    EXPECT_EQ(
-        search.error().message,
-        "a probe cannot feel the bodies of a cell in which frames go by themselves (on conveyors, or led "
-        "by a program); on_probe of a script, or --probe, says where it touches");
+    EXPECT_EQ(search.error().message,
+              "a probe cannot detect the bodies of a cell with frames that move independently (on conveyors, "
+              "or moved by a program); on_probe of a script, or --probe, defines the contact");
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ Result<std::string> command_output(const std::vector<std::string>& command, cons
     const File in(std::fopen(input.c_str(), "rb"));
     if (!in) return Unexpected("cannot read " + input.string());
     const File out(std::tmpfile());
-    if (!out) return Unexpected("cannot make a temporary file");
+    if (!out) return Unexpected("cannot create a temporary file");
     if (const auto ran = os::run_child(command, in.get(), out.get()); !ran)
         return tl::unexpected(ran.error());
     return read_all(out.get());

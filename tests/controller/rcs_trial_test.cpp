@@ -56,7 +56,7 @@ TEST(RcsTrial, WorkWithoutEndIsEnded) {
         },
         100);
     ASSERT_FALSE(said.has_value());
-    EXPECT_EQ(said.error().message, "gave no answer within 0.1 s");
+    EXPECT_EQ(said.error().message, "did not respond within 0.1 s");
 }
 
 }  // namespace

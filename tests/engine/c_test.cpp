@@ -65,7 +65,7 @@ TEST_F(CInterface, TellsMovesAndSamplesAndAReport) {
     EXPECT_DOUBLE_EQ(samples.back().t_s, gsim_run_cycle_time_s(run_));
     EXPECT_NEAR(samples.back().axes[1], 100, 1e-9);
     EXPECT_THAT(gsim_run_report_json(run_), HasSubstr("\"completed\""));
-    EXPECT_EQ(gsim_run_go(run_), GSIM_FAILED) << "a run goes once";
+    EXPECT_EQ(gsim_run_go(run_), GSIM_FAILED) << "a run can be started only once";
 }
 
 TEST_F(CInterface, SegmentsTellTheirMotionInTheCall) {
@@ -165,7 +165,7 @@ TEST_F(CInterface, DocumentsAreWritten) {
     };
     EXPECT_EQ(gsim_run_write(run_, 0, "film", 0.1, take, &csv), GSIM_FAILED);
     EXPECT_STREQ(gsim_run_error(run_),
-                 "'film' is no document; there are moves, trajectory, dxf, path and plot");
+                 "'film' is not an output; known outputs: moves, trajectory, dxf, path and plot");
     ASSERT_EQ(gsim_run_write(run_, 0, "trajectory", 0.1, take, &csv), GSIM_OK);
     ASSERT_EQ(gsim_run_go(run_), GSIM_OK);
     EXPECT_THAT(csv, HasSubstr("t_s,line,x_mm"));

@@ -44,8 +44,7 @@ const os::Files& files() {
 Result<cell::Cell> cell_of(const std::string& text, std::vector<std::string>* errors) {
     const auto machine = machine::read_machine(machine::built_in_machine_toml(), "built in").value();
     const cell::MeshFiles meshes{
-        .files = files(),
-        .read_solid = [](const std::filesystem::path&, double) -> Result<solid::Mesh> {
+        .files = files(), .read_solid = [](const std::filesystem::path&, double) -> Result<solid::Mesh> {
             return solid::Mesh{.vertices_mm = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .triangles = {{0, 1, 2}}};
         }};
     return cell::read_cell(text, "c.toml", machine, {}, meshes, errors);
@@ -195,7 +194,7 @@ TEST(FileKeys, AreThoseThatTheReadersTake) {
         unknown.set(1);
         std::set<std::string> taken;
         for (const std::string& error : unknown.errors()) {
-            const std::string head = "it may hold: ";
+            const std::string head = "known keys: ";
             const std::size_t begin = error.find(head);
             if (error.find(kUnknown) == std::string::npos || begin == std::string::npos) continue;
             std::string remainder = error.substr(begin + head.size()) + ", ";

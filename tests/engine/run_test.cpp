@@ -369,7 +369,7 @@ TEST(Run, NoServoLoopsNoFollowingErrors) {
     request.machine = "lift.toml";
     engine::Run run = prepared(std::move(request));
     const std::string message =
-        "following errors are asked for, and no [[axis]] of the machine file tells of its servo loop "
+        "following errors are requested, but no [[axis]] of the machine file defines its servo loop "
         "(position_gain_1_s)";
     const auto taken = run.on_following([](const FollowingColumns&) {});
     ASSERT_FALSE(taken);

@@ -73,7 +73,7 @@ TEST(Scaling, ScalesIncrementsArcsAndRadii) {
 TEST(Scaling, NeedsAFactor) {
     expect_refused("G14_1{x=5}", {"G14.1", "P", "I, J, K"});
     expect_refused("G14{p=0}", {"G14", "other than 0"});
-    expect_refused("G14{p=2, q=1}", {"'q' is no word that G14 takes"});
+    expect_refused("G14{p=2, q=1}", {"'q' is not a word of G14"});
 }
 
 TEST(Rotation, IsCounterclockwiseAboutItsCentre) {

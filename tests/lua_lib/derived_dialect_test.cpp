@@ -80,7 +80,7 @@ TEST_F(DerivedLibrary, HasChangedProperty) {
 TEST_F(DerivedLibrary, RejectsUnknownProperty) {
     EXPECT_EQ(error_text(), "none");
     insert("common/feed.lua", "local width = use(\"core/dialect\", \"width\")\n", "local");
-    EXPECT_EQ(error_text(), "the library in Lua cannot be loaded: a dialect has no property 'width'");
+    EXPECT_EQ(error_text(), "the Lua library cannot be loaded: a dialect has no property 'width'");
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ TEST(NgcAbort, InABranchThatIsNotRunIsNone) {
 }
 
 TEST(NgcAbort, NeedsNoText) {
-    expect_alarm(run_ngc("(abort,)\nM2\n"), 1, {"(abort,) without a text"});
+    expect_alarm(run_ngc("(abort,)\nM2\n"), 1, {"(abort,) needs a text"});
 }
 
 TEST(NgcPython, IsRefusedByNameWhereItWouldRun) {
@@ -40,7 +40,7 @@ TEST(NgcPython, ReloadIsReportedOnce) {
     const Outcome r = run_ngc("(pyreload)\nG0 X1\n(pyreload)\nM2\n");
     ASSERT_TRUE(r.completed()) << r.message();
     ASSERT_EQ(r.report.warnings.size(), 1U);
-    EXPECT_NE(r.report.warnings[0].find("(pyreload) does nothing: there is no Python here"),
+    EXPECT_NE(r.report.warnings[0].find("(pyreload) has no effect: Python is not supported"),
               std::string::npos)
         << r.report.warnings[0];
 }

@@ -21,7 +21,8 @@ TEST(NgcExists, OfANumberedParameterAsksForItsNumberNotForItsValue) {
     EXPECT_EQ(variable_value("EXISTS[##1]", "#1=9000\n"), "0\n");
     EXPECT_EQ(variable_value("EXISTS[##1]", "#1=-5\n"), "0\n");
     EXPECT_EQ(variable_value("EXISTS[#[1.00001]]"), "1\n");
-    expect_alarm(run_ngc("#100=EXISTS[#[1.5]]\nM2\n"), "the number of a parameter is whole, not 1.5");
+    expect_alarm(run_ngc("#100=EXISTS[#[1.5]]\nM2\n"),
+                 "the number of a parameter must be an integer, not 1.5");
 }
 
 TEST(NgcExists, OfANamedOneAsksForItsValue) {

@@ -86,9 +86,9 @@ TEST(Probe, TouchesAtItsTargetWhereNothingIsSaid) {
     EXPECT_NEAR(r.to(4, 'Y'), 1, 1e-9);
     EXPECT_EQ(
         r.report.warnings,
-        std::vector<std::string>{"probes touch at their targets, as nothing says what they meet: a cell "
-                                 "(--cell), a plane (--probe z=-3.2), or a script (on_probe); --probe none "
-                                 "lets them pass"});
+        std::vector<std::string>{
+            "probes touch at their targets, because nothing defines their contact: use a cell (--cell), a "
+            "plane (--probe z=-3.2), or a script (on_probe); with --probe none they never touch"});
 }
 
 TEST(Probe, NoMoveIsAddedBehindIt) {
@@ -137,9 +137,9 @@ TEST(Probe, APlaneIsLeftAgain) {
 TEST(Probe, ContactAsWantedBeforehandIsAnAlarmWhereItMustBeFound) {
     const std::string touched = "G21 F600\nG38.2 Z-20\n";
     expect_alarm(run_ngc(touched + "G38.2 Z-30\nM2\n", at_plane('z', -3)), 3,
-                 {"G38.2 goes to what the probe is to touch, and it touches already where it begins"});
+                 {"G38.2 moves to a contact, but the probe already has contact at the start"});
     expect_alarm(run_ngc(touched + "G0 Z5\nG38.4 Z9\nM2\n", at_plane('z', -3)), 4,
-                 {"G38.4 goes away from what the probe touches, and it touches nothing where it begins"});
+                 {"G38.4 moves away from a contact, but the probe has no contact at the start"});
     const Outcome r = run_ngc(touched + "G38.3 Z-30\n(debug,%.1f#5070)\nM2\n", at_plane('z', -3));
     EXPECT_EQ(debug_texts(r), "1.0\n");
     EXPECT_EQ(r.moves.size(), 1U);
@@ -148,9 +148,9 @@ TEST(Probe, ContactAsWantedBeforehandIsAnAlarmWhereItMustBeFound) {
 TEST(Probe, NothingFoundIsAnAlarmAsOnTheControl) {
     const Conditions nothing = on_built_in({.kind = ProbeSurface::Kind::none});
     expect_alarm(run_ngc("G21 F600\nG38.2 Z-20\nM2\n", nothing), 2,
-                 {"G38.2 has come to its end, and the probe has not touched anything"});
+                 {"G38.2 has reached its end, but the probe has not touched anything"});
     expect_alarm(run_ngc("G21 F600\nG38.4 Z-20\nM2\n", nothing), 2,
-                 {"G38.4 has come to its end, and the probe has not come free"});
+                 {"G38.4 has reached its end, but the probe has not come free"});
     const Outcome r = run_ngc(
         "G21 F600\nG38.3 Z-20\n(debug,%.1f#5063 #5070)\nG38.5 Z0\n(debug,%.1f#5063 "
         "#5070)\nM2\n",

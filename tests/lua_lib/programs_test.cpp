@@ -200,7 +200,7 @@ TEST(Programs, BlockDelete) {
 
 TEST(Programs, OptionalStopIsAnEventEitherWay) {
     Conditions setup;
-    EXPECT_EQ(run("M1\n").report.events.at(0).detail, "off: passed over");
+    EXPECT_EQ(run("M1\n").report.events.at(0).detail, "off: skipped");
     setup.options.optional_stop = true;
     EXPECT_EQ(run("M1\n", setup).report.events.at(0).detail, "");
 }

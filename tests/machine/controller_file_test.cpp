@@ -251,7 +251,7 @@ TEST_F(OwnFile, ErrorsSayWhereTheyAre) {
     EXPECT_EQ(error_of("model = \"none.toml\"", path("m.toml")),
               path("m.toml") + ":4:9: cannot read '" + path("none.toml") + "': No such file or directory");
     EXPECT_EQ(error_of("model = \"own.toml\\n.toml\""),
-              "m.toml:4:9: 'model' must not hold control characters");
+              "m.toml:4:9: 'model' must not contain control characters");
 }
 
 std::string built_in() {
@@ -303,19 +303,17 @@ TEST(ControllerFile, WrongTypes) {
 
 TEST(ControllerFile, ValuesOutOfRange) {
     for (const std::string value : {"0", "-1", "2.5", "100001"}) {
-        EXPECT_EQ(
-            error_of("look_ahead_blocks = " + value),
-            "m.toml:4:21: 'look_ahead_blocks' must be a whole number between 1 and 100000; it is " + value);
+        EXPECT_EQ(error_of("look_ahead_blocks = " + value),
+                  "m.toml:4:21: 'look_ahead_blocks' must be an integer between 1 and 100000, not " + value);
     }
     for (const std::string value : {"0", "-0.5", "-inf"}) {
         EXPECT_EQ(error_of("centripetal_share = " + value),
-                  "m.toml:4:21: 'centripetal_share' must be greater than 0; it is " + value);
+                  "m.toml:4:21: 'centripetal_share' must be greater than 0, not " + value);
     }
     for (const std::string value : {"0", "1.5", "-0.5"}) {
-        EXPECT_EQ(
-            error_of("continuous_acceleration_share = " + value),
-            "m.toml:4:33: 'continuous_acceleration_share' must be greater than 0 and at most 1; it is " +
-                value);
+        EXPECT_EQ(error_of("continuous_acceleration_share = " + value),
+                  "m.toml:4:33: 'continuous_acceleration_share' must be greater than 0 and at most 1, not " +
+                      value);
     }
     for (const std::string key : {"junction_deviation_mm", "blend_tolerance_mm", "blend_tolerance_deg",
                                   "least_feed_mm_min", "settle_s", "rest_s"}) {

@@ -90,8 +90,8 @@ TEST(LinkShapes, SaysWhereAndWhatIsWrong) {
     EXPECT_EQ(error_of(with("[[shape]]\nname = \"a\"\nshape = { sphere_mm = 1 }\n")),
               "dir/m.toml:7:1: [[shape]] lacks the key 'on'");
     EXPECT_EQ(error_of(with(shape("a", "tol", "sphere_mm = 1"))),
-              "dir/m.toml:9:6: 'on' must be \"base\", the letter of an axis (X), \"tool\", \"work\" or "
-              "\"jet\"; did you mean \"tool\"?");
+              "dir/m.toml:9:6: 'on' must be \"base\", an axis letter (X), \"tool\", \"work\" or \"jet\"; did "
+              "you mean \"tool\"?");
     EXPECT_THAT(error_of(with(shape("a", "Y", "sphere_mm = 1"))), HasSubstr("m.toml:9:6: 'on' must be"));
     EXPECT_THAT(error_of(with(shape("a", "world", "sphere_mm = 1"))), HasSubstr("'on' must be"));
     EXPECT_EQ(error_of(with(shape("a", "X", "sphere_in = 1"))),
@@ -105,9 +105,9 @@ TEST(LinkShapes, SaysWhereAndWhatIsWrong) {
     EXPECT_EQ(error_of(with(shape("a", "X", "sphere_mm = 1") + shape("a", "base", "sphere_mm = 1"))),
               "dir/m.toml:12:8: the name 'a' is given twice; first in line 8");
     EXPECT_THAT(error_of(with(shape("X", "X", "sphere_mm = 1"))),
-                HasSubstr("the name 'X' is taken by a frame of the machine"));
+                HasSubstr("the name 'X' is already used by a frame of the machine"));
     EXPECT_THAT(error_of(with(shape("a", "X", "sphere_mm = 1"), "ignore = [[\"a\", \"b\"]]\n")),
-                HasSubstr("dir/m.toml:1:11: no object or shape is called 'b'"));
+                HasSubstr("dir/m.toml:1:11: no object or shape has the name 'b'"));
     EXPECT_THAT(error_of(with("", "ignore = 3\n")), HasSubstr("'ignore' must be a list of pairs"));
     EXPECT_THAT(error_of(with("", "shape = 3\n")), HasSubstr("'shape' must be an array of tables"));
 }

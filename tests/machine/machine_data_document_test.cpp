@@ -132,7 +132,7 @@ TEST(MachineDataDocument, UnitOfAnEntry) {
     expect_change("1\t50.8\t10\tJET", "1\t2\t0.25\tJET  inch", [](auto& d) {
         return d.set(DataSection::tool, "1", {{"DIAMETER", "0.25"}}, LengthUnit::inch);
     });
-    expect_refused("VARIABLE has no lengths, hence no unit", [](auto& d) {
+    expect_refused("VARIABLE has no lengths and therefore no unit", [](auto& d) {
         return d.set(DataSection::variable, "500", {{"VALUE", "1"}}, LengthUnit::inch);
     });
 }
@@ -168,20 +168,20 @@ TEST(MachineDataDocument, ChangesThatAreRefused) {
         return [=](auto& d) { return d.set(section, id, {{field, value}}); };
     };
     expect_refused("'3,5' is not a number", set(DataSection::offset, "54", "X", "3,5"));
-    expect_refused("1e12 is not between -1e9 and 1e9", set(DataSection::offset, "54", "X", "1e12"));
-    expect_refused("'60' is no frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599",
+    expect_refused("1e12 must be between -1e9 and 1e9", set(DataSection::offset, "54", "X", "1e12"));
+    expect_refused("'60' is not a frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599",
                    set(DataSection::offset, "60", "X", "1"));
     expect_refused("OFFSET has no 'Q'; it has X, Y, Z, B, C", set(DataSection::offset, "54", "Q", "1"));
-    expect_refused("'1 2' cannot be written: it is not one word of a line",
+    expect_refused("'1 2' cannot be written: it must be a single word",
                    set(DataSection::offset, "54", "X", "1 2"));
-    expect_refused("'M8?ENDFILE' cannot be written: it is not one word of a line",
+    expect_refused("'M8?ENDFILE' cannot be written: it must be a single word",
                    set(DataSection::alias, "WaterJetOn", "CODE", "M8\nENDFILE"));
     expect_refused("Xmin is 20 and Xmax is 10; the first must be less",
                    set(DataSection::security, "1", "XMIN", "20"));
-    expect_refused("an alias has its name and its code", set(DataSection::alias, "JetOff", "CODE", ""));
-    expect_refused("a home position needs a value for B too: its values stand in a row",
+    expect_refused("an alias needs its name and its code", set(DataSection::alias, "JetOff", "CODE", ""));
+    expect_refused("a home position also needs a value for B: its values are positional",
                    set(DataSection::home, "2", "C", "1"));
-    expect_refused("there is no OFFSET 55 in the file",
+    expect_refused("OFFSET 55 does not exist in the file",
                    [](auto& d) { return d.reset(DataSection::offset, "55"); });
 }
 

@@ -63,9 +63,9 @@ TEST(MachineData, Frame) {
     EXPECT_EQ(error_of(""), "m.txt:1:1: the file does not begin with NCFILE");
     EXPECT_EQ(error_of("OFFSET\n"), "m.txt:1:1: the file does not begin with NCFILE");
     EXPECT_EQ(error_of("NCFILE\nOFFSET\n"), "m.txt:3:1: the file does not end with ENDFILE");
-    EXPECT_EQ(error_of("NCFILE\nENDFILE\n54 1 2 3\n"), "m.txt:3:1: there is text behind ENDFILE");
-    EXPECT_EQ(error_of("NCFILE\nNCFILE\n"), "m.txt:2:1: NCFILE may stand in the first line only");
-    EXPECT_EQ(error_of("NCFILE x\n"), "m.txt:1:8: 'x' is one word too many");
+    EXPECT_EQ(error_of("NCFILE\nENDFILE\n54 1 2 3\n"), "m.txt:3:1: text after ENDFILE is not allowed");
+    EXPECT_EQ(error_of("NCFILE\nNCFILE\n"), "m.txt:2:1: NCFILE is only allowed in the first line");
+    EXPECT_EQ(error_of("NCFILE x\n"), "m.txt:1:8: 'x' is an extra word");
 }
 
 TEST(MachineData, Tools) {
@@ -77,7 +77,7 @@ TEST(MachineData, Tools) {
     EXPECT_DOUBLE_EQ(data->tools.at(22).length_mm, 25.4);
     EXPECT_DOUBLE_EQ(data->tools.at(22).diameter_mm, 6.35);
     EXPECT_EQ(error_of("NCFILE\nTOOL\n1 100\n"),
-              "m.txt:3:1: a tool has its number, its length and its diameter");
+              "m.txt:3:1: a tool needs its number, its length and its diameter");
     EXPECT_EQ(error_of("NCFILE\nTOOL\n1 1 1\n1 2 2\n"),
               "m.txt:4:1: the tool 1 is given twice; first in line 3");
 }
@@ -104,14 +104,14 @@ TEST(MachineData, ToolsInFull) {
     const auto error_of_line = [](const std::string& line) {
         return error_of(fmt::format("NCFILE\nTOOL\n{}\nENDFILE\n", line));
     };
-    EXPECT_EQ(error_of_line("1 0 0 jet cutter"), "m.txt:3:11: 'cutter' is one word too many");
-    EXPECT_EQ(error_of_line("1 0 0 length=3"), "m.txt:3:7: a tool has no value of the name 'LENGTH'");
-    EXPECT_EQ(error_of_line("1 0 0 x=1 x=1"), "m.txt:3:11: 'x=1' is one word too many");
+    EXPECT_EQ(error_of_line("1 0 0 jet cutter"), "m.txt:3:11: 'cutter' is an extra word");
+    EXPECT_EQ(error_of_line("1 0 0 length=3"), "m.txt:3:7: a tool has no value with the name 'LENGTH'");
+    EXPECT_EQ(error_of_line("1 0 0 x=1 x=1"), "m.txt:3:11: 'x=1' is an extra word");
     EXPECT_EQ(error_of_line("1 0 0 x="), "m.txt:3:7: '' is not a number");
     EXPECT_EQ(error_of_line("1 0 0 orientation=10"),
-              "m.txt:3:7: ORIENTATION is a whole number from 0 to 9, not '10'");
-    EXPECT_EQ(error_of_line("1 0 inch 0"), "m.txt:3:10: '0' stands too late: values come before other words");
-    EXPECT_EQ(error_of_line("1 5e7 0 inch"), "m.txt:3:3: 5e7 is not between -1e9 and 1e9 mm");
+              "m.txt:3:7: ORIENTATION must be an integer from 0 to 9, not '10'");
+    EXPECT_EQ(error_of_line("1 0 inch 0"), "m.txt:3:10: '0' is too late: values come before other words");
+    EXPECT_EQ(error_of_line("1 5e7 0 inch"), "m.txt:3:3: 5e7 must be between -1e9 and 1e9 mm");
 }
 
 TEST(MachineData, Zones) {
@@ -143,13 +143,13 @@ TEST(MachineData, ZonesThatAreNone) {
               "m.txt:3:1: Ymin and Ymax are both numbers, or both '-' (no walls there)");
     EXPECT_EQ(error_of_line("1 0 1 0 1 0"),
               "m.txt:3:1: Zmin and Zmax are both numbers, or both '-' (no walls there)");
-    EXPECT_EQ(error_of_line("1 - - - -"), "m.txt:3:1: a zone needs its two walls on one axis at least");
-    EXPECT_EQ(
-        error_of_line("1 0 1"),
-        "m.txt:3:1: a zone has its number and its walls: Xmin, Xmax, Ymin, Ymax, and perhaps Zmin and Zmax");
-    EXPECT_EQ(error_of_line("1 0 1 0 1 0 1 0"), "m.txt:3:15: '0' is one word too many");
+    EXPECT_EQ(error_of_line("1 - - - -"), "m.txt:3:1: a zone needs its two limits on at least one axis");
+    EXPECT_EQ(error_of_line("1 0 1"),
+              "m.txt:3:1: a zone needs its number and its limits: Xmin, Xmax, Ymin, Ymax, and optionally "
+              "Zmin and Zmax");
+    EXPECT_EQ(error_of_line("1 0 1 0 1 0 1 0"), "m.txt:3:15: '0' is an extra word");
     EXPECT_EQ(error_of("NCFILE\nWORKING\n2 0 1 0 1\n"),
-              "m.txt:3:1: there is one working zone; its number is 1");
+              "m.txt:3:1: there is only one working zone; its number is 1");
 }
 
 TEST(MachineData, ReferencePoints) {
@@ -177,12 +177,13 @@ TEST(MachineData, NamesOfPointsThatAreNone) {
     for (const char* name : {"", "3", "_A", "A-B", "A.B", "A=B", "\xc3\xa4"}) {
         EXPECT_EQ(
             error_of_line(fmt::format("1 0 0 0 NAME={}", name)),
-            fmt::format("m.txt:3:9: '{}' is no name: a letter first, then letters, digits and '_'", name));
+            fmt::format("m.txt:3:9: '{}' is not a valid name: a letter first, then letters, digits and '_'",
+                        name));
     }
-    EXPECT_EQ(error_of_line("1 0 0 0 NAME=A NAME=B"), "m.txt:3:16: 'NAME=B' is one word too many");
-    EXPECT_EQ(error_of_line("1 0 NAME=A 0"),
-              "m.txt:3:12: '0' stands too late: values come before other words");
-    EXPECT_EQ(error_of_line("1 0 0 0 TITLE=A"), "m.txt:3:9: a fixed point has no value of the name 'TITLE'");
+    EXPECT_EQ(error_of_line("1 0 0 0 NAME=A NAME=B"), "m.txt:3:16: 'NAME=B' is an extra word");
+    EXPECT_EQ(error_of_line("1 0 NAME=A 0"), "m.txt:3:12: '0' is too late: values come before other words");
+    EXPECT_EQ(error_of_line("1 0 0 0 TITLE=A"),
+              "m.txt:3:9: a fixed point has no value with the name 'TITLE'");
     EXPECT_EQ(error_of_line("1 0 0 0 NAME=Vise\n2 0 0 0 NAME=B\n3 9 9 9 NAME=VISE"),
               "m.txt:5:9: the name VISE of a fixed point is given twice; first in line 3");
     EXPECT_EQ(error_of("NCFILE\nOFFSET\n54 0 0 0 NAME=A\n"), "m.txt:3:10: 'NAME=A' is not a number");
@@ -192,7 +193,7 @@ TEST(MachineData, NamesOfPointsThatAreNone) {
 TEST(MachineData, ANulIsNoText) {
     using std::string_literals::operator""s;
     EXPECT_EQ(error_of("NCFILE\nOFFSET\n# \0\nENDFILE\n"s),
-              "m.txt:3:3: there is a NUL byte; the file is no text");
+              "m.txt:3:3: the file contains a NUL byte; it must be a text file");
 }
 
 TEST(MachineData, HomePositions) {
@@ -201,7 +202,7 @@ TEST(MachineData, HomePositions) {
     EXPECT_EQ(data->homes.at(2).at('Y'), 2);
     EXPECT_DOUBLE_EQ(data->homes.at(4).at('Z'), 25.4);
     EXPECT_EQ(error_of("NCFILE\nHOME\n1 1 2 3\n"),
-              "m.txt:3:1: home positions are 2 to 4; the first one is in the machine file");
+              "m.txt:3:1: home positions are 2 to 4; the first is in the machine file");
 }
 
 TEST(MachineData, Sections) {
@@ -213,10 +214,9 @@ TEST(MachineData, Sections) {
     EXPECT_EQ(error_of("NCFILE\nFIXED\nOFFSET\nFIXED\n"),
               "m.txt:4:1: the section FIXED is given twice; first in line 2");
     for (const char* dots : {"OFFSET\n....", "OFFSET\n... 599", "...\nOFFSET"}) {
-        EXPECT_THAT(
-            error_of(fmt::format("NCFILE\n{}\nENDFILE\n", dots)),
-            testing::EndsWith(":1: '...' stands for entries left out of a section: alone in its line, "
-                              "behind the section's keyword"))
+        EXPECT_THAT(error_of(fmt::format("NCFILE\n{}\nENDFILE\n", dots)),
+                    testing::EndsWith(":1: '...' marks omitted entries of a section: alone in its line, "
+                                      "after the section's keyword"))
             << dots;
     }
 }
@@ -230,9 +230,9 @@ TEST(MachineData, Offsets) {
     EXPECT_EQ(error_of_line("54 1 2 inch"), "m.txt:3:1: 54 needs values for X, Y and Z");
     EXPECT_EQ(error_of_line("54 1 2 3,5"), "m.txt:3:8: '3,5' is not a number");
     EXPECT_EQ(error_of_line("54 1 2 nan"), "m.txt:3:8: 'nan' is not a number");
-    EXPECT_EQ(error_of_line("54 1 2 1e12"), "m.txt:3:8: 1e12 is not between -1e9 and 1e9");
+    EXPECT_EQ(error_of_line("54 1 2 1e12"), "m.txt:3:8: 1e12 must be between -1e9 and 1e9");
     EXPECT_EQ(error_of_line("54 1 2 3 4 5 6"),
-              "m.txt:3:14: there are more values than axes; behind X, Y and Z this machine has 2");
+              "m.txt:3:14: there are more values than axes; after X, Y and Z this machine has 2");
     EXPECT_EQ(error_of_line("54 1 2 3\n54 1 2 3"), "m.txt:4:1: the frame 54 is given twice; first in line 3");
     for (const char* code : {"53", "60", "59.4", "054", "504", "600", "54.0", "-54", "5O5"}) {
         EXPECT_EQ(error_of_line(std::string(code) + " 1 2 3"),
@@ -243,8 +243,8 @@ TEST(MachineData, Offsets) {
 
 TEST(MachineData, OtherEntries) {
     EXPECT_EQ(error_of("NCFILE\nFIXED\n0 1 2 3\n"),
-              "m.txt:3:1: '0' is not the number of a fixed point, 1 to 99999");
-    EXPECT_EQ(error_of("NCFILE\nVARIABLE\n1 2 3\n"), "m.txt:3:5: '3' is one word too many");
+              "m.txt:3:1: '0' is not a valid number of a fixed point, 1 to 99999");
+    EXPECT_EQ(error_of("NCFILE\nVARIABLE\n1 2 3\n"), "m.txt:3:5: '3' is an extra word");
     EXPECT_EQ(error_of("NCFILE\nALIAS\nJet M08\njet M09\n"),
               "m.txt:4:1: the alias jet is given twice; first in line 3");
 }

@@ -153,7 +153,7 @@ TEST(MachineFile, WrongTypes) {
     EXPECT_EQ(error_of(std::string(kFileHeader) + "[axis]\n"),
               "m.toml:3:1: 'axis' must be an array of tables, each under [[axis]], not a table");
     EXPECT_EQ(error_of("axis = [ 4 ]\n" + std::string(kFileHeader)),
-              "m.toml:1:10: 'axis' must hold tables only, each under [[axis]]");
+              "m.toml:1:10: 'axis' must contain only tables, each under [[axis]]");
     EXPECT_EQ(error_of("[machine]\nname = \"m\"\ninverse = \"robot\"\n"),
               "m.toml:3:11: 'inverse' must be \"none\", \"gantry\" or \"numeric\"");
     EXPECT_EQ(error_of(std::string(kFileHeader) + "[[axis]]\nkind = 4\n"),
@@ -170,9 +170,8 @@ TEST(MachineFile, MissingKeys) {
     EXPECT_EQ(error_of(std::string(kFileHeader) + "[[axis]]\nkind = \"linear\"\n"),
               "m.toml:3:1: a linear [[axis]] lacks the key 'letter'");
     EXPECT_EQ(error_of(std::string(kFileHeader) + "[[axis]]\nkind = \"rotary\"\nletter = \"A\"\n"),
-              "m.toml:3:1: a rotary [[axis]] lacks one of the keys 'direction', 'frame' and 'dh', which tell "
-              "how its "
-              "joint lies");
+              "m.toml:3:1: a rotary [[axis]] needs one of the keys 'direction', 'frame' and 'dh', which "
+              "define its joint");
 }
 
 TEST(MachineFile, ValuesOutOfRange) {
@@ -190,14 +189,14 @@ TEST(MachineFile, ValuesOutOfRange) {
     EXPECT_EQ(error_of(with_axis_line("min_mm = nan")), "m.toml:7:10: 'min_mm' must be a number; it is nan");
     EXPECT_EQ(error_of(with_axis_line("home_mm = inf")), "m.toml:7:11: 'home_mm' must be finite; it is inf");
     EXPECT_EQ(error_of(with_axis_line("max_mm = 1e300")),
-              "m.toml:7:10: 'max_mm' must be between -1e9 and 1e9; it is 1e+300");
+              "m.toml:7:10: 'max_mm' must be between -1e9 and 1e9, not 1e+300");
     EXPECT_EQ(error_of(with_axis_line("min_mm = 20\nmax_mm = 10")),
               "m.toml:7:10: 'min_mm' is 20, greater than 'max_mm', 10");
     EXPECT_EQ(error_of(with_axis_line("min_mm = inf")), "m.toml:7:10: 'min_mm' and 'max_mm' leave no range");
     EXPECT_EQ(error_of(with_axis_line("max_mm = 10\nhome_mm = 11")),
-              "m.toml:8:11: 'home_mm' is 11, outside of the axis's range -inf .. 10");
+              "m.toml:8:11: 'home_mm' is 11, outside the axis range -inf .. 10");
     EXPECT_EQ(error_of(with_axis_line("min_mm = 5")),
-              "m.toml:3:1: 'home_mm' is 0, outside of the axis's range 5 .. inf");
+              "m.toml:3:1: 'home_mm' is 0, outside the axis range 5 .. inf");
 }
 
 TEST(MachineFile, Letters) {
@@ -229,13 +228,13 @@ TEST(MachineFile, FaultsOfJointsAndTurning) {
     EXPECT_EQ(error_of(with_axis_line("carries = \"me\"")),
               "m.toml:7:11: 'carries' must be \"tool\", \"work\" or \"nothing\"");
     EXPECT_EQ(error_of(with_axis_line("max_mm = 10\nhome4_mm = 11")),
-              "m.toml:8:12: 'home4_mm' is 11, outside of the axis's range -inf .. 10");
+              "m.toml:8:12: 'home4_mm' is 11, outside the axis range -inf .. 10");
     const std::string rotary =
         std::string(kFileHeader) + "[[axis]]\nletter = \"A\"\nkind = \"rotary\"\ndh = {}\n";
     EXPECT_EQ(error_of(rotary + "turning = \"round\"\n"),
               "m.toml:7:11: 'turning' must be \"limited\", \"shortest\" or \"unwind\"");
     EXPECT_EQ(error_of(rotary + "turning = \"unwind\"\nmax_deg = 4\n"),
-              "m.toml:7:11: an axis that unwinds turns on without end; leave out 'min_deg' and 'max_deg'");
+              "m.toml:7:11: an axis that unwinds turns without limit; remove 'min_deg' and 'max_deg'");
 }
 
 // If both are given, the frame is before the motion, and the row after it.
@@ -262,7 +261,7 @@ TEST(MachineFile, AnAxisByItsDirection) {
     EXPECT_EQ(machine->axes.at(0).frame, (Frame{.z_mm = -25}));
     EXPECT_EQ(read_machine(print_machine(*machine), "printed").value(), *machine);
     EXPECT_EQ(error_of(with_axis_line("direction = \"x\"")),
-              "m.toml:7:13: a linear [[axis]] has both 'dh' and 'direction'; one tells where its joint is");
+              "m.toml:7:13: a linear [[axis]] has both 'dh' and 'direction'; only one may define its joint");
     EXPECT_EQ(error_of(std::string(kFileHeader) +
                        "[[axis]]\nletter = \"X\"\nkind = \"linear\"\ndirection = \"right\"\n"),
               "m.toml:6:13: 'direction' must be \"x\", \"y\", \"z\", \"-x\", \"-y\" or \"-z\"");

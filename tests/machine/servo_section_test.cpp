@@ -64,8 +64,8 @@ TEST(ServoSection, WhatIsRefused) {
 
 TEST(ServoSection, LoopNeedsAGain) {
     constexpr std::string_view kSentence =
-        "axis X has a servo loop without a gain: it needs 'position_gain_1_s', 1 or greater, or else "
-        "[controller] does";
+        "the servo loop of axis X has no gain: set 'position_gain_1_s', 1 or greater, for the axis or in "
+        "[controller]";
     EXPECT_NE(error_of(with("velocity_lag_s = 0.001")).find(kSentence), std::string::npos);
     EXPECT_NE(
         error_of(with("velocity_lag_s = 0.001", "[controller]\nposition_gain_1_s = 0.5")).find(kSentence),

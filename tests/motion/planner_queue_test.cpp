@@ -253,7 +253,7 @@ TEST_P(QueueServices, WithoutASinkAFullQueueAsksForSteps) {
     planner->SetRestParameter(0);
     EXPECT_EQ(planner->SetNextRest(2, 1), Status::RRS_SUCCESS);
     EXPECT_EQ(planner->SetNextRest(3, 1), Status::RRS_QUEUE_FULL);
-    EXPECT_EQ(message(*planner), "2 targets are waiting; call GetNextStep before more are put.");
+    EXPECT_EQ(message(*planner), "2 targets are pending; call GetNextStep before setting more.");
     planner->SetInterpolationTime(1);
     rrs::JointPos joints;
     CartPos pose;

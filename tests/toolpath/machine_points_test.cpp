@@ -59,26 +59,23 @@ TEST(MachinePoints, WhatIsReadIsWritten) {
 
 TEST(MachinePoints, WhatIsIllFormedIsTold) {
     EXPECT_EQ(error_of(R"({"fixed": 1, "reference": 1})"),
-              "f:1:38: 'fixed' and 'reference' are two points; a target is one of them");
+              "f:1:38: 'fixed' and 'reference' are two points; a target may have only one of them");
     EXPECT_EQ(error_of(R"({"reference": 1, "feed_mm_min": 1})"),
-              "f:1:38: a target with the key 'reference' is a point of the machine, which it goes to by a "
-              "rapid; it "
-              "cannot have 'feed_mm_min'");
+              "f:1:38: a target with the key 'reference' is a point of the machine, which is reached by a "
+              "rapid; it cannot have 'feed_mm_min'");
     EXPECT_EQ(error_of(R"({"path": "p", "fixed": 1})"),
               "f:1:38: a target with the key 'path' is a sub-path and cannot have 'fixed'");
     EXPECT_EQ(error_of(R"({"fixed": true})"),
               "f:1:48: 'fixed' must be a name or a number, not true or false");
     EXPECT_EQ(error_of(R"({"reference": ""})"),
-              "f:1:38: 'reference' takes the number of a reference point, or its name: a letter first, then "
-              "letters, "
-              "digits and _");
+              "f:1:38: 'reference' must be the number of a reference point, or its name: a letter first, "
+              "then letters, digits and _");
     EXPECT_EQ(error_of(R"({"reference": 1.5})"),
-              "f:1:52: 'reference' must be a whole number from 1 to 4; it is 1.5");
-    EXPECT_EQ(error_of(R"({"fixed": 0})"), "f:1:48: 'fixed' must be a whole number from 1 to 99999; it is 0");
+              "f:1:52: 'reference' must be an integer from 1 to 4; it is 1.5");
+    EXPECT_EQ(error_of(R"({"fixed": 0})"), "f:1:48: 'fixed' must be an integer from 1 to 99999; it is 0");
     EXPECT_EQ(error_of(R"({"fixed": "a-b"})"),
-              "f:1:38: 'fixed' takes the number of a fixed point, or its name: a letter first, then letters, "
-              "digits "
-              "and _");
+              "f:1:38: 'fixed' must be the number of a fixed point, or its name: a letter first, then "
+              "letters, digits and _");
     EXPECT_EQ(error_of(R"({"fixed": 1, "dwell_s": -1})"),
               "f:1:38: 'dwell_s' must be 0 or greater and at most 1e6; it is -1");
 }
@@ -87,9 +84,8 @@ TEST(MachinePoints, WhatIsIllFormedIsTold) {
 // repeated sub-path.
 TEST(MachinePoints, WhatFollowsIsARapid) {
     const std::string message =
-        "the first motion behind a fixed or reference point must be a rapid: where that point is in the work "
-        "nobody "
-        "knows";
+        "the first motion after a fixed or reference point must be a rapid, because the position of that "
+        "point in the work is unknown";
     const std::string line = R"({"position_mm": [1, 2, 3], "feed_mm_min": 1})";
     const std::string arc = R"({"motion": "circular", "position_mm": [1, 2, 3], "via_mm": [4, 5, 6]})";
     const std::string none = R"({"motion": "none", "position_mm": [1, 2, 3]})";

@@ -120,7 +120,7 @@ TEST(SetUp, AJetIsOffMeanwhile) {
                 {"path": "part", "work_offset": "G55"})") +
                    "," + path(R"("part")", kRapid));
     EXPECT_EQ(reported(program, 0),
-              "the jet may be on where the tool or the work offset changes; turn it off before");
+              "the jet may be on at a change of the tool or the work offset; turn it off before");
 }
 
 // 10 + 595 is beyond X 600; if the position of the frame is unknown, no error is reported.
@@ -164,15 +164,15 @@ TEST(SetUp, WhatIsNoneIsTold) {
               "f:1:41: 'work_offset' must be a string, not a number");
     EXPECT_EQ(error(R"("a", "work_offset": "")", kRapid), "f:1:41: 'work_offset' must not be empty");
     EXPECT_EQ(error(R"("a", "tool": 1.5)", kRapid),
-              "f:1:34: 'tool' must be a whole number from 0 to 99999999; it is 1.5");
+              "f:1:34: 'tool' must be an integer from 0 to 99999999; it is 1.5");
     EXPECT_EQ(error(R"("a", "tool": "T1")", kRapid), "f:1:34: 'tool' must be a number, not a string");
-    EXPECT_EQ(error(R"("a", "length_offset": 1)", kRapid), "f:1:12: 'length_offset' goes with 'tool'");
+    EXPECT_EQ(error(R"("a", "length_offset": 1)", kRapid), "f:1:12: 'length_offset' requires 'tool'");
     EXPECT_EQ(error(R"("a", "work_offset": "G55", "set_offset_mm": [1, 2])", kRapid),
-              "f:1:69: 'set_offset_mm' must hold three numbers; it holds 2");
+              "f:1:69: 'set_offset_mm' must contain three numbers; it contains 2");
     EXPECT_EQ(error(R"("a", "work_offset": "G55", "set_offset_mm": 3)", kRapid),
               "f:1:65: 'set_offset_mm' must be an array of three numbers, not a number");
     EXPECT_EQ(error(R"("a", "set_offset_mm": [1, 2, 3])", kRapid),
-              "f:1:12: 'set_offset_mm' goes with 'work_offset', which says what is set");
+              "f:1:12: 'set_offset_mm' requires 'work_offset', which names the offset to set");
     EXPECT_NE(error(R"("a")", R"({"position_mm": [1, 2, 3], "work_offset": "G55"})")
                   .find("'work_offset' of a point is for paths that were recorded"),
               std::string::npos);
@@ -189,7 +189,7 @@ TEST(SetUp, WhatIsNoneIsTold) {
                            R"({"path": "b", "work_offset": "G55", "set_offset_mm": [1, 2, 4]})") +
                       "," + path(R"("b")", kRapid) + "]}",
                   "f");
-    EXPECT_NE(file.error().message.find("the work offset '55' is set to two places"), std::string::npos);
+    EXPECT_NE(file.error().message.find("the work offset '55' is set to two positions"), std::string::npos);
 }
 
 }  // namespace

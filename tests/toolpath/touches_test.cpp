@@ -55,16 +55,17 @@ TEST(Touches, WhatIsIllFormedIsTold) {
               std::string::npos);
     EXPECT_NE(error_of_touch(R"("axis": 1)").find("'axis' must be a string, not a number"),
               std::string::npos);
-    EXPECT_NE(error_of_touch(R"("from_mm": [1, 2])").find("'from_mm' must hold three numbers; it holds 2"),
-              std::string::npos);
+    EXPECT_NE(
+        error_of_touch(R"("from_mm": [1, 2])").find("'from_mm' must contain three numbers; it contains 2"),
+        std::string::npos);
     EXPECT_NE(
         error_of_touch(R"("from_mm": 1)").find("'from_mm' must be an array of three numbers, not a number"),
         std::string::npos);
     EXPECT_NE(error_of_touch(R"("to_mm": 1, "to_mm": 1)").find("'to_mm' is given twice"), std::string::npos);
-    EXPECT_EQ(error_of_touch(
-                  R"("axis": "Z", "from_mm": [0, 0, 9], "to_mm": 1, "surface_mm": 0, "feed_mm_min": 60)"),
-              "f:1:12: along Z the touch goes from 9 to 1, and would meet the surface at 0, which must lie "
-              "between");
+    EXPECT_EQ(
+        error_of_touch(
+            R"("axis": "Z", "from_mm": [0, 0, 9], "to_mm": 1, "surface_mm": 0, "feed_mm_min": 60)"),
+        "f:1:12: along Z the touch moves from 9 to 1 and expects the surface at 0, which must be in between");
     EXPECT_NE(error_of_touch(R"("axis": "Z", "probe_radius_mm": 1, )" + kWay)
                   .find("'probe_radius_mm' is of touches"),
               std::string::npos);
@@ -81,12 +82,12 @@ TEST(Touches, WhatIsIllFormedIsTold) {
     EXPECT_EQ(error_of(R"("work_offset": "G55", "probe_offset": [{"axis": "Z", )" + kWay + "}]",
                        R"({"position_mm": [1, 2, 3], "feed_mm_min": 1})")
                   .substr(9),
-              "the first motion behind the touches of 'probe_offset' must be a rapid");
+              "the first motion after the touches of 'probe_offset' must be a rapid");
     const std::string otherwise =
         error_of(R"("work_offset": "G55", "tool": 3, "probe_offset": [{"axis": "Z", )" + kWay + "}]",
                  R"({"path": "q", "work_offset": "55", "probe_offset": [{"axis": "Z", "tool": 1, )" + kWay +
                      R"(}]}]}, {"name": "q", "targets": [)" + kRapid);
-    EXPECT_NE(otherwise.find("the work offset '55' is found in two ways"), std::string::npos) << otherwise;
+    EXPECT_NE(otherwise.find("the work offset '55' is measured in two ways"), std::string::npos) << otherwise;
 }
 
 }  // namespace

@@ -53,13 +53,12 @@ TEST(AxisMotion, SentencesSayWhichWay) {
     EXPECT_THAT(
         sentences(sample("mill-table-table.toml")),
         ElementsAre(
-            "+X moves the work to the left (-x), so that the tool goes to the right (+x) over it",
+            "+X moves the workpiece to the left (-x), so the tool moves to the right (+x) relative to it",
             "+Y moves the tool to the back (+y)", "+Z moves the tool up (+z)",
-            "+A turns the work clockwise seen from the right (about -x), so that the tool goes round it the "
-            "other way",
-            "+C turns the work clockwise seen from above (about -z), so that the tool goes round it the "
-            "other "
-            "way"));
+            "+A turns the workpiece clockwise seen from the right (about -x), so the tool moves around it in "
+            "the opposite direction",
+            "+C turns the workpiece clockwise seen from above (about -z), so the tool moves around it in the "
+            "opposite direction"));
     EXPECT_THAT(sentences(read(directed('Y', "-y") + directed('B', "y") +
                                axis('W', "frame = { roll_deg = 0.0, pitch_deg = 45.0 }"))),
                 ElementsAre("+Y moves the tool to the front (-y)",
@@ -94,8 +93,8 @@ TEST(AxisMotion, AMachineWithXAndYExchangedIsNotClean) {
     EXPECT_FALSE(check.is_clean());
     const std::string text = to_text(check);
     EXPECT_THAT(text,
-                HasSubstr("wrong      X Y Z are left-handed: +X turned into +Y screws against +Z, so that "
-                          "parts come out mirrored; turn one of them round, or exchange two letters\n"));
+                HasSubstr("wrong      X Y Z are left-handed: turning +X to +Y advances a right-hand screw "
+                          "against +Z, so parts are mirrored; reverse one axis, or exchange two letters\n"));
     EXPECT_THAT(text, HasSubstr("found: 1 left-handed sets of axes\n"));
     EXPECT_THAT(to_json(check), HasSubstr("\"left_handed\": [\n    \"X Y Z are left-handed"));
 }
@@ -127,8 +126,10 @@ TEST(AxisMotion, NoSampleIsLeftHanded) {
 
 TEST(AxisMotion, RotaryAxesThatTurnTheOtherWayAreTold) {
     const std::string linear = directed('X', "x") + directed('Y', "y") + directed('Z', "z");
-    EXPECT_THAT(find_left_turns(axis_motions(read(linear + directed('A', "-x")))),
-                ElementsAre("+A turns against the right-hand rule about +X; ISO 841 has it the other way"));
+    EXPECT_THAT(
+        find_left_turns(axis_motions(read(linear + directed('A', "-x")))),
+        ElementsAre(
+            "+A turns against the right-hand rule about +X; ISO 841 requires the opposite direction"));
     EXPECT_THAT(find_left_turns(axis_motions(read(linear + directed('A', "x") + directed('C', "y")))),
                 IsEmpty());
 }

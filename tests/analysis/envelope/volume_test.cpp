@@ -103,9 +103,9 @@ TEST(Volume, ThereIsNoneWithoutEndOrWithoutMotion) {
         machine::load_machine(tests::source_path("samples/machines/router3.toml")).value();
     machine.axes[2].min = -std::numeric_limits<double>::infinity();
     EXPECT_EQ(envelope_chain(machine).error().message,
-              "there is no envelope: axis Z has a range without end");
+              "the machine has no envelope: axis Z has an unlimited range");
     for (machine::Axis& axis : machine.axes) axis.min = axis.max = 0;
-    EXPECT_EQ(envelope_chain(machine).error().message, "there is no envelope: no axis moves the tool's tip");
+    EXPECT_EQ(envelope_chain(machine).error().message, "the machine has no envelope: no axis moves the TCP");
 }
 
 }  // namespace

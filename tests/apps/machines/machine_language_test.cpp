@@ -53,9 +53,8 @@ TEST_F(MachineLanguage, TranslatingNeedsNoMachine) {
               "gcode2lua: odd.toml:2:1: unknown key 'unit' in [program]; did you mean 'units'?\n");
     write("odd.toml", "[program]\ndialect = \"fanux\"\n");
     EXPECT_EQ(gcode2lua({"--machine", "odd.toml", "part.ngc"}).err,
-              "gcode2lua: 'dialect' under [program] of the machine file: there is no dialect or control "
-              "'fanux'; did "
-              "you mean 'fanuc'?\n");
+              "gcode2lua: 'dialect' under [program] of the machine file: unknown dialect or controller "
+              "'fanux'; did you mean 'fanuc'?\n");
 }
 
 TEST_F(MachineLanguage, UnitsHoldFromTheStartUntilTheProgramSaysOthers) {
@@ -105,7 +104,7 @@ TEST_F(MachineLanguage, NamesOfControlsAreTaken) {
         << near["diagnostics"];
     const Ended e = gsim_run({"--dialect", "heidenhain", "part.nc"});
     EXPECT_EQ(e.status, 2);
-    EXPECT_EQ(e.err, "gsim-run: Heidenhain's own language (BEGIN PGM, L X+10 FMAX) is not read\n");
+    EXPECT_EQ(e.err, "gsim-run: the language of Heidenhain (BEGIN PGM, L X+10 FMAX) is not supported\n");
 }
 
 TEST_F(MachineLanguage, AFailureNamesTheOptionToTry) {

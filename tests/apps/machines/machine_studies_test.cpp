@@ -70,7 +70,7 @@ TEST_F(MachineStudies, ThePictureOfTheAxesGoesToAFile) {
     EXPECT_TRUE(contains(read("axes.svg"), "+Y moves the tool to the back (+y)")) << read("axes.svg");
     const Ended bad = gsim_run({"--machine", sample("machines/router3.toml"), "--draw-axes", "axes.bmp"});
     EXPECT_EQ(bad.status, 2);
-    EXPECT_TRUE(contains(bad.err, "axes.bmp: the picture of the axes is a file that ends in .svg"))
+    EXPECT_TRUE(contains(bad.err, "axes.bmp: the picture of the axes must be a file that ends in .svg"))
         << bad.err;
 }
 

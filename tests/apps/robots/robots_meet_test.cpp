@@ -44,8 +44,8 @@ TEST_F(TwoSlides, InTheSamePlaceAreNotLookedAt) {
     const Ended e = gsim_run({"--robots", "same.toml", "same.lua", "--json"});
     EXPECT_EQ(e.status, 0) << e.err;
     EXPECT_EQ(text::parse_json<json>(e.out)["warnings"],
-              json::array({"robots 'left' and 'right' stand in the same place (base): not looked at against "
-                           "each other; give each a base"}));
+              json::array({"robots 'left' and 'right' have the same base position: not checked against each "
+                           "other; give each a base"}));
 }
 
 // A program that its own process runs far ahead is checked all the same, and a body that it hits is at

@@ -164,7 +164,7 @@ TEST_F(Robots, AnAlarmOfOneEndsTheRun) {
 TEST_F(Robots, WhatDoesNotGoTogetherIsSaid) {
     const Ended e = run_sample({"--machine", "x.toml"});
     EXPECT_EQ(e.status, 2);
-    EXPECT_TRUE(contains(e.err, "--machine does not go with --robots")) << e.err;
+    EXPECT_TRUE(contains(e.err, "--machine cannot be combined with --robots")) << e.err;
     write("bad.toml", "[[robot]]\nnam = 'x'\n");
     EXPECT_EQ(gsim_run({"--robots", "bad.toml", write("a.lua", "G0{x=1}")}).status, 2);
 }

@@ -106,9 +106,8 @@ TEST_F(SharedZones, ADeadLockIsNamed) {
     const json report = share("enter_zone 'fixture'\nwait(1)\nenter_zone 'table'\n",
                               "enter_zone 'table'\nwait(2)\nenter_zone 'fixture'\n", 1);
     EXPECT_EQ(report["alarm"]["message"],
-              "dead-lock: 'r' (zones.lua:9) waits for the zone 'fixture', which 'l' has, 'l' (zones.lua:4) "
-              "waits for "
-              "the zone 'table', which 'r' has");
+              "dead-lock: 'r' (zones.lua:9) waits for the zone 'fixture', which 'l' occupies, 'l' "
+              "(zones.lua:4) waits for the zone 'table', which 'r' occupies");
     const json by_signal =
         share("enter_zone 'fixture'\nwait_until 'done'\n", "wait(1)\nenter_zone 'fixture'\n", 1);
     EXPECT_TRUE(contains(by_signal["alarm"]["message"],
@@ -130,9 +129,9 @@ TEST_F(SharedZones, AZoneThatIsKeptBehindTheEndIsADeadLock) {
               device + left + "process('r', function() wait(" + wait + ")\nenter_zone 'fixture' end)\n");
         const Ended e = gsim_run({"--robots", "zones.toml", "kept.lua", "--json"});
         EXPECT_EQ(e.status, 1) << e.err;
-        EXPECT_EQ(
-            text::parse_json<json>(e.out)["robots"][0]["alarm"]["message"],
-            "dead-lock: 'r' (kept.lua:4) waits for the zone 'fixture', which 'l' has, though it has ended")
+        EXPECT_EQ(text::parse_json<json>(e.out)["robots"][0]["alarm"]["message"],
+                  "dead-lock: 'r' (kept.lua:4) waits for the zone 'fixture', which 'l' occupies, though it "
+                  "has ended")
             << e.out;
     }
 }

@@ -37,9 +37,9 @@ TEST(TomlJson, AValueIsWrittenOnOneLine) {
 TEST(TomlJson, WhatIsNoValueOfTomlIsSaid) {
     const auto error = [](const ordered_json& value) { return find_value_error(value).value_or("").message; };
     EXPECT_EQ(error({1, {{"a", "b"}}}), "");
-    EXPECT_EQ(error({{"a", {1, nullptr}}}), "null is no value of TOML; a key is taken away by removing it");
-    EXPECT_EQ(error("\xff"), "a text is no UTF-8");
-    EXPECT_EQ(error({{"\xff", 1}}), "a key is no UTF-8");
+    EXPECT_EQ(error({{"a", {1, nullptr}}}), "TOML has no null; remove the key instead");
+    EXPECT_EQ(error("\xff"), "a string is not UTF-8");
+    EXPECT_EQ(error({{"\xff", 1}}), "a key is not UTF-8");
     EXPECT_EQ(error(std::numeric_limits<double>::infinity()), "a number is not finite");
     ordered_json deep = 1;
     for (int i = 0; i < 33; ++i) deep = ordered_json::array({deep});

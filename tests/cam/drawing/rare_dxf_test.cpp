@@ -87,16 +87,16 @@ TEST(RareDxf, CurvesThatAreNoneSayWhy) {
     EXPECT_EQ(find_curve_error(parabola()), std::nullopt);
     EXPECT_THAT(fault_with([](Nurbs& curve) { curve.degree = 0; }), HasSubstr("has degree 0; 1 to "));
     EXPECT_EQ(fault_with([](Nurbs& curve) { curve.points.pop_back(); }),
-              "has 2 control points; degree 2 needs 3 at least");
+              "has 2 control points; degree 2 requires at least 3");
     EXPECT_EQ(fault_with([](Nurbs& curve) { curve.knots.pop_back(); }),
-              "has 5 knots; 3 control points of degree 2 need 6");
-    EXPECT_EQ(fault_with([](Nurbs& curve) { curve.knots[5] = -1; }), "has knots that fall");
+              "has 5 knots; 3 control points of degree 2 require 6");
+    EXPECT_EQ(fault_with([](Nurbs& curve) { curve.knots[5] = -1; }), "has decreasing knots");
     EXPECT_EQ(fault_with([](Nurbs& curve) { curve.knots.assign(6, 1); }), "has knots without a range");
     EXPECT_EQ(fault_with([](Nurbs& curve) { curve.weights = {1}; }), "has 1 weights for 3 control points");
     EXPECT_EQ(fault_with([](Nurbs& curve) {
                   curve.weights = {1, 0, 1};
               }),
-              "has a weight that is not above 0");
+              "has a weight that is not greater than 0");
 }
 
 }  // namespace

@@ -86,10 +86,9 @@ TEST_F(Contours, AnEdgeThatChoosesNothingIsRefusedByItsNumber) {
     EXPECT_THAT(rejection({.edges = {hole}, .side = "-z"}),
                 HasSubstr("edge " + hole + " is of no contour that is chosen"));
     const std::string below = read({.side = "-z"}).contours.front().edges.front().label;
-    EXPECT_THAT(
-        rejection({.edges = {hole, below}}),
-        HasSubstr("edge " + below +
-                  " is of no contour that is chosen: it is of one that looks to another side than z"));
+    EXPECT_THAT(rejection({.edges = {hole, below}}),
+                HasSubstr("edge " + below +
+                          " is of no contour that is chosen: it belongs to one that does not face z"));
 }
 
 TEST_F(Contours, AnEdgeOfWhatIsNoContourSaysWhy) {

@@ -200,11 +200,11 @@ TEST_F(EdgeProgram, WhatIsNoEdgeToCutIsRefusedWithItsPlace) {
         return ended.err;
     };
     EXPECT_TRUE(contains(autopath(plate, {"--contours", "edges"}).err,
-                         "--contours edges needs the numbers of edges (--edge)"));
+                         "--contours edges requires the numbers of edges (--edge)"));
     const std::string upright = rejection(plate, {{0, 0, 0}, {0, 0, -10}});
-    EXPECT_TRUE(contains(upright,
-                         " at (0, 0, -5) cannot be entered from z: no face beside it looks there: the "
-                         "plane face #"))
+    EXPECT_TRUE(contains(
+        upright,
+        " at (0, 0, -5) cannot be entered from z: no adjacent face faces this side: the plane face #"))
         << upright;
     const std::string below = rejection(plate, {{0, 0, -10}, {80, 0, -10}});
     EXPECT_TRUE(contains(below, " at (40, 0, -10) cannot be entered from z: no face beside it looks there"))
@@ -214,7 +214,7 @@ TEST_F(EdgeProgram, WhatIsNoEdgeToCutIsRefusedWithItsPlace) {
     using B = Bracket;
     const std::string smooth = rejection(sample("parts/bracket.step"),
                                          {{0, 0, B::kThickness_mm}, {0, B::kWidth_mm, B::kThickness_mm}});
-    EXPECT_TRUE(contains(smooth, "it goes over smoothly into the ")) << smooth;
+    EXPECT_TRUE(contains(smooth, "it continues smoothly into the ")) << smooth;
     const std::string step_part = step("step.step", solid::without(solid::box({0, 0, -10}, {80, 50, 0}),
                                                                    {solid::box({40, -1, -4}, {81, 51, 1})}));
     const std::string foot = rejection(step_part, {{40, 0, -4}, {40, 50, -4}});

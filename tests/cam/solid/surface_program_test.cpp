@@ -238,7 +238,7 @@ TEST_F(SurfaceProgram, AScriptChoosesContours) {
     std::filesystem::remove(folder_ / "part.path.json");
     const Ended none = autopath("return function(contour) return contour.length_mm < 1 end");
     EXPECT_EQ(none.status, 1);
-    EXPECT_TRUE(contains(none.err, "choose.lua:1: the script chooses none of the 4 contours")) << none.err;
+    EXPECT_TRUE(contains(none.err, "choose.lua:1: the script selects 0 of the 4 contours")) << none.err;
     EXPECT_FALSE(exists("part.path.json"));
     const Ended lonely = run_program(tests::program_path("autopath"),
                                      {sample("plate.svg"), "--choose", "choose.lua"}, folder_);

@@ -224,13 +224,11 @@ TEST(SurfacePath, BridgesStayWhereTheJetIsOff) {
 
 TEST(SurfacePath, RefusalsNameTheEdgeAndWhy) {
     EXPECT_EQ(rejection(round_hole(0.3)),
-              "edge #7 cannot be cut: at (0.299954, -0.00523572, 0) its radius is smaller than half of the "
+              "edge #7 cannot be cut: at (0.299954, -0.00523572, 0) its radius is smaller than half the "
               "kerf, 0.4 mm");
-    EXPECT_EQ(
-        rejection(round_hole(20, 1.2)),
-        "edge #7 cannot be cut: at (20, 0, 0) the jet would lean 68.75 deg from the face's normal, more "
-        "than 60 "
-        "deg (--max-tilt)");
+    EXPECT_EQ(rejection(round_hole(20, 1.2)),
+              "edge #7 cannot be cut: at (20, 0, 0) the jet would be tilted 68.75 deg from the face normal, "
+              "more than 60 deg (--max-tilt)");
     // A slit of 0.6 mm: the paths along both sides do not even cross.
     const std::vector<Vector> slit{{0, 0, 0}, {0, 0.6, 0}, {20, 0.6, 0}, {20, 0, 0}};
     EXPECT_THAT(rejection(polygon(slit, true)),
@@ -249,7 +247,8 @@ TEST(SurfacePath, WhatTheJetMeetsBehindAWallIsTold) {
     ASSERT_TRUE(path) << path.error().message;
     EXPECT_THAT(
         path->notes,
-        testing::Contains("behind edge #7 of the plane face #1 the jet meets the part again, 42 mm on"));
+        testing::Contains(
+            "after edge #7 of the plane face #1 the jet hits the part again, at a distance of 42 mm"));
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ TEST(CuttingPlan, WarnsOfUnusualJets) {
     request.orifice_mm = 1.5;
     const auto warnings = plan_cutting(sample_materials(), request).value().warnings;
     ASSERT_EQ(warnings.size(), 2U);
-    EXPECT_EQ(warnings[0], "pressure_mpa is 600, outside of the usual 170 to 415");
+    EXPECT_EQ(warnings[0], "pressure_mpa is 600, outside the usual range of 170 to 415");
 }
 
 TEST(CuttingPlan, Errors) {

@@ -45,7 +45,7 @@ TEST(MaterialsFile, ErrorsSayWhereWhatAndWhatWouldBeRight) {
     EXPECT_EQ(error_with("pressure_mpa = 345.0", "presure_mpa = 345.0"),
               "f:6:1: unknown key 'presure_mpa' in [jet]; did you mean 'pressure_mpa'?");
     EXPECT_EQ(error_with("orifice_mm = 0.35\n", "\n"), "f:5:1: [jet] lacks the key 'orifice_mm'");
-    EXPECT_EQ(error_with("345.0", "-345.0"), "f:6:16: 'pressure_mpa' must be between 1 and 1000; it is -345");
+    EXPECT_EQ(error_with("345.0", "-345.0"), "f:6:16: 'pressure_mpa' must be between 1 and 1000, not -345");
     EXPECT_THAT(error_with("345.0", "nan"), HasSubstr("f:6:16: 'pressure_mpa' must be a number"));
     EXPECT_THAT(error_with("345.0", "\"345\""), HasSubstr("must be a number, not a string"));
     EXPECT_THAT(error_with("quality = 3", "quality = 6"), HasSubstr("'quality' must be between 1 and 5"));

@@ -81,13 +81,13 @@ TEST(GrblDump, FaultsAreSentences) {
     EXPECT_TRUE(is_grbl_dump("ok\n$110=500\n"));
     EXPECT_FALSE(is_grbl_dump("[machine]\nname = \"m\"\n"));
     EXPECT_EQ(import_grbl("$100=80\nhello\n", "router.txt").error().message,
-              "router.txt:2: 'hello' is no line of what grbl answers to $$ and $#");
+              "router.txt:2: 'hello' is not a line of grbl's output for $$ and $#");
     EXPECT_EQ(import_grbl("$100=80\n$110=500\n", "router.txt").error().message,
-              "router.txt: $120, which axis X needs, is not there");
+              "router.txt: $120 is missing; axis X needs it");
     EXPECT_EQ(import_grbl("$100=80\n$110=0\n", "router.txt").error().message,
-              "router.txt:2: $110, which axis X needs, is not above 0");
+              "router.txt:2: $110, which axis X needs, must be greater than 0");
     EXPECT_EQ(import_grbl(std::string(kRouter) + "[G54:1.000]\n", "router.txt").error().message,
-              "router.txt:17: '[G54:1.000]' has no numbers for its axes, parted by commas");
+              "router.txt:17: '[G54:1.000]' must have numbers for its axes, separated by commas");
 }
 
 }  // namespace

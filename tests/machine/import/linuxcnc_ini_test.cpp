@@ -128,7 +128,7 @@ TEST(LinuxcncIni, LimitsOfNothingAndNumbersOfJointsBeyondAnyAreTold) {
         const auto imported = import_machine(mill() + std::string(setting), "mill.ini");
         ASSERT_FALSE(imported) << setting;
         EXPECT_THAT(imported.error().message,
-                    testing::StartsWith("mill.ini: its settings make no machine: "));
+                    testing::StartsWith("mill.ini: its settings do not make a valid machine: "));
     }
 }
 
@@ -182,11 +182,11 @@ TEST(LinuxcncIni, WhatIsNotTakenOverIsNamed) {
     EXPECT_THAT(
         imported.warnings,
         ElementsAre(
-            "[JOINT_0] TYPE = ANGULAR is not taken over: axis X is linear",
-            "[RS274NGC] RS274NGC_STARTUP_CODE = G21 G64P0.01 is not run before programs; of it the units are "
-            "taken over",
-            "[TRAJ] ARC_BLEND_ENABLE = 0 is not taken over: the planner here is that of LinuxCNC with 1",
-            "[RS274NGC] PARAMETER_FILE = none.var is not taken over: cannot read 'none.var': No such file or "
+            "[JOINT_0] TYPE = ANGULAR is not imported: axis X is linear",
+            "[RS274NGC] RS274NGC_STARTUP_CODE = G21 G64P0.01 is not run before programs; only its units are "
+            "imported",
+            "[TRAJ] ARC_BLEND_ENABLE = 0 is not imported: the planner here is that of LinuxCNC with 1",
+            "[RS274NGC] PARAMETER_FILE = none.var is not imported: cannot read 'none.var': No such file or "
             "directory"));
     EXPECT_THAT(imported.left_out,
                 ElementsAre("[DISPLAY] DISPLAY, CYCLE_TIME", "[TRAJ] MAX_LINEAR_JERK", "[JOINT_0] BACKLASH"));
@@ -195,21 +195,20 @@ TEST(LinuxcncIni, WhatIsNotTakenOverIsNamed) {
 TEST(LinuxcncIni, OtherKinematicsAreRefusedByName) {
     std::string ini = mill();
     ini.replace(ini.find("trivkins"), 8, "scarakins");
-    EXPECT_EQ(
-        error_of(ini),
-        "mill.ini:4: the kinematics 'scarakins' cannot be imported, only trivkins; write a machine file with "
-        "its frames, and take the limits from here");
+    EXPECT_EQ(error_of(ini),
+              "mill.ini:4: the kinematics 'scarakins' cannot be imported, only trivkins; write a machine "
+              "file with its frames and copy the limits from here");
 }
 
 TEST(LinuxcncIni, FaultsHaveTheirPlace) {
     EXPECT_EQ(error_of("[TRAJ]\nCOORDINATES = XYZ\nLINEAR_UNITS = furlong\n"),
               "mill.ini:3: LINEAR_UNITS is 'furlong'; there are mm, metric, inch, in, imperial, cm");
-    EXPECT_EQ(error_of("[TRAJ]\nfast\n"), "mill.ini:2: a line is [SECTION], KEY = VALUE or a remark");
-    EXPECT_EQ(error_of("[TRAJ\n"), "mill.ini:1: the section's name has no ']'");
+    EXPECT_EQ(error_of("[TRAJ]\nfast\n"), "mill.ini:2: a line must be [SECTION], KEY = VALUE or a comment");
+    EXPECT_EQ(error_of("[TRAJ\n"), "mill.ini:1: the section name has no ']'");
     EXPECT_EQ(error_of("[TRAJ]\nCOORDINATES = X\n[AXIS_X]\nMAX_VELOCITY = fast\nMAX_ACCELERATION = 1\n"),
-              "mill.ini:4: MAX_VELOCITY is 'fast', which is no number");
+              "mill.ini:4: MAX_VELOCITY is 'fast', which is not a number");
     EXPECT_EQ(error_of("[TRAJ]\nCOORDINATES = X\n"),
-              "mill.ini: there is neither [AXIS_X] nor a section [JOINT_n] for axis X");
+              "mill.ini: neither [AXIS_X] nor a section [JOINT_n] exists for axis X");
     EXPECT_EQ(error_of("#INCLUDE none.inc\n"),
               "mill.ini:1: cannot read 'none.inc': No such file or directory");
 }
@@ -251,7 +250,7 @@ TEST_F(LinuxcncFiles, ItsTablesAndIncludedFilesAreRead) {
     EXPECT_EQ(imported->data.variables.at(5230), 30);
     EXPECT_NEAR(imported->data.variables.at(5161), 1, 1e-12);  // inches here, whatever the machine has
     EXPECT_NEAR(imported->data.tools.at(2).length_mm, 31.75, 1e-12);
-    EXPECT_THAT(imported->left_out, ElementsAre("mill.tbl: P5 of tool 2: places in a magazine"));
+    EXPECT_THAT(imported->left_out, ElementsAre("mill.tbl: P5 of tool 2: magazine pockets"));
     EXPECT_THAT(machine_data_text(*imported).value(), HasSubstr("TOOL\n2  31.75  12.7\n"));
 }
 

@@ -350,8 +350,7 @@ TEST(PathRecorder, FeedsAndLeadsByTheTurnAreKept) {
 TEST(PathRecorder, ToolCentrePointControlIsRefused) {
     RunOf run(sample("mill-head-table"));
     run.simulator.tcp_control().set(Eigen::Vector3d(0, 0, 50), {});
-    EXPECT_EQ(run.recorder.finish("p").error().message,
-              "tool-centre-point control (G43.4) moves the tip, not the axes");
+    EXPECT_EQ(run.recorder.finish("p").error().message, "TCP control (G43.4) moves the TCP, not the axes");
 }
 
 TEST(PathRecorder, AMachineWithoutXYZGivesPoses) {

@@ -229,10 +229,9 @@ TEST_F(Record, AnObliqueArcIsLinesOrRefusedWhereThePostSaysSo) {
         << lines.out;
     const Ended rejected = written("oblique = \"refuse\"\n");
     EXPECT_EQ(rejected.status, 1);
-    EXPECT_TRUE(
-        contains(rejected.err,
-                 "this arc lies outside the planes of X, Y and Z, and the post refuses such arcs ([arcs], "
-                 "oblique)"))
+    EXPECT_TRUE(contains(
+        rejected.err,
+        "this arc is outside the planes of X, Y and Z, and the post rejects such arcs ([arcs], oblique)"))
         << rejected.err;
     const Ended through = written("through_point = [\"G2.4\", \"I\", \"J\", \"K\"]\n");
     EXPECT_TRUE(contains(through.out, "G2.4 X120 I110 J8 K6 F1000\n")) << through.out;

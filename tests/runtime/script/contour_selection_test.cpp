@@ -65,7 +65,7 @@ TEST(ContourSelection, WhatIsNoChoiceIsRefusedWithItsPlace) {
     EXPECT_THAT(error("return function("), HasSubstr("choose.lua:1:"));
     EXPECT_THAT(error("return io.open"), HasSubstr("choose.lua:1:"));
     EXPECT_THAT(error("return function(c)\n while true do end end", {.steps = 100'000}),
-                HasSubstr("choose.lua:2: the script takes more steps than it may"));
+                HasSubstr("choose.lua:2: the script exceeds the allowed number of steps"));
     EXPECT_THAT(error("local t = {}\nwhile true do t[#t + 1] = ('x'):rep(1000) end",
                       {.memory_bytes = std::size_t{4} << 20U}),
                 HasSubstr("choose.lua:"));

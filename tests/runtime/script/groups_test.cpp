@@ -350,7 +350,7 @@ TEST(Groups, WhatCannotBeIsSaid) {
     Conditions rounds = in_the_cell(rrs::PlannerKind::look_ahead);
     rounds.machine.controller.corners.continuous = rrs::CornerRule::smooth_blend;
     expect_alarm(run_lua(kByItself + "t.move{z=90}", rounds), "a controller that rounds corners");
-    expect_alarm(run_lua("group 'table'"), "tables [[group]] of the machine file make them");
+    expect_alarm(run_lua("group 'table'"), "groups are defined by tables [[group]] of the machine file");
 }
 
 // If a closed inverse finds all axes, words move those of groups, and G43.4 coordinates them.

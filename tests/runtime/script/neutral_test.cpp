@@ -148,10 +148,9 @@ TEST(Neutral, ASingularPoseIsAWarningThatNamesItsLineAndItsAxes) {
                                                     rpy.pitch_rad / kRadPerDeg, rpy.yaw_rad / kRadPerDeg}),
                               arm);
     ASSERT_EQ(r.report.warnings.size(), 1U);
-    EXPECT_EQ(
-        r.report.warnings[0],
-        "part.lua:2: the pose is singular: axes U and W line up, and can turn against each other while the "
-        "tool stands");
+    EXPECT_EQ(r.report.warnings[0],
+              "part.lua:2: the pose is singular: axes U and W are aligned and can turn against each other "
+              "without moving the tool");
 }
 
 TEST(Neutral, AMachineWithoutInverseSaysSo) {

@@ -95,7 +95,7 @@ TEST(Repeatable, OfSeveralWrongWordsTheFirstByItsLettersIsTold) {
     const char* words = "{x=1, zulu=1, mike=1, alpha=1, kilo=1, yankee=1}";
     for (const char* word : {"G0", "G1", "G2", "G28", "MoveLinear"})
         expect_alarm(run_lua(std::string("F(100)\n") + word + words), 2, {"'alpha'"});
-    expect_alarm(run_lua("G0{x=0/0, y=0/0, z=0/0, b=0/0}"), 1, {"the value of B is no number"});
+    expect_alarm(run_lua("G0{x=0/0, y=0/0, z=0/0, b=0/0}"), 1, {"the value of B is not a number"});
 }
 
 }  // namespace

@@ -94,11 +94,12 @@ TEST(EffortMonitor, MoveThatIsTooHardIsNamedWithWhatWouldDo) {
     const EffortExcess& excess = report.efforts->excesses[0];
     EXPECT_EQ(excess.location.line, 3U);
     EXPECT_NEAR(*excess.acceleration_share, (200 - 30) / 200.0, 1e-6);
-    EXPECT_EQ(excess_text(excess), "axis X needs 230 N of 200 N; 0.85 of its acceleration would do");
+    EXPECT_EQ(excess_text(excess), "axis X needs 230 N of 200 N; 0.85 of its acceleration is possible");
     const std::string json = to_json(report);
     EXPECT_THAT(json, HasSubstr("\"code\": \"motor-peak\""));
-    EXPECT_THAT(to_text(report), HasSubstr("motor: part.nc:3: axis X needs 230 N of 200 N; 0.85 of its "
-                                           "acceleration would do\n"));
+    EXPECT_THAT(
+        to_text(report),
+        HasSubstr("motor: part.nc:3: axis X needs 230 N of 200 N; 0.85 of its acceleration is possible\n"));
 }
 
 // The share is what it says: with 0.85 of the acceleration the same move is within the limit, and with more
@@ -122,9 +123,9 @@ TEST(EffortMonitor, WeightThatIsTooMuchIsNoMatterOfAcceleration) {
     const auto simulator = simulator_of(machine);
     rapid(*simulator, 0, 1, 5);
     const Report report = simulator->finish("part.nc");
-    EXPECT_EQ(excess_text(report.efforts->excesses[0]),
-              "axis Z needs 236.1 N of 190 N; weight, friction and speed alone are more, whatever its "
-              "acceleration");
+    EXPECT_EQ(
+        excess_text(report.efforts->excesses[0]),
+        "axis Z needs 236.1 N of 190 N; weight, friction and speed alone exceed it, with any acceleration");
 }
 
 TEST(EffortMonitor, MeanOfTheRunAgainstWhatTheMotorDoesWithoutEnd) {
@@ -135,9 +136,9 @@ TEST(EffortMonitor, MeanOfTheRunAgainstWhatTheMotorDoesWithoutEnd) {
     const Report report = simulator->finish("part.nc");
     ASSERT_EQ(report.efforts->excesses.size(), 1U);
     // Half of the time 230 N, half 170 N.
-    EXPECT_EQ(excess_text(report.efforts->excesses[0]),
-              "axis X needs 202.2 N as a root mean square of the whole run, of 120 N that its motor does "
-              "without end");
+    EXPECT_EQ(
+        excess_text(report.efforts->excesses[0]),
+        "axis X needs 202.2 N as a root mean square of the complete run, of 120 N continuous of its motor");
     EXPECT_THAT(to_json(report), HasSubstr("\"code\": \"motor-continuous\""));
 }
 

@@ -280,9 +280,8 @@ TEST(FollowingMonitor, ReportTellsOfIt) {
     const std::string text = to_text(report);
     EXPECT_THAT(text, HasSubstr("following             peak         rms   behind (ms)   peak at\n"
                                 "X mm                3.3333      2.3373        33.333   part.nc:1\n"));
-    EXPECT_THAT(text, HasSubstr("contour     1.2263 mm at part.nc:2\n"
-                                "            1.2263 mm at part.nc:2, from the programmed way\n"
-                                "in position 0.1936 s behind the end\n"));
+    EXPECT_THAT(text, HasSubstr("contour     1.2263 mm at part.nc:2\n            1.2263 mm at part.nc:2, "
+                                "from the programmed path\nin position 0.1936 s after the end\n"));
 }
 
 TEST(FollowingMonitor, PlotShowsIt) {
@@ -295,7 +294,7 @@ TEST(FollowingMonitor, PlotShowsIt) {
     const std::string script = plot_script(data, PictureFormat::svg, "part.nc");
     EXPECT_THAT(script, HasSubstr("set ylabel 'following error (mm)' noenhanced"));
     EXPECT_THAT(script, HasSubstr("$following_X << EOD"));
-    EXPECT_THAT(script, HasSubstr("title 'contour error of the tip'"));
+    EXPECT_THAT(script, HasSubstr("title 'contour error of the TCP'"));
     EXPECT_NEAR(data.following(0).back().value, kFed_mm_s / kGain_1_s, 1e-9);
 }
 

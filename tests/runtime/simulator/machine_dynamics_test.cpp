@@ -127,8 +127,8 @@ density_kg_m3 = 7850
     const auto dynamics_result = make_dynamics(*machine, {.files = sheet});
     ASSERT_FALSE(dynamics_result);
     EXPECT_EQ(dynamics_result.error(),
-              "the shape 'sheet' of the machine has no mass: sheet.obj: the surface is not closed, so "
-              "that it encloses no mass: an edge at 0 0 0 has a triangle on one side alone");
+              "the shape 'sheet' of the machine has no mass: sheet.obj: the surface is not closed, so it "
+              "encloses no mass: an edge at 0 0 0 has a triangle on one side only");
 }
 
 }  // namespace

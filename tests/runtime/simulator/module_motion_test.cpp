@@ -115,7 +115,7 @@ TEST_P(SmallModule, MissingServiceEndsTheRunWithItsName) {
     arc.feed.linear_mm_min = 600;
     EXPECT_FALSE(simulator.moves().enqueue(arc));
     EXPECT_EQ(simulator.outcome().alarm()->message,
-              "small_module.so does not offer the service SetNextArcTarget.");
+              "small_module.so does not support the service SetNextArcTarget.");
 }
 
 TEST_P(SmallModule, PathModesItLacksAreAWarning) {
@@ -236,7 +236,7 @@ TEST_P(Modules, RapidsNeedTheirService) {
     Simulator simulator(fast_machine(), {}, test_module("no_rapid"));
     EXPECT_TRUE(simulator.moves().enqueue(line_to(10, 0)));
     EXPECT_FALSE(simulator.moves().enqueue(line_to(0, 0, MoveKind::rapid)));
-    EXPECT_EQ(simulator.outcome().alarm()->message, "no_rapid.so does not offer the service SetRapid.");
+    EXPECT_EQ(simulator.outcome().alarm()->message, "no_rapid.so does not support the service SetRapid.");
 }
 
 TEST_P(Modules, LimitOfMachineTimeHolds) {

@@ -210,7 +210,7 @@ TEST(PlotData, ASideViewNeedsItsAxes) {
     machine.name = "lathe";
     EXPECT_EQ(PlotData::find_missing_axes_error(machine, Plane::zx), std::nullopt);
     EXPECT_EQ(PlotData::find_missing_axes_error(machine, Plane::yz),
-              "--plot-plane yz needs the axes Y and Z, which the machine 'lathe' has not");
+              "--plot-plane yz needs the axes Y and Z, which the machine 'lathe' does not have");
 }
 
 TEST(PlotData, MachineWithoutXAndY) {

@@ -111,7 +111,7 @@ TEST_F(PlotTest, FeedAndLimitAreDrawnWhereTheyAreNear) {
 
 TEST_F(PlotTest, NameWithoutAKnownEnding) {
     EXPECT_EQ(Picture::picture_for_file("a.pdf").error().message,
-              "cannot draw 'a.pdf': a picture's name ends in .svg or .png");
+              "cannot draw 'a.pdf': the name of a picture must end in .svg or .png");
 }
 
 TEST_F(PlotTest, FolderThatIsNotThere) {

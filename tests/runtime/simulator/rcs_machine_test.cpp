@@ -53,7 +53,7 @@ TEST(RcsMachine, RowsAreNumberedFromZeroUp) {
     described.parameter_count = 0;
     described.joints[1].row = 0;
     EXPECT_EQ(rcs::setup_from_rcs_machine(described).error().message,
-              "The rows of the joints are not numbered from 0 up.");
+              "The rows of the joints must be numbered from 0 up.");
     described.joints[1].row = 7;
     EXPECT_FALSE(rcs::setup_from_rcs_machine(described));
 }

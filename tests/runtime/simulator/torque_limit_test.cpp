@@ -108,8 +108,8 @@ TEST(TorqueLimit, SlideIsItsClosedForm) {
     EXPECT_EQ(report.efforts->excess_count, 0U);
     ASSERT_TRUE(report.efforts->time_by_axis_accelerations_s);
     EXPECT_NEAR(*report.efforts->time_by_axis_accelerations_s, time_s(0.5, 1, 1, 1), 1e-9);
-    EXPECT_THAT(to_text(report), HasSubstr("limit       torques: with the accelerations of the axes the same "
-                                           "moves take 1.414 s"));
+    EXPECT_THAT(to_text(report),
+                HasSubstr("limit       torques: with the axis accelerations the same moves take 1.414 s"));
     EXPECT_THAT(to_json(report), HasSubstr("\"time_by_axes_s\""));
 }
 
@@ -159,8 +159,8 @@ TEST(TorqueLimit, MotorThatCannotHoldItsWeightIsRefused) {
 TEST(TorqueLimit, RefusesByName) {
     EXPECT_THAT(
         rejection(slides("", "exact-stop").replace(slides("").find("max_acceleration_mm_s2 = 1000"), 29, "")),
-        HasSubstr("'limit = \"torque\"' of [dynamics] needs 'peak_n' of axis X, or "
-                  "'max_acceleration_mm_s2' where it has no motor"));
+        HasSubstr("'limit = \"torque\"' of [dynamics] needs 'peak_n' of axis X, or 'max_acceleration_mm_s2' "
+                  "if it has no motor"));
     for (const std::string_view model : {"linuxcnc-2.9", "linuxcnc-2.10", "klipper"})
         EXPECT_THAT(rejection(slides("peak_n = 400", model)), HasSubstr("\"linuxcnc\" and \"klipper\""))
             << model;

@@ -155,14 +155,14 @@ TEST(DataForm, AChangeThatCannotBeMadeFailsInASentence) {
     const auto error = [](const json& change) {
         return make_error(data_request(json::array({change})), {{"tools.txt", kTools}});
     };
-    EXPECT_EQ(error({{"op", "burn"}}), "'op' should be one of set, reset, reset_all, convert, not 'burn'");
+    EXPECT_EQ(error({{"op", "burn"}}), "'op' must be one of set, reset, reset_all, convert, not 'burn'");
     EXPECT_EQ(error(json::object()), "a change of data needs 'op'");
-    EXPECT_EQ(error(7), "a change of data should be an object, not 7");
-    EXPECT_EQ(error({{"op", "convert"}, {"unit", "foot"}}), "'unit' should be one of mm, inch, not 'foot'");
+    EXPECT_EQ(error(7), "a change of data must be an object, not 7");
+    EXPECT_EQ(error({{"op", "convert"}, {"unit", "foot"}}), "'unit' must be one of mm, inch, not 'foot'");
     EXPECT_EQ(error({{"op", "reset"}, {"section", "TOOL"}}), "a change of data needs 'id'");
     EXPECT_EQ(error({{"op", "reset_all"}, {"id", "1"}}), "there is no key 'id' of a change of data");
-    EXPECT_EQ(error(set_offset({{"X", 10}})), "the value of 'X' should be a text, not 10");
-    EXPECT_EQ(error(set_offset({{"X=1 Y", "2"}})), "'X=1 Y' is no name of a field");
+    EXPECT_EQ(error(set_offset({{"X", 10}})), "the value of 'X' must be a string, not 10");
+    EXPECT_EQ(error(set_offset({{"X=1 Y", "2"}})), "'X=1 Y' is not the name of a field");
     EXPECT_THAT(error(set_offset({{"Q", "1"}})), HasSubstr("OFFSET has no 'Q'"));
     EXPECT_THAT(error(set_offset({{"X", "ten"}})), HasSubstr("'ten' is not a number"));
     EXPECT_EQ(make_error(R"({"do": "data"})"), "data needs 'file'");

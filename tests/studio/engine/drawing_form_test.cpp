@@ -160,18 +160,18 @@ TEST(DrawingForm, WhatCannotBeCutFailsInASentence) {
               "there is no key 'colour' of a drawing");
     json request_json = by_figures("square.svg");
     request_json["up"] = "w";
-    EXPECT_EQ(error(request_json), "'up' should be one of x, y, z, -x, -y, -z, not 'w'");
+    EXPECT_EQ(error(request_json), "'up' must be one of x, y, z, -x, -y, -z, not 'w'");
     request_json = by_figures("square.svg");
     request_json["origin_mm"] = {1, 2};
-    EXPECT_EQ(error(request_json), "'origin_mm' should be three numbers, not 2");
+    EXPECT_EQ(error(request_json), "'origin_mm' must be three numbers, not 2");
     request_json = by_figures("square.svg");
     request_json["unit_mm"] = 0;
     EXPECT_THAT(error(request_json), HasSubstr("'unit_mm' should be from 1e-06"));
     EXPECT_EQ(error(by_figures("part.step")),
-              "part.step: STEP and IGES files are not read here; DXF and SVG files are");
+              "part.step: STEP and IGES files are not supported here, only DXF and SVG files");
     request_json = by_figures("part.step");
     request_json["contours"] = {{"kind", "holes"}, {"side", "up"}};
-    EXPECT_EQ(error(request_json), "'side' should be one of x, y, z, -x, -y, -z, not 'up'");
+    EXPECT_EQ(error(request_json), "'side' must be one of x, y, z, -x, -y, -z, not 'up'");
     request_json["contours"] = {{"kind", "holes"}, {"colour", "red"}};
     EXPECT_EQ(error(request_json), "there is no key 'colour' of contours");
     request_json["contours"] = {{"kind", "holes"}, {"axis", "wall"}, {"lean_deg", 5}};
@@ -181,7 +181,7 @@ TEST(DrawingForm, WhatCannotBeCutFailsInASentence) {
     EXPECT_THAT(error(request_json), HasSubstr("--taper-compensation"));
     request_json = by_figures("square.svg");
     request_json["contours"] = {{"kind", "holes"}};
-    EXPECT_THAT(error(request_json), HasSubstr("--contours is for STEP and IGES files"));
+    EXPECT_THAT(error(request_json), HasSubstr("--contours applies to STEP and IGES files"));
     EXPECT_THAT(error({{"drawing", "plate.svg"}, {"material", "aluminium"}, {"thickness_mm", 12}}),
                 HasSubstr("did you mean \"aluminum\"?"));
     EXPECT_THAT(error(by_figures("none.svg")), HasSubstr("none.svg"));

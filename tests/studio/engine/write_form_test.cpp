@@ -88,7 +88,7 @@ TEST(WriteForm, WhatCannotBeWrittenFailsInASentence) {
     };
     EXPECT_EQ(error(json::object()), "write needs 'path'");
     EXPECT_EQ(error({{"path", "square.json"}, {"offsets", "all"}}),
-              "'offsets' should be one of as_path, keep, none, machine, not 'all'");
+              "'offsets' must be one of as_path, keep, none, machine, not 'all'");
     EXPECT_EQ(error({{"path", "square.json"}, {"decimals_mm", 7}}),
               "'decimals_mm' should be from 1 to 6, not 7");
     EXPECT_EQ(error({{"path", "square.json"}, {"decimal", 3}}), "there is no key 'decimal' of write");
