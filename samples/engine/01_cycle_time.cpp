@@ -1,17 +1,14 @@
-// What a part program does on a machine, from C++: a program in memory, its moves, its report.
-// g++ -std=c++20 run.cpp $(pkg-config --cflags --libs libgsim) -o run && ./run
+// How long does a program take on a machine, and what is the time of each move?
+// g++ -std=c++20 01_cycle_time.cpp $(pkg-config --cflags --libs libgsim) -o example && ./example
 #include <cstdio>
 
 #include <gsim/engine/run.h>
 
 int main() {
     using namespace gsim;
-    engine::Request request;
+    engine::Request request;  // the built-in machine, because the request names no other one
     request.text = engine::Text("G0 X100 Y50\nG1 X300 F6000\nG2 X400 Y150 I0 J100\nM2\n", "part.nc");
-    auto run = engine::Run::open(request, [](const engine::Diagnostic& diagnostic) {
-        std::fprintf(stderr, "%s:%u: %s\n", diagnostic.file.c_str(), diagnostic.line,
-                     diagnostic.text.c_str());
-    });
+    auto run = engine::Run::open(request);
     if (!run) return std::fprintf(stderr, "%s\n", run.error().message.c_str()), 2;
     if (const auto prepared = run->prepare(); !prepared)
         return std::fprintf(stderr, "%s\n", prepared.error().message.c_str()), 1;
