@@ -296,9 +296,9 @@ int report_failure(apps::Findings& findings, const engine::Error& error) {
 
 /// Makes the path as the arguments specify, and reports errors; returns the exit status.
 int make_path(const AutopathArguments& arguments, apps::Findings& findings) {
-    const apps::CpuBackstop cpu(arguments.max_cpu_s);
+    const apps::CpuLimitGuard cpu(arguments.max_cpu_s);
     if (const auto conflict =
-            apps::sarif_conflict(findings.options(), apps::product_destination(arguments.output)))
+            apps::sarif_conflict(findings.options(), apps::output_destination(arguments.output)))
         return findings.fail(Kind::usage, conflict->message);
     if (const std::string orphan_option = option_without_contours(arguments); !orphan_option.empty())
         return findings.fail(Kind::usage, orphan_option + " requires --contours");
@@ -311,7 +311,7 @@ int make_path(const AutopathArguments& arguments, apps::Findings& findings) {
         return findings.fail(Kind::usage, "--report needs --material and --thickness");
     const auto result = path->make([&](const engine::Diagnostic& diagnostic) { findings.add(diagnostic); });
     if (!result) return report_failure(findings, result.error());
-    const auto written = write_path(*path, apps::product_destination(arguments.output));
+    const auto written = write_path(*path, apps::output_destination(arguments.output));
     if (!written) return findings.fail(Kind::output, written.error().message);
     report_summary(path->summary(), findings);
     if (arguments.report) apps::print_to_standard_error(text::printable(path->job_report()));
@@ -322,10 +322,10 @@ int run_autopath(const AutopathArguments& arguments) {
     using Stream = apps::Findings::Stream;
     apps::Findings findings(kAutopath, arguments.findings);
     const int status = make_path(arguments, findings);
-    const bool product_on_standard_output =
-        status == apps::kSuccess && apps::product_destination(arguments.output) == os::kStandardStream;
+    const bool is_output_on_standard_output =
+        status == apps::kSuccess && apps::output_destination(arguments.output) == os::kStandardStream;
     return findings.finish(status,
-                           product_on_standard_output ? Stream::standard_error : Stream::standard_output);
+                           is_output_on_standard_output ? Stream::standard_error : Stream::standard_output);
 }
 
 }  // namespace

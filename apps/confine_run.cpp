@@ -18,9 +18,9 @@ namespace {
 
 /// The leak search at the end of a program that is built with sanitizers reads from its own process.
 #ifdef GSIM_SANITIZED
-constexpr bool kReadsOwnProcess = true;
+constexpr bool kReadsProcSelf = true;
 #else
-constexpr bool kReadsOwnProcess = false;
+constexpr bool kReadsProcSelf = false;
 #endif
 
 /// Folder in which a program that is built for measuring coverage adds up its counts, when it ends.
@@ -57,7 +57,7 @@ void add_system_programs(os::SandboxPolicy& policy) {
 }
 
 Result<void> restrict_access(os::SandboxPolicy policy) {
-    if (kReadsOwnProcess) policy.read.emplace_back("/proc/self");
+    if (kReadsProcSelf) policy.read.emplace_back("/proc/self");
     if (kCoverageFolder != nullptr) policy.changed.emplace_back(kCoverageFolder);
     return os::confine(policy).map([](bool) {}).map_error([](const Error& error) {
         return Error(error.message + "; --no-confine runs without confinement");

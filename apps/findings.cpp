@@ -38,7 +38,7 @@ engine::Diagnostic to_diagnostic(const text::Diagnostic& diagnostic) {
 
 }  // namespace
 
-std::string product_destination(const std::string& output) {
+std::string output_destination(const std::string& output) {
     return output.empty() ? os::kStandardStream : output;
 }
 
@@ -99,10 +99,10 @@ int Findings::finish(int status, Stream json_stream) {
             status = kUsageError;
         }
     }
-    return finish_reported(status);
+    return finish_sarif_only(status);
 }
 
-int Findings::finish_reported(int status) {
+int Findings::finish_sarif_only(int status) {
     if (options_.sarif.empty()) return status;
     const std::string document = engine::findings_sarif(all_);
     if (options_.sarif == os::kStandardStream) {

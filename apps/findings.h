@@ -21,7 +21,7 @@ struct FindingOptions {
 };
 
 /// Returns the destination of a program's product: the file that was named, or standard output.
-std::string product_destination(const std::string& output);
+std::string output_destination(const std::string& output);
 /// Returns an error if SARIF cannot be written to the requested output: the product uses standard output,
 /// too.
 std::optional<Error> sarif_conflict(const FindingOptions& options, const std::string& product);
@@ -56,7 +56,7 @@ class Findings {
     /// cannot be written.
     int finish(int status, Stream json_stream);
     /// Does the same if another document (a report) contains the diagnostics: writes SARIF alone.
-    int finish_reported(int status);
+    int finish_sarif_only(int status);
 
     /// Prints a line of text next to the diagnostics, but not with JSON.
     void print_text(const std::string& text) const;

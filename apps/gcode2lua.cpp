@@ -102,7 +102,7 @@ tl::expected<engine::Translation, engine::Error> open_translation(const Translat
 int translate_program(const TranslateArguments& arguments, apps::Findings& findings) {
     if (!arguments.check) {
         if (const auto conflict =
-                apps::sarif_conflict(findings.options(), apps::product_destination(arguments.output)))
+                apps::sarif_conflict(findings.options(), apps::output_destination(arguments.output)))
             return findings.fail(Kind::usage, conflict->message);
     }
     auto translation = open_translation(arguments);
@@ -113,7 +113,7 @@ int translate_program(const TranslateArguments& arguments, apps::Findings& findi
         translation->make([&](const engine::Diagnostic& diagnostic) { findings.add(diagnostic); });
     if (!result) return result.error().in_program ? apps::kProgramError : findings.fail(result.error());
     if (arguments.check) return apps::kSuccess;
-    const auto written = write_lua(*translation, apps::product_destination(arguments.output));
+    const auto written = write_lua(*translation, apps::output_destination(arguments.output));
     return written ? apps::kSuccess : findings.fail(Kind::output, written.error().message);
 }
 
@@ -126,7 +126,7 @@ int run_translate(const TranslateArguments& arguments) {
     apps::Findings findings(kGcode2lua, arguments.findings);
     const int status = translate_program(arguments, findings);
     const bool lua_on_standard_output = status == apps::kSuccess && !arguments.check &&
-                                        apps::product_destination(arguments.output) == os::kStandardStream;
+                                        apps::output_destination(arguments.output) == os::kStandardStream;
     return findings.finish(status, lua_on_standard_output ? Stream::standard_error : Stream::standard_output);
 }
 

@@ -26,7 +26,7 @@ struct CheckArguments {
     std::vector<std::string> programs;
 };
 
-constexpr const char* kCheck = "gsim-check";
+constexpr const char* kGsimCheck = "gsim-check";
 
 void add_check_options(CommandLine& line, CheckArguments& a) {
     line.add("part.nc|part.lua", &a.programs, "programs and scripts")
@@ -44,7 +44,7 @@ void add_check_options(CommandLine& line, CheckArguments& a) {
 // Warnings are reported, but do not affect the status, except those of the process.
 int check_program(engine::Request request, const engine::Machine& machine, Findings& findings) {
     const std::string program = request.program;
-    const CpuBackstop unchecked_backstop(backstop_limit_s(request.limits.cpu_s));
+    const CpuLimitGuard unchecked_cpu_guard(guard_limit_s(request.limits.cpu_s));
     std::vector<engine::Diagnostic> all;
     auto run = engine::Run::open(std::move(request), machine,
                                  [&](const engine::Diagnostic& diagnostic) { all.push_back(diagnostic); });
@@ -67,7 +67,7 @@ int check_program(engine::Request request, const engine::Machine& machine, Findi
 // Returns the worst status of all programs. A file that cannot be read does not keep the others from being
 // checked.
 int check_programs(const CheckArguments& arguments, Findings& findings) {
-    std::optional<CpuBackstop> backstop(std::in_place, backstop_limit_s(arguments.run.request.limits.cpu_s));
+    std::optional<CpuLimitGuard> cpu_guard(std::in_place, guard_limit_s(arguments.run.request.limits.cpu_s));
     engine::Request request = make_request(arguments.run);
     request.host = engine::make_system_host();
     // The machine is read once, before the confinement, because the files that it names may lie anywhere.
@@ -82,7 +82,7 @@ int check_programs(const CheckArguments& arguments, Findings& findings) {
     request.machine_data = machine->machine_data_file();
     if (auto confined = confine_run(arguments.run, request, programs); !confined)
         return findings.fail(text::DiagnosticKind::usage, confined.error().message);
-    backstop.reset();
+    cpu_guard.reset();
     int status = kSuccess;
     for (const std::string& program : programs) {
         request.program = program;
@@ -92,7 +92,7 @@ int check_programs(const CheckArguments& arguments, Findings& findings) {
 }
 
 int run_check(const CheckArguments& arguments) {
-    Findings findings(kCheck, arguments.run.findings, Findings::Stream::standard_output);
+    Findings findings(kGsimCheck, arguments.run.findings, Findings::Stream::standard_output);
     return findings.finish(check_programs(arguments, findings), Findings::Stream::standard_output);
 }
 
@@ -100,7 +100,7 @@ int run_check(const CheckArguments& arguments) {
 
 std::unique_ptr<Program> make_gsim_check() {
     return std::make_unique<ProgramWithArguments<CheckArguments>>(
-        kCheck, "Checks part programs on a machine: errors, limits, zones, collisions", add_check_options,
+        kGsimCheck, "Checks part programs on a machine: errors, limits, zones, collisions", add_check_options,
         run_check);
 }
 

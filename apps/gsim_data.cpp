@@ -125,7 +125,7 @@ int run_data(const DataArguments& arguments) {
     const int code =
         status ? *status
                : findings.fail(text::DiagnosticKind::input_file, status.error().message, arguments.file);
-    return command_reported ? findings.finish_reported(code)
+    return command_reported ? findings.finish_sarif_only(code)
                             : findings.finish(code, apps::Findings::Stream::standard_output);
 }
 

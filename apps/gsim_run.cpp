@@ -47,10 +47,10 @@ class Run {
     int run() {
         const bool checks_limit = !arguments_.studies.any();
         const double cpu_s = arguments_.request.limits.cpu_s;
-        const apps::CpuBackstop cpu(checks_limit ? apps::backstop_limit_s(cpu_s) : cpu_s);
+        const apps::CpuLimitGuard cpu(checks_limit ? apps::guard_limit_s(cpu_s) : cpu_s);
         const int status = run_requested();
         // A report already contains all diagnostics.
-        return is_reported_ ? findings_.finish_reported(status)
+        return is_reported_ ? findings_.finish_sarif_only(status)
                             : findings_.finish(status, apps::Findings::Stream::standard_output);
     }
 

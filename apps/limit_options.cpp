@@ -11,10 +11,10 @@ void add_cpu_option(CommandLine& line, double& seconds) {
         .show_default();
 }
 
-CpuBackstop::CpuBackstop(double seconds)
+CpuLimitGuard::CpuLimitGuard(double seconds)
     : limit_(seconds, "error: the processor time exceeds --max-cpu-seconds\n", kProgramError) {}
 
-double backstop_limit_s(double seconds) {
+double guard_limit_s(double seconds) {
     constexpr double kTimeFactor = 1.25;
     constexpr double kMinMargin_s = 2;
     return kTimeFactor * seconds + kMinMargin_s;

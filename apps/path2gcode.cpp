@@ -154,7 +154,7 @@ void add_write_options(apps::CommandLine& line, WriteArguments& a) {
 }
 
 int write_program(const engine::PathTranslation& program, const WriteArguments& a, apps::Findings& findings) {
-    const std::string output = apps::product_destination(a.product.file);
+    const std::string output = apps::output_destination(a.product.file);
     const std::vector<apps::UsedFile> used_files = {{"the program itself", output},
                                                     {"the path", a.input},
                                                     {"the machine file", a.machine},
@@ -224,9 +224,9 @@ engine::PathRequest make_request(const WriteArguments& a, bool to_standard_outpu
 }
 
 int write_path_program(const WriteArguments& a, apps::Findings& findings) {
-    const bool to_standard_output = apps::product_destination(a.product.file) == os::kStandardStream;
+    const bool to_standard_output = apps::output_destination(a.product.file) == os::kStandardStream;
     if (const auto conflict =
-            apps::sarif_conflict(findings.options(), apps::product_destination(a.product.file)))
+            apps::sarif_conflict(findings.options(), apps::output_destination(a.product.file)))
         return findings.fail(Kind::usage, conflict->message);
     if (a.product.overwrite && !a.product.separate_files)
         return findings.fail(
@@ -240,7 +240,7 @@ int write_path_program(const WriteArguments& a, apps::Findings& findings) {
     if (auto confined = confine_writing(a, program->path_file()); !confined)
         return findings.fail(Kind::usage, confined.error().message);
     if (const auto read = program->read(); !read) return report_path_failure(findings, read.error());
-    const apps::CpuBackstop planning_backstop(program->cpu_left_s());
+    const apps::CpuLimitGuard planning_cpu_guard(program->cpu_left_s());
     if (const auto planned = program->plan(); !planned) return report_path_failure(findings, planned.error());
     for (const std::string& note : program->notes()) {
         if (!a.quiet) findings.add({.severity = text::Severity::note, .kind = Kind::path, .text = note});
@@ -252,10 +252,10 @@ int run_write(const WriteArguments& a) {
     using Stream = apps::Findings::Stream;
     apps::Findings findings(kPath2gcode, a.findings);
     const int status = write_path_program(a, findings);
-    const bool product_on_standard_output =
-        status == apps::kSuccess && apps::product_destination(a.product.file) == os::kStandardStream;
+    const bool is_output_on_standard_output =
+        status == apps::kSuccess && apps::output_destination(a.product.file) == os::kStandardStream;
     return findings.finish(status,
-                           product_on_standard_output ? Stream::standard_error : Stream::standard_output);
+                           is_output_on_standard_output ? Stream::standard_error : Stream::standard_output);
 }
 
 }  // namespace

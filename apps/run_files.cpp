@@ -129,8 +129,8 @@ Result<void> PersistentFiles::lock(const RunArguments& arguments, const engine::
     std::set<std::string> files;
     if (!arguments.request.variables.empty()) files.insert(arguments.request.variables);
     const auto saved_file = os::file_identity(arguments.save_machine_data);
-    in_place_ = saved_file && saved_file == os::file_identity(run.request().machine_data);
-    if (in_place_) files.insert(arguments.save_machine_data);
+    is_in_place_ = saved_file && saved_file == os::file_identity(run.request().machine_data);
+    if (is_in_place_) files.insert(arguments.save_machine_data);
     for (const std::string& file : files) {
         auto lock = lock_for_change(file, arguments.wait_s);
         if (!lock) return tl::unexpected(lock.error());
@@ -157,7 +157,7 @@ Result<void> PersistentFiles::write(const RunArguments& arguments, const engine:
     if (!kept || file.empty()) return kept;
     const auto data = run.machine_data();
     if (!data) return Unexpected(fmt::format("{} is not written: {}", file, data.error().message));
-    return in_place_ ? save_text(file, *data) : replace_text(file, *data, arguments.wait_s);
+    return is_in_place_ ? save_text(file, *data) : replace_text(file, *data, arguments.wait_s);
 }
 
 }  // namespace gsim::apps

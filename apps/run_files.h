@@ -44,7 +44,7 @@ class PersistentFiles {
 
   private:
     std::vector<os::FileLock> locks_;
-    bool in_place_ = false;  ///< Machine data are written back to their source file.
+    bool is_in_place_ = false;  ///< Machine data are written back to their source file.
 };
 
 }  // namespace gsim::apps

@@ -21,7 +21,7 @@
 #include "batch/slurm/cluster_batch.h"
 #include "batch/slurm/cluster_wait.h"
 #include "batch/statistics/study.h"
-#include "batch/stopping.h"
+#include "batch/stop_signals.h"
 #include "batch/store/outputs.h"
 #include "batch/store/results.h"
 #include "batch/work/worker.h"
@@ -89,7 +89,7 @@ std::string format_time(double time_s) {
 
 /// Prints the progress line, which is redrawn on a terminal.
 void print_progress(const BatchTally& tally) {
-    const double runs_per_s = static_cast<double>(tally.ran) / std::max(tally.wall_s, 1e-9);
+    const double runs_per_s = static_cast<double>(tally.ran) / std::max(tally.wall_time_s, 1e-9);
     const auto remaining = static_cast<double>(tally.jobs - tally.done());
     const std::string remaining_time =
         tally.ran > 0 ? format_time(remaining / runs_per_s) + " left" : std::string();
@@ -190,7 +190,7 @@ int run_plan(const Arguments& arguments) {
     if (!tally) return report_usage_error(tally.error().message);
     if (!arguments.quiet)
         apps::print_to_standard_error(fmt::format("{} of {} jobs: {} run in {:.2f} s, {} reused; {} failed\n",
-                                                  tally->done(), tally->jobs, tally->ran, tally->wall_s,
+                                                  tally->done(), tally->jobs, tally->ran, tally->wall_time_s,
                                                   tally->reused, tally->failed));
     if (tally->missing_pictures > 0)
         apps::report_error(kName, fmt::format("{} pictures could not be drawn: {}", tally->missing_pictures,
@@ -227,7 +227,7 @@ int submit_plan(const Arguments& arguments) {
     if (state->shards > 0) {
         if (!arguments.wait) return report_status(state);
         stop_on_signals();
-        state = wait_until_over(arguments.results, stop_flag(), std::chrono::seconds(2));
+        state = wait_until_ended(arguments.results, stop_flag(), std::chrono::seconds(2));
     }
     const int status = report_status(state);
     if (!state) return status;

@@ -17,7 +17,7 @@
 #include "batch/search/search_output.h"
 #include "batch/search/verification_run.h"
 #include "batch/slurm/cluster_wait.h"
-#include "batch/stopping.h"
+#include "batch/stop_signals.h"
 #include "batch/write_text.h"
 #include "cli/command_line.h"
 #include "cli/exit_status.h"
@@ -109,14 +109,14 @@ Result<EvaluatedBatch> evaluate_on_cluster(const OptimiseArguments& a, const Pla
     constexpr int kMaxAttempts = 5;
     constexpr std::chrono::milliseconds kPollInterval(500);
     if (!cluster_in_use_error(a.results).empty()) {
-        if (const auto over = wait_until_over(a.results, stop_flag(), kPollInterval); !over)
+        if (const auto over = wait_until_ended(a.results, stop_flag(), kPollInterval); !over)
             return Unexpected(over.error());
     }
     for (int attempts = 0; attempts < kMaxAttempts && !stop_flag(); ++attempts) {
         ClusterOptions options = a.cluster_options();
         options.rerun = rerun && attempts == 0;  // what was lost alone is submitted again
         auto state = submit(plan, options);
-        if (state && state->shards > 0) state = wait_until_over(a.results, stop_flag(), kPollInterval);
+        if (state && state->shards > 0) state = wait_until_ended(a.results, stop_flag(), kPollInterval);
         if (!state) return Unexpected(state.error());
         if (state->gathered) return EvaluatedBatch{state->batch, true};
     }

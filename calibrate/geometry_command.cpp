@@ -13,8 +13,8 @@
 #include "calibrate/command.h"
 #include "calibrate/geometry/compensation.h"
 #include "calibrate/geometry/geometry_output.h"
-#include "calibrate/geometry/simulate.h"
-#include "calibrate/geometry/suggest.h"
+#include "calibrate/geometry/pose_selection.h"
+#include "calibrate/geometry/simulated_tcps.h"
 #include "cli/print.h"
 #include "machine/file/machine_file.h"
 

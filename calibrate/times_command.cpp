@@ -34,7 +34,7 @@ struct Arguments {
     std::string picture;
     std::string program;
     std::uint64_t parts = 3;
-    OpenParameters open;
+    FreeParameters open;
     bool keep_model = false;
     bool quiet = false;
 };
@@ -161,7 +161,7 @@ Result<void> fit_to_times(const Arguments& arguments) {
     const auto predictor = Predictor::of(inputs->runs, arguments.reading_options, inputs->machine);
     if (!predictor) return tl::unexpected(predictor.error());
     std::optional<ModelSelection> selection;
-    OpenParameters open = arguments.open;
+    FreeParameters open = arguments.open;
     if (!arguments.keep_model) {
         auto selected = select_model(generic_candidates(inputs->machine, open), inputs->runs, *predictor,
                                      std::min<std::size_t>(arguments.parts, inputs->runs.size()),

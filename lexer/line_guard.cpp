@@ -18,9 +18,9 @@ std::size_t LineGuard::fill(char* buffer, std::size_t capacity) {
             out += kept;
             read_line_bytes_ += size;
             if (kept < size) {
-                if (cut_lines_.empty() || cut_lines_.back().line != read_line_)
-                    cut_lines_.push_back({read_line_, 0});
-                cut_lines_.back().dropped_bytes += size - kept;
+                if (truncated_lines_.empty() || truncated_lines_.back().line != read_line_)
+                    truncated_lines_.push_back({read_line_, 0});
+                truncated_lines_.back().dropped_bytes += size - kept;
             }
             in += size;
             if (end != nullptr) {
@@ -36,9 +36,9 @@ std::size_t LineGuard::fill(char* buffer, std::size_t capacity) {
 }
 
 std::optional<std::uint64_t> LineGuard::release_cut(std::uint32_t line) {
-    if (cut_lines_.empty() || cut_lines_.front().line != line) return std::nullopt;
-    const std::uint64_t dropped_bytes = cut_lines_.front().dropped_bytes;
-    cut_lines_.pop_front();
+    if (truncated_lines_.empty() || truncated_lines_.front().line != line) return std::nullopt;
+    const std::uint64_t dropped_bytes = truncated_lines_.front().dropped_bytes;
+    truncated_lines_.pop_front();
     return dropped_bytes;
 }
 

@@ -22,7 +22,7 @@ class LineGuard {
     std::optional<std::uint64_t> release_cut(std::uint32_t line);
 
   private:
-    struct CutLine {
+    struct TruncatedLine {
         std::uint32_t line;
         std::uint64_t dropped_bytes;
     };
@@ -30,7 +30,7 @@ class LineGuard {
     Source& source_;
     std::uint32_t read_line_ = 1;
     std::size_t read_line_bytes_ = 0;
-    std::deque<CutLine> cut_lines_;
+    std::deque<TruncatedLine> truncated_lines_;
 };
 
 }  // namespace gsim::lexer

@@ -40,7 +40,7 @@ Address comma_address(char letter) {
 
 }  // namespace
 
-Token WordReader::classify(const Word& word) const {
+Token WordReader::word_token(const Word& word) const {
     if (is_axis_letter(word.address)) return kAxis;
     if (!rules_.ambiguous_words) return word.address == 'X' || word.address == 'U' ? kAxis : kOther;
     switch (word.address) {
@@ -61,7 +61,7 @@ Token WordReader::add(const Word& word, Value& value) {
     }
     value.index = static_cast<std::uint32_t>(block_.words.size());
     block_.words.push_back(word);
-    const Token token = classify(word);
+    const Token token = word_token(word);
     saw_dwell_ |= token == kDwell;
     return token;
 }

@@ -43,7 +43,7 @@ class WordReader {
     bool saw_dwell() const { return saw_dwell_; }
 
   private:
-    Token classify(const Word& word) const;
+    Token word_token(const Word& word) const;
     Token add(const Word& word, Value& value);
 
     BlockText& block_;

@@ -32,7 +32,7 @@ constexpr std::array<std::array<Side, 2>, 3> kSides{{
 }};
 
 // Returns the side that a direction points to; null if it lies between them.
-const Side* find_side(const Eigen::Vector3d& direction) {
+const Side* find_view_direction(const Eigen::Vector3d& direction) {
     Eigen::Index largest = 0;
     if (direction.cwiseAbs().maxCoeff(&largest) < 1 - kDirectionTolerance) return nullptr;
     return &kSides[static_cast<std::size_t>(largest)][direction[largest] < 0 ? 1 : 0];
@@ -45,13 +45,14 @@ std::string coordinates(const Eigen::Vector3d& direction) {
 }
 
 std::string direction_text(const Eigen::Vector3d& direction) {
-    if (const Side* side = find_side(direction))
+    if (const Side* side = find_view_direction(direction))
         return fmt::format("{} ({})", side->direction_text, side->sign);
     return "along " + coordinates(direction);
 }
 
 std::string turn(const Eigen::Vector3d& direction) {
-    if (const Side* side = find_side(direction)) return fmt::format("{} (about {})", side->turn, side->sign);
+    if (const Side* side = find_view_direction(direction))
+        return fmt::format("{} (about {})", side->turn, side->sign);
     return fmt::format("counter-clockwise about {}", coordinates(direction));
 }
 
@@ -100,7 +101,7 @@ std::string to_message(const AxisMotion& motion) {
                        direction_text(work_direction), direction_text(motion.direction));
 }
 
-std::vector<std::string> find_left_handed(const std::vector<AxisMotion>& motions) {
+std::vector<std::string> find_left_handed_axes(const std::vector<AxisMotion>& motions) {
     std::vector<std::string> found;
     for (const std::string_view set : {"XYZ", "UVW"}) {
         const AxisMotion* first = find_motion(motions, set[0], false);
@@ -116,7 +117,7 @@ std::vector<std::string> find_left_handed(const std::vector<AxisMotion>& motions
     return found;
 }
 
-std::vector<std::string> find_left_turns(const std::vector<AxisMotion>& motions) {
+std::vector<std::string> find_left_handed_rotations(const std::vector<AxisMotion>& motions) {
     std::vector<std::string> found;
     for (const std::string_view pair : {"AX", "BY", "CZ"}) {
         const AxisMotion* rotary = find_motion(motions, pair[0], true);

@@ -100,7 +100,7 @@ Result<std::unique_ptr<ViewPage>> ViewPage::open(const std::string& file) {
 
 Result<void> ViewPage::attach(engine::Run& run) {
     return state_->begin().and_then(
-        [&] { return with_message(studio::post_run(run, state_->series(), state_->post())); });
+        [&] { return with_message(studio::send_run(run, state_->series(), state_->post())); });
 }
 
 // Input from a pipe can be read only once, so such a run is shown without its source. The text is that of the
@@ -122,7 +122,7 @@ Result<void> ViewPage::finish(const engine::Run& run, const engine::Report& repo
         message.add("text", *text);
         state_->post()(message.bytes());
     }
-    return with_message(studio::post_end(run, state_->series(), report, state_->post())).and_then([&] {
+    return with_message(studio::send_end(run, state_->series(), report, state_->post())).and_then([&] {
         return state_->end();
     });
 }

@@ -73,7 +73,7 @@ Unexpected confinement_error(const std::string& what) {
 /// The rules of one confinement.
 class Ruleset {
   public:
-    Ruleset(int descriptor, std::uint64_t handled) : descriptor_(descriptor), handled_(handled) {}
+    Ruleset(int descriptor, std::uint64_t handled) : descriptor_(descriptor), handled_rights_(handled) {}
 
     int number() const { return descriptor_.number(); }
 
@@ -89,7 +89,7 @@ class Ruleset {
         const Descriptor opened(::open(path.c_str(), O_PATH | O_CLOEXEC));
         struct stat found {};
         if (opened.number() < 0 || ::fstat(opened.number(), &found) != 0) return {};
-        std::uint64_t allowed = rights & handled_;
+        std::uint64_t allowed = rights & handled_rights_;
         if (!S_ISDIR(found.st_mode)) allowed &= kFileRights;
         const PathRule rule{allowed, opened.number()};
         // Objects outside any file system (pipes by their name in /proc) take no rule, and need none.
@@ -99,7 +99,7 @@ class Ruleset {
     }
 
     Descriptor descriptor_;
-    std::uint64_t handled_;
+    std::uint64_t handled_rights_;
 };
 
 }  // namespace

@@ -61,13 +61,13 @@ tl::expected<Descriptor, int> open_folder(int above, const char* name) {
 enum class MissingFolders { fail, make };
 
 /// The folder that contains the last part of the name, and that part.
-struct ParentAndName {
+struct ResolvedPath {
     Descriptor folder;
     std::string file;
 };
 
-tl::expected<ParentAndName, DirectoryError> open_parent(int root, const std::string& name,
-                                                        MissingFolders missing, const char* what) {
+tl::expected<ResolvedPath, DirectoryError> open_parent(int root, const std::string& name,
+                                                       MissingFolders missing, const char* what) {
     auto parts = safe_name_parts(name);
     if (!parts) return make_error(Kind::name, parts.error().message);
     std::optional<Descriptor> folder;
@@ -79,11 +79,11 @@ tl::expected<ParentAndName, DirectoryError> open_parent(int root, const std::str
         if (!next) return folder_error(next.error(), what, name);
         folder.emplace(*std::move(next));
     }
-    return ParentAndName{*std::move(folder), std::move(parts->back())};
+    return ResolvedPath{*std::move(folder), std::move(parts->back())};
 }
 
 /// Returns a regular file, or errno. Does not block on a pipe of that name.
-tl::expected<Descriptor, int> open_regular(const ParentAndName& resolved_path, struct stat& status) {
+tl::expected<Descriptor, int> open_regular(const ResolvedPath& resolved_path, struct stat& status) {
     Descriptor file(::openat(resolved_path.folder.number(), resolved_path.file.c_str(),
                              O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
     if (file.number() < 0) return tl::unexpected(errno);
@@ -136,13 +136,13 @@ class TemporaryFile {
     Descriptor file_;
 };
 
-std::optional<ContentTag> current_tag(const ParentAndName& resolved_path) {
+std::optional<ContentTag> current_tag(const ResolvedPath& resolved_path) {
     struct stat status {};
     if (!open_regular(resolved_path, status)) return std::nullopt;
     return tag_from_status(status);
 }
 
-tl::unexpected<DirectoryError> conflict(const ParentAndName& resolved_path, const std::string& name) {
+tl::unexpected<DirectoryError> conflict(const ResolvedPath& resolved_path, const std::string& name) {
     const auto existing_tag = current_tag(resolved_path);
     return make_error(Kind::conflict,
                       existing_tag ? fmt::format("'{}' has been changed by another program", name)
@@ -152,7 +152,7 @@ tl::unexpected<DirectoryError> conflict(const ParentAndName& resolved_path, cons
 
 /// Gives the new file its name. `error` is that of renaming it to a name that must not exist; if the file
 /// system cannot do that, a link is made.
-tl::expected<void, DirectoryError> claim_new_name(const ParentAndName& resolved_path,
+tl::expected<void, DirectoryError> claim_new_name(const ResolvedPath& resolved_path,
                                                   TemporaryFile& temporary_file, const std::string& name,
                                                   int error) {
     const int folder = resolved_path.folder.number();
@@ -168,7 +168,7 @@ tl::expected<void, DirectoryError> claim_new_name(const ParentAndName& resolved_
 
 /// Gives the new file the name, if the existing file is the expected one. Content that another program wrote
 /// at the last instant is put back.
-tl::expected<void, DirectoryError> replace(const ParentAndName& resolved_path, TemporaryFile& temporary_file,
+tl::expected<void, DirectoryError> replace(const ResolvedPath& resolved_path, TemporaryFile& temporary_file,
                                            const std::string& name, const ContentTag& before) {
     const int folder = resolved_path.folder.number();
     const auto rename_with = [&](unsigned flags) {

@@ -96,7 +96,7 @@ class TomlSection {
     }
     void fail(std::string_view key, std::string_view message) { error_.report(where(key), message); }
     /// Adds the error of a file that this section names.
-    void adopt_error(std::string text) { error_.adopt(std::move(text)); }
+    void add_file_error(std::string text) { error_.adopt(std::move(text)); }
 
     /// Returns the value of `key`, or null; a missing key is an error.
     const toml::node* require(std::string_view key) {

@@ -39,7 +39,7 @@ std::string extents_text(const std::string& extents) {
 }
 
 std::string metrics_list(const CaseDetails& details) {
-    const RunFacts& facts = *details.of->now;
+    const RunSummary& facts = *details.of->now;
     const RunDetails& run = details.now;
     std::vector<std::pair<std::string_view, std::string>> all{{"Outcome", outcome(facts)}};
     if (!facts.is_clean()) all.emplace_back("First error", first_error(facts));
@@ -84,7 +84,7 @@ std::string finding_text(const ordered_json& finding) {
         text_at(finding, "code"), hint.empty() ? hint : " " + hint);
 }
 
-std::string findings_section(const RunFacts& facts, const RunDetails& run) {
+std::string findings_section(const RunSummary& facts, const RunDetails& run) {
     std::string items;
     std::int64_t count = 0;
     for (const ordered_json& finding : text::try_parse_json<ordered_json>(run.findings)) {
@@ -125,7 +125,7 @@ std::string files_text(const RunDetails& run) {
     return text;
 }
 
-std::string command_text(std::string_view what, const OpenCommand& command) {
+std::string command_text(std::string_view what, const ViewCommand& command) {
     if (command.words.empty()) return {};
     std::string text = fmt::format("<p>{}</p>\n<pre tabindex=\"0\"><code>{}</code></pre>\n", what,
                                    escape_html(shell_line(command.words)));

@@ -21,7 +21,7 @@ bool has_different_time(const Case& of) {
     return std::abs(time_difference_s(of)) > kTimeTolerance * std::max(of.now->time_s, of.before->time_s);
 }
 
-bool has_different_counts(const RunFacts& before, const RunFacts& now) {
+bool has_different_counts(const RunSummary& before, const RunSummary& now) {
     return before.status != now.status || before.cause != now.cause || before.violations != now.violations ||
            before.collisions != now.collisions || before.process_findings != now.process_findings ||
            before.warnings != now.warnings;

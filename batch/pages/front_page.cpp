@@ -14,18 +14,18 @@ namespace {
 
 constexpr std::size_t kMaxListedPrograms = 50;  // programs that fail for one cause
 
-std::string plan_label(const BatchFacts& batch) {
+std::string plan_label(const BatchSummary& batch) {
     return batch.plan.empty() ? std::string("programs from the command line") : escape_html(batch.plan);
 }
 
-std::string run_count_text(const BatchFacts& batch) {
+std::string run_count_text(const BatchSummary& batch) {
     if (batch.complete) return fmt::format("all {}", batch.jobs);
     return fmt::format("<span class=\"bad\">{} of {}</span>: the batch was interrupted, or is running",
                        batch.runs, batch.jobs);
 }
 
 std::string summary_text(const NightlyReport& report) {
-    const BatchFacts& latest = report.latest;
+    const BatchSummary& latest = report.latest;
     double time_s = 0;
     for (const Case& each : report.cases) {
         if (each.now != nullptr && each.now->has_time()) time_s += each.now->time_s;
@@ -155,7 +155,8 @@ class ChangesText {
 
     /// In an incomplete batch they may still be run.
     std::string removed() const {
-        return list(changes_.removed, "removed", report_.latest.complete ? "Removed" : "Removed, or not run yet",
+        return list(changes_.removed, "removed",
+                    report_.latest.complete ? "Removed" : "Removed, or not run yet",
                     {"Outcome before", "Time before, s"}, [](const Case& of, std::size_t) {
                         return std::vector{outcome(*of.before), time_text(*of.before)};
                     });
@@ -186,7 +187,7 @@ class ChangesText {
 /// Cases that fail for one cause.
 struct FailingCases {
     std::size_t runs = 0;
-    const RunFacts* example = nullptr;
+    const RunSummary* example = nullptr;
     std::vector<const ProgramCases*> programs = {};
     std::vector<const Case*> first_cases = {};  ///< The first of each program.
 };
@@ -206,12 +207,12 @@ std::string program_list(const FailingCases& failing) {
 }
 
 std::string failing_text(const NightlyReport& report) {
-    std::map<std::pair<std::string, std::string>, FailingCases> by_cause;
+    std::map<std::pair<std::string, std::string>, FailingCases> cases_by_cause;
     for (const ProgramCases& program : report.programs) {
         for (const std::size_t position : program.cases) {
             const Case& of = report.cases[position];
             if (of.now->is_clean()) continue;
-            FailingCases& failing = by_cause[{of.now->status, of.now->cause}];
+            FailingCases& failing = cases_by_cause[{of.now->status, of.now->cause}];
             ++failing.runs;
             failing.example = of.now;
             if (!failing.programs.empty() && failing.programs.back() == &program) continue;
@@ -220,10 +221,10 @@ std::string failing_text(const NightlyReport& report) {
         }
     }
     std::string text = "<h2>Failures</h2>\n";
-    if (by_cause.empty()) return text + "<p>No failures.</p>\n";
+    if (cases_by_cause.empty()) return text + "<p>No failures.</p>\n";
     std::vector<const FailingCases*> causes;
-    causes.reserve(by_cause.size());
-    for (const auto& [cause, failing] : by_cause) causes.push_back(&failing);
+    causes.reserve(cases_by_cause.size());
+    for (const auto& [cause, failing] : cases_by_cause) causes.push_back(&failing);
     std::stable_sort(causes.begin(), causes.end(),
                      [](const auto* a, const auto* b) { return a->runs > b->runs; });
     for (const FailingCases* failing : causes)
@@ -237,7 +238,7 @@ std::string failing_text(const NightlyReport& report) {
 
 std::string front_page(const NightlyReport& report, const Changes& changes,
                        const ReasonsByCase& reasons_by_case) {
-    const BatchFacts& latest = report.latest;
+    const BatchSummary& latest = report.latest;
     const std::string plan = latest.plan.empty() ? std::string() : latest.plan + ", ";
     return full_page(kFrontPage, "Check of " + plan + plain_batch_label(latest), "",
                      summary_text(report) + ChangesText(report, changes, reasons_by_case).text() +

@@ -46,7 +46,7 @@ class Axes {
 std::string point_mark(const NightlyReport& report, const HistoryEntry& entry, const Axes& axes) {
     const bool has_time = entry.run->has_time();
     const double x = axes.x(entry.batch), y = has_time ? axes.y(entry.run->time_s) : kHeight_px - kBottom_px;
-    const BatchFacts& batch = report.batches[entry.batch];
+    const BatchSummary& batch = report.batches[entry.batch];
     const std::string title = fmt::format(
         "<title>batch {}, {}: {}{}</title>", batch.id, escape_html(batch.started_at.substr(0, 10)),
         entry.run->is_clean() ? std::string() : escape_html(entry.run->status) + ' ',
@@ -86,11 +86,11 @@ std::string history_table(const NightlyReport& report, const Case& of) {
     for (std::size_t end = history.size(); end > 0;) {
         std::size_t begin = end - 1;
         while (begin > 0 && history[begin - 1].run == history[end - 1].run) --begin;
-        const RunFacts& run = *history[begin].run;
-        const RunFacts* below = begin > 0 ? history[begin - 1].run : nullptr;
+        const RunSummary& run = *history[begin].run;
+        const RunSummary* below = begin > 0 ? history[begin - 1].run : nullptr;
         const bool is_compared = below != nullptr && run.has_time() && below->has_time();
-        const BatchFacts& first = report.batches[history[begin].batch];
-        const BatchFacts& last = report.batches[history[end - 1].batch];
+        const BatchSummary& first = report.batches[history[begin].batch];
+        const BatchSummary& last = report.batches[history[end - 1].batch];
         table.add({range_text(fmt::format("{}", first.id), fmt::format("{}", last.id)),
                    range_text(time_markup(first.started_at), time_markup(last.started_at)), outcome(run),
                    time_text(run), is_compared ? difference(below->time_s, run.time_s) : std::string()});
@@ -108,7 +108,7 @@ std::string last_clean_text(const NightlyReport& report, const Case& of) {
                    ? "It has had errors in all batches of these results."
                    : fmt::format("It has had errors in all of the last {} batches.", report.batches.size());
     }
-    const BatchFacts& batch = report.batches[last_clean_run->batch];
+    const BatchSummary& batch = report.batches[last_clean_run->batch];
     return batch.id == report.latest.id
                ? std::string("It has no errors in the latest batch.")
                : fmt::format("It was last without errors in {}.", batch_label(batch));

@@ -46,10 +46,10 @@ class NightlyReportReader {
     }
 
   private:
-    Result<std::vector<BatchFacts>> read_batches(const std::string& row_condition) {
+    Result<std::vector<BatchSummary>> read_batches(const std::string& row_condition) {
         auto rows = results_.prepare(fmt::format("{}{}", kBatchQuery, row_condition));
         if (!rows) return Unexpected(rows.error());
-        std::vector<BatchFacts> batches;
+        std::vector<BatchSummary> batches;
         while (true) {
             const auto row = rows->step();
             if (!row) return Unexpected(row.error());
@@ -64,8 +64,8 @@ class NightlyReportReader {
         }
     }
 
-    Result<std::optional<BatchFacts>> find_previous_batch(const std::vector<BatchFacts>& batches,
-                                                          std::int64_t since) {
+    Result<std::optional<BatchSummary>> find_previous_batch(const std::vector<BatchSummary>& batches,
+                                                            std::int64_t since) {
         if (since == 0) return batches.size() > 1 ? std::optional(batches[1]) : std::nullopt;
         auto found = read_batches(fmt::format("WHERE id = {}", since));
         if (!found) return Unexpected(found.error());
@@ -85,12 +85,12 @@ class NightlyReportReader {
     }
 
     Result<void> read_compared_runs(NightlyReport& report) {
-        const auto now = [&](std::size_t position, const RunFacts& run, bool reused) {
+        const auto now = [&](std::size_t position, const RunSummary& run, bool reused) {
             Case& of = report.cases[position];
             if (of.now == nullptr) of.is_reused = reused;
             if (of.now == nullptr) of.now = &run;
         };
-        const auto before = [&](std::size_t position, const RunFacts& run, bool) {
+        const auto before = [&](std::size_t position, const RunSummary& run, bool) {
             Case& of = report.cases[position];
             if (of.before == nullptr) of.before = &run;
         };
@@ -102,7 +102,7 @@ class NightlyReportReader {
     Result<void> read_history(NightlyReport& report) {
         for (std::size_t i = 0; i < report.batches.size(); ++i) {
             auto result = for_each_run(report, report.batches[i], false,
-                                       [&](std::size_t position, const RunFacts& run, bool) {
+                                       [&](std::size_t position, const RunSummary& run, bool) {
                                            auto& history = report.cases[position].history;
                                            if (history.empty() || history.back().batch != i)
                                                history.push_back({i, &run});
@@ -114,7 +114,7 @@ class NightlyReportReader {
 
     /// Calls `take` with case and run of each job of a batch. Unknown cases are added or left out.
     template <typename Visitor>
-    Result<void> for_each_run(NightlyReport& report, BatchFacts& batch, bool add_missing,
+    Result<void> for_each_run(NightlyReport& report, BatchSummary& batch, bool add_missing,
                               const Visitor& on_run) {
         auto rows = results_.prepare("SELECT run, reused FROM batch_run WHERE batch = ? ORDER BY job");
         if (!rows) return Unexpected(rows.error());
@@ -128,7 +128,7 @@ class NightlyReportReader {
             const bool reused = rows->integer(1) != 0;
             const auto position = find_case(report, id, add_missing);
             if (!position) return Unexpected(position.error());
-            const RunFacts& run = report.runs.at(id);
+            const RunSummary& run = report.runs.at(id);
             ++batch.runs;
             batch.failed += run.is_clean() ? 0 : 1;
             batch.reused += reused ? 1 : 0;

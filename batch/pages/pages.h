@@ -14,7 +14,8 @@ namespace gsim::batch {
 struct PagesOptions {
     std::string folder;
     std::int64_t since = 0;  ///< Number of the batch to compare with; 0: the last one before.
-    std::optional<ViewMaker> views = std::nullopt;  ///< Set: runs that fail or have changed get pages, too.
+    std::optional<ViewGenerator> views =
+        std::nullopt;  ///< Set: runs that fail or have changed get pages, too.
 };
 
 /// Writes pages of the latest batch into a folder: a front page, and one for each program. Pages of a

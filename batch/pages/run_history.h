@@ -12,7 +12,7 @@
 
 namespace gsim::batch {
 
-/// Stored data of a run in addition to its RunFacts.
+/// Stored data of a run in addition to its RunSummary.
 struct RunDetails {
     std::string key = {};  ///< By which it is found again.
     std::string program = {}, machine = {};

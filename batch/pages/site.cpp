@@ -23,7 +23,7 @@ Unexpected folder_error(std::string_view what, const fs::path& file, const std::
     return Unexpected(fmt::format("cannot {} '{}': {}", what, file.string(), error.message()));
 }
 
-bool is_own_page(const std::string& name, std::string_view content) {
+bool is_generated_page(const std::string& name, std::string_view content) {
     return content.substr(0, kHeadBytes).find(page_marker(name)) != std::string_view::npos;
 }
 
@@ -53,7 +53,7 @@ Result<void> Site::save(const std::string& name, std::string_view page) {
         std::ifstream stream(file, std::ios::binary);
         const std::string content{std::istreambuf_iterator<char>(stream), {}};
         if (content == page) return {};
-        if (!is_own_page(name, content)) {
+        if (!is_generated_page(name, content)) {
             return Unexpected(
                 fmt::format("'{}' is not a page written by --pages; choose another folder", file.string()));
         }
@@ -65,7 +65,7 @@ Result<void> Site::save(const std::string& name, std::string_view page) {
 
 Result<void> Site::remove_stale_pages() {
     return remove_files(folder_, [&](const std::string& name, std::string_view head) {
-        return !names_.contains(name) && is_own_page(name, head);
+        return !names_.contains(name) && is_generated_page(name, head);
     });
 }
 

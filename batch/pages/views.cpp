@@ -41,20 +41,20 @@ bool is_view_name(std::string_view name) {
 }
 
 /// Returns false for a program that was refused, or that crashed its process: it has no run to show.
-bool has_run(const RunFacts& facts) {
+bool has_run(const RunSummary& facts) {
     return facts.has_time() || facts.status == "alarm" || facts.status == "stopped";
 }
 
 }  // namespace
 
-Views::Views(const std::string& folder, ViewMaker maker)
-    : folder_(fs::path(folder) / kFolder), maker_(std::move(maker)) {}
+Views::Views(const std::string& folder, ViewGenerator maker)
+    : folder_(fs::path(folder) / kFolder), generator_(std::move(maker)) {}
 
-Result<std::vector<std::string>> Views::make_command(const RunFacts& facts, const RunDetails& run) {
+Result<std::vector<std::string>> Views::make_command(const RunSummary& facts, const RunDetails& run) {
     if (!has_run(facts)) return Unexpected("the program was not run");
     if (run.moves > kMaxMoves) return Unexpected(fmt::format("it has more than {} moves", kMaxMoves));
-    if (run.version != maker_.version) return Unexpected("it was run by another version of gsim");
-    OpenCommand command = view_command(run_inputs(run));
+    if (run.version != generator_.version) return Unexpected("it was run by another version of gsim");
+    ViewCommand command = view_command(run_inputs(run));
     if (command.words.empty()) return Unexpected("its program is a path, which gsim run does not support");
     if (!command.left_out.empty())
         return Unexpected(fmt::format("gsim run has no option for {}", command.left_out.front()));
@@ -63,11 +63,11 @@ Result<std::vector<std::string>> Views::make_command(const RunFacts& facts, cons
     });
     if (other != run.files.end())
         return Unexpected(fmt::format("'{}' has changed since the run", other->name));
-    command.words.front() = maker_.program;
+    command.words.front() = generator_.program;
     return std::move(command.words);
 }
 
-Result<std::string> Views::make(const RunFacts& facts, const RunDetails& run) {
+Result<std::string> Views::make(const RunSummary& facts, const RunDetails& run) {
     const std::string name = view_name(run);
     const fs::path file = folder_ / name;
     const auto view_address = [&] {

@@ -13,7 +13,7 @@
 namespace gsim::batch {
 
 /// Tool that makes the pages with finished runs.
-struct ViewMaker {
+struct ViewGenerator {
     std::string program;  ///< gsim.
     std::string version;  ///< As runs have it: those of another one would come out otherwise.
 };
@@ -22,17 +22,17 @@ struct ViewMaker {
 /// one; an existing page of the same run is not made again.
 class Views {
   public:
-    Views(const std::string& folder, ViewMaker maker);
+    Views(const std::string& folder, ViewGenerator maker);
 
     /// Returns the address of a run's page, relative to the folder of the other pages. The error says why it
     /// does not exist.
-    Result<std::string> make(const RunFacts& facts, const RunDetails& run);
+    Result<std::string> make(const RunSummary& facts, const RunDetails& run);
 
   private:
-    Result<std::vector<std::string>> make_command(const RunFacts& facts, const RunDetails& run);
+    Result<std::vector<std::string>> make_command(const RunSummary& facts, const RunDetails& run);
 
     std::filesystem::path folder_;
-    ViewMaker maker_;
+    ViewGenerator generator_;
     InputFiles files_;
     std::unordered_set<std::string> names_;
 

@@ -147,7 +147,7 @@ class BatchRun {
     }
 
     void report_progress() {
-        tally_.wall_s = std::chrono::duration<double>(Clock::now() - start_).count();
+        tally_.wall_time_s = std::chrono::duration<double>(Clock::now() - start_).count();
         progress_(tally_);
     }
 

@@ -36,7 +36,7 @@ struct BatchTally {
     std::uint64_t failed = 0;              ///< Among both.
     std::uint64_t missing_pictures = 0;    ///< Requested pictures that could not be drawn.
     std::string first_picture_error = {};  ///< Message of the first of these.
-    double wall_s = 0;
+    double wall_time_s = 0;
     bool complete = false;  ///< Else it was cut off.
 
     std::uint64_t done() const { return ran + reused; }

@@ -63,7 +63,7 @@ class BestSearch {
 
   private:
     /// Tries variants; returns their indices from the best one on. Empty: the search was cut off.
-    Result<std::vector<std::size_t>> try_all(const Variants& variants) {
+    Result<std::vector<std::size_t>> rank_variants(const Variants& variants) {
         const Plan plan = with_variants(search_.plan, variants);
         const auto evaluated_batch = evaluate_(plan, false);
         if (!evaluated_batch) return Unexpected(evaluated_batch.error());
@@ -131,9 +131,9 @@ class BestSearch {
     }
 
     Result<void> begin() {
-        const auto trials = try_all({{}});
+        const auto trials = rank_variants({{}});
         if (!trials) return Unexpected(trials.error());
-        interrupted_ = trials->empty();
+        is_interrupted_ = trials->empty();
         return {};
     }
 
@@ -149,17 +149,17 @@ class BestSearch {
     }
 
     Result<void> explore() {
-        if (interrupted_) return {};
+        if (is_interrupted_) return {};
         // The number does not depend on the total, so that a search with more variants continues one with
         // fewer.
         std::uint64_t count = search_.first;
         if (count == 0) count = std::min(kInitialPerDimension * space_.dimensions(), kMaxInitial);
         count = std::min(count, remaining());
         const std::vector<VectorXd> points = spread_points(space_.dimensions(), count, search_.seed);
-        const auto ranking = try_all(variants_at(points));
+        const auto ranking = rank_variants(variants_at(points));
         if (!ranking) return Unexpected(ranking.error());
-        interrupted_ = ranking->empty();
-        if (interrupted_) return {};
+        is_interrupted_ = ranking->empty();
+        if (is_interrupted_) return {};
         if (!rejection_.empty() && started_runs_ == 0)
             return Unexpected(
                 fmt::format("each of the {} first variants is rejected: {}", count, rejection_));
@@ -170,9 +170,9 @@ class BestSearch {
     Result<void> evolve() {
         VectorXd mean = start_point_;
         double step = kInitialStep;
-        for (std::size_t population = search_.population; !interrupted_ && remaining() > 0;) {
+        for (std::size_t population = search_.population; !is_interrupted_ && remaining() > 0;) {
             Evolution evolution(mean, step, population, Random(random_()));
-            while (!interrupted_ && remaining() > 0 && !evolution.has_converged()) {
+            while (!is_interrupted_ && remaining() > 0 && !evolution.has_converged()) {
                 if (Result<void> done = evolve_once(evolution); !done) return done;
             }
             population = 2 * evolution.population();
@@ -187,15 +187,15 @@ class BestSearch {
         const bool complete = points.size() <= remaining();
         if (!complete) points.resize(remaining());
         ++state_.generation;
-        const auto ranking = try_all(variants_at(points));
+        const auto ranking = rank_variants(variants_at(points));
         if (!ranking) return Unexpected(ranking.error());
-        interrupted_ = ranking->empty();
-        if (!interrupted_ && complete) evolution.update(*ranking);
+        is_interrupted_ = ranking->empty();
+        if (!is_interrupted_ && complete) evolution.update(*ranking);
         return {};
     }
 
     Result<void> end() {
-        state_.complete = !interrupted_;
+        state_.complete = !is_interrupted_;
         if (state_.trials == 0) return {};
         auto results = Database::open(results_);
         if (!results) return Unexpected(results.error());
@@ -210,7 +210,7 @@ class BestSearch {
     Random random_;
     VectorXd start_point_;
     SearchState state_;
-    bool interrupted_ = false;
+    bool is_interrupted_ = false;
     std::uint64_t started_runs_ = 0;  // runs of variants that were begun
     std::string rejection_;           // why the first refused run was refused
 };

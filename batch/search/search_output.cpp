@@ -80,7 +80,7 @@ std::string improvement_text(const SearchState& state) {
 }
 
 std::string command_line(const Job& job) {
-    const OpenCommand command = run_command(run_inputs(job));
+    const ViewCommand command = run_command(run_inputs(job));
     if (command.left_out.empty()) return shell_line(command.words);
     return fmt::format("{}   # without {}, for which it has no option", shell_line(command.words),
                        text::joined(command.left_out, ", "));
@@ -178,7 +178,8 @@ std::string picture(const std::vector<TrialPoint>& trial_points) {
     }
     line += fmt::format(" {:.1f},{:.1f}", x(count), y(best));
     return svg + fmt::format(
-                     "<polyline points=\"{}\"/><text x=\"{}\" y=\"{:.1f}\">{:.6g}</text><text x=\"{}\" y=\"{:.1f}\">{:.6g}</text><text x=\"{}\" y=\"{}\">{} variants</text></svg>",
+                     "<polyline points=\"{}\"/><text x=\"{}\" y=\"{:.1f}\">{:.6g}</text><text x=\"{}\" "
+                     "y=\"{:.1f}\">{:.6g}</text><text x=\"{}\" y=\"{}\">{} variants</text></svg>",
                      line, kLeft_px - 4, y(max) + 4, max, kLeft_px - 4, y(min) + 4, min, kTrialsWidth_px - 4,
                      kTrialsHeight_px - 6, trial_points.size());
 }

@@ -98,15 +98,15 @@ Result<void> write_folder(const fs::path& folder, const Plan& plan, const Shards
     fs::remove_all(folder, error);
     fs::create_directories(folder, error);
     if (error) return Unexpected(fmt::format("'{}': {}", folder.string(), error.message()));
-    const std::string folder_word = shell_word(folder.string());
+    const std::string quoted_folder = shell_word(folder.string());
     return write_stored_plan(folder, plan)
         .and_then([&] { return write_shards(folder, shards); })
         .and_then([&] {
             return write_script(folder / "task.sh",
-                                fmt::format("{} {} \"$SLURM_ARRAY_TASK_ID\"", kShardOption, folder_word));
+                                fmt::format("{} {} \"$SLURM_ARRAY_TASK_ID\"", kShardOption, quoted_folder));
         })
         .and_then([&] {
-            return write_script(folder / "gather.sh", fmt::format("{} {}", kGatherOption, folder_word));
+            return write_script(folder / "gather.sh", fmt::format("{} {}", kGatherOption, quoted_folder));
         });
 }
 
@@ -132,12 +132,12 @@ Result<void> submit_jobs(const fs::path& folder, const ClusterOptions& options, 
     gather_options.push_back("--job-name=gsim-gather");
     gather_options.push_back("--output=" + (folder / "gather.log").string());
     gather_options.push_back("--dependency=afterany:" + shards.array_job);
-    auto submitted_gather = submit_job(gather_options, (folder / "gather.sh").string());
-    if (!submitted_gather) {
+    auto gather_job_id = submit_job(gather_options, (folder / "gather.sh").string());
+    if (!gather_job_id) {
         static_cast<void>(cancel_jobs({shards.array_job}));
-        return Unexpected(submitted_gather.error());
+        return Unexpected(gather_job_id.error());
     }
-    shards.gather_job = *std::move(submitted_gather);
+    shards.gather_job = *std::move(gather_job_id);
     return write_shards(folder, shards);
 }
 
@@ -171,14 +171,14 @@ Result<ClusterState> query_shards(const fs::path& folder, const Shards& shards) 
         if (!tasks) return Unexpected(tasks.error());
         queued.merge(*tasks);
     }
-    const auto is_queued = [&](std::int64_t folder_word) { return queued.contains(folder_word); };
+    const auto is_queued = [&](std::int64_t quoted_folder) { return queued.contains(quoted_folder); };
     for (std::uint64_t shard = 0; shard < shards.shards; ++shard) {
         const std::uint64_t expected_runs = shards.shard_jobs(shard).size();
         const std::uint64_t ran = shards.gathered ? 0 : count_rows(shard_file(folder, shard));
         state.ran += ran;
-        const auto folder_word = static_cast<std::int64_t>(shard);
-        if (is_queued(folder_word)) {
-            count_queued(queued[folder_word], state);
+        const auto quoted_folder = static_cast<std::int64_t>(shard);
+        if (is_queued(quoted_folder)) {
+            count_queued(queued[quoted_folder], state);
         } else if (shards.gathered || ran == expected_runs) {
             ++state.complete;
         } else {

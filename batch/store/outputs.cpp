@@ -142,11 +142,11 @@ Result<void> write_json_lines(Database& results, std::string_view query, const S
 Result<void> write_junit(Database& results, const Sink& sink) {
     if (!sink("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"gsim-batch\">\n"))
         return Unexpected("it cannot be written");
-    struct Suite {
+    struct JunitSuite {
         std::string machine;
         std::int64_t runs = 0, failed = 0;
     };
-    std::vector<Suite> suites;
+    std::vector<JunitSuite> suites;
     auto count_text = for_each_row(
         results,
         "SELECT machine, count(*), sum(status <> 'completed' OR cause <> '') FROM latest GROUP BY machine",
@@ -159,7 +159,7 @@ Result<void> write_junit(Database& results, const Sink& sink) {
         "SELECT machine, program, status, cause, message, cpu_s, settings, file, line FROM latest WHERE "
         "machine = ?");
     if (!cases) return Unexpected(cases.error());
-    for (const Suite& suite : suites) {
+    for (const JunitSuite& suite : suites) {
         if (!sink(fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n",
                               text::xml_text(machine_name(suite.machine)), suite.runs, suite.failed)))
             return Unexpected("it cannot be written");

@@ -52,8 +52,8 @@ Result<std::vector<std::size_t>> parse_order(const json& value) {
 tl::expected<std::string, engine::Error> select_post(const JobRequest& request,
                                                      const engine::Machine& machine) {
     if (!request.path.post.empty()) return request.path.post;
-    const std::string& given_dialect = request.run.language.dialect;
-    const std::string& dialect = given_dialect.empty() ? machine.dialect() : given_dialect;
+    const std::string& requested_dialect = request.run.language.dialect;
+    const std::string& dialect = requested_dialect.empty() ? machine.dialect() : requested_dialect;
     if (dialect.empty()) return kDefaultPost;
     const std::vector<std::string> posts = engine::post_names();
     if (std::find(posts.begin(), posts.end(), dialect) != posts.end()) return dialect;
@@ -66,9 +66,10 @@ tl::expected<FramePose, engine::Error> frame_pose(engine::Machine& machine, cons
     return machine.read_bodies().and_then([&] { return machine.frame_in_work(name); });
 }
 
-tl::expected<void, engine::Error> follow_frame(const Job& job, const JobRequest& request,
-                                               engine::Machine& machine, const engine::Host& original_host,
-                                               engine::PathChanges& changes) {
+tl::expected<void, engine::Error> set_frame_changes(const Job& job, const JobRequest& request,
+                                                    engine::Machine& machine,
+                                                    const engine::Host& original_host,
+                                                    engine::PathChanges& changes) {
     if (request.path_frame.empty()) return {};
     if (request.run.cell.empty()) return setting_error("the option 'path_frame' requires a cell");
     const auto store_pose = [](FramePose& pose) { return [&pose](const FramePose& found) { pose = found; }; };
@@ -165,7 +166,7 @@ tl::expected<std::optional<std::string>, engine::Error> write_path(const Job& jo
     if (!machine) return tl::unexpected(machine.error());
     auto post = select_post(request, *machine);
     if (!post) return tl::unexpected(post.error());
-    if (auto done = follow_frame(job, request, *machine, original_host, *changes); !done)
+    if (auto done = set_frame_changes(job, request, *machine, original_host, *changes); !done)
         return tl::unexpected(done.error());
     engine::PathRequest path = request.path;
     path.path = job.program;

@@ -31,7 +31,8 @@ std::string system_message(int error) {
 
 Result<std::pair<os::Descriptor, os::Descriptor>> make_pipe() {
     std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Unexpected("cannot create a pipe: " + system_message(errno));
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+        return Unexpected("cannot create a pipe: " + system_message(errno));
     return std::pair(os::Descriptor(ends[0]), os::Descriptor(ends[1]));
 }
 
@@ -137,18 +138,19 @@ Result<void> WorkerPool::enqueue(QueuedJob queued) {
         worker = std::prev(workers_.end());
     }
     if (worker->jobs.empty()) worker->start = Clock::now();
-    worker->unsent += print_job(queued.job) + '\n';
+    worker->unsent_text += print_job(queued.job) + '\n';
     worker->jobs.push_back(std::move(queued));
     send(*worker);
     return {};
 }
 
 void WorkerPool::send(Worker& worker) {
-    while (!worker.unsent.empty()) {
-        const ssize_t sent = ::write(worker.input.number(), worker.unsent.data(), worker.unsent.size());
+    while (!worker.unsent_text.empty()) {
+        const ssize_t sent =
+            ::write(worker.input.number(), worker.unsent_text.data(), worker.unsent_text.size());
         if (sent < 0 && errno == EINTR) continue;
         if (sent < 0) return;  // it reads later, or is gone, which its output shows
-        worker.unsent.erase(0, static_cast<std::size_t>(sent));
+        worker.unsent_text.erase(0, static_cast<std::size_t>(sent));
     }
 }
 
@@ -217,7 +219,7 @@ Result<std::vector<RunRow>> WorkerPool::collect(std::chrono::milliseconds max_wa
     std::vector<pollfd> descriptors;
     for (const Worker& worker : workers_) {
         descriptors.push_back({worker.output.number(), POLLIN, 0});
-        if (!worker.unsent.empty()) descriptors.push_back({worker.input.number(), POLLOUT, 0});
+        if (!worker.unsent_text.empty()) descriptors.push_back({worker.input.number(), POLLOUT, 0});
     }
     ::poll(descriptors.data(), descriptors.size(), static_cast<int>(time_until_timeout(max_wait).count()));
     std::vector<RunRow> rows;

@@ -56,7 +56,7 @@ class WorkerPool {
         os::Descriptor output;            ///< Rows come from there.
         std::deque<QueuedJob> jobs = {};  ///< The one in front is run.
         Clock::time_point start = {};
-        std::string unsent = {};
+        std::string unsent_text = {};
         std::string received = {};
         bool timed_out = false;
         bool has_finished_job = false;  ///< It has run a job to its end.

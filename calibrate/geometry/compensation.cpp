@@ -31,8 +31,8 @@ std::vector<std::size_t> find_three_slides(const machine::Machine& machine) {
 }
 
 /// Finds readings of slides that move the TCP to the work frame's origin; returns false if none do.
-bool bring_to_origin(const Geometry& geometry, const std::vector<std::size_t>& slides,
-                     std::vector<double>& readings) {
+bool move_tcp_to_origin(const Geometry& geometry, const std::vector<std::size_t>& slides,
+                        std::vector<double>& readings) {
     const TcpCalculator calculator(geometry);
     for (int round = 0; round < kIterations; ++round) {
         const Eigen::Vector3d tcp = calculator.tcp(readings).translation();
@@ -89,7 +89,7 @@ Result<std::string> work_offset_line(const machine::Machine& nominal, const Geom
         const bool rotary = nominal.axes[i].kind == machine::AxisKind::rotary;
         readings.push_back(rotary ? geometry.machine.axes[i].zero - nominal.axes[i].zero : 0);
     }
-    if (slides.size() < 3 || !bring_to_origin(geometry, slides, readings))
+    if (slides.size() < 3 || !move_tcp_to_origin(geometry, slides, readings))
         return Unexpected(
             "a work offset (--g10) requires three linear axes that move the TCP to the origin of the work "
             "frame");

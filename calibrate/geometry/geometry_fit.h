@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "calibrate/geometry/deviation.h"
-#include "calibrate/geometry/identify.h"
+#include "calibrate/geometry/identification.h"
 #include "calibrate/geometry/measured_tcp.h"
 #include "calibrate/geometry/tcp_errors.h"
 

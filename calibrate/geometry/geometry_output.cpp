@@ -50,7 +50,7 @@ std::string summary_line(const GeometryFit& fit) {
     return text;
 }
 
-std::vector<std::size_t> farthest_first(const GeometryFit& fit) {
+std::vector<std::size_t> indices_by_error(const GeometryFit& fit) {
     std::vector<std::size_t> order(fit.after.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -105,7 +105,7 @@ std::string geometry_table(const GeometryFit& fit, std::span<const Squareness> s
     for (const FixedDeviation& fixed : fit.fixed)
         text += fmt::format("  {:<20} {}\n", fixed.name, fixed.reason);
     text += fmt::format("\n{:<6} {:>12} {:>12}\n", "TCP", "before um", "after um");
-    for (const std::size_t i : farthest_first(fit))
+    for (const std::size_t i : indices_by_error(fit))
         text +=
             fmt::format("{:<6} {:>12.2f} {:>12.2f}{}\n", i + 1, length_um(fit.before[i]),
                         length_um(fit.after[i]), fit.outliers[i] ? "  an outlier, with a low weight" : "");
@@ -163,7 +163,7 @@ std::string tcps_svg(const GeometryFit& fit) {
     svg += fmt::format("<text x=\"{:.0f}\" y=\"16\">before, um (max {:.1f})</text>\n", kLeft, max_before);
     svg += fmt::format("<text x=\"{:.0f}\" y=\"16\">after, um (max {:.2f})</text>\n", right, max_after);
     double y = kTop;
-    for (const std::size_t i : farthest_first(fit)) {
+    for (const std::size_t i : indices_by_error(fit)) {
         svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"end\">TCP {}</text>\n", kLeft - 8,
                            y + 10, i + 1);
         const auto bar = [&](double x, double length, const char* colour) {

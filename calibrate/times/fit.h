@@ -31,7 +31,7 @@ struct Fit {
 };
 
 struct FitOptions {
-    OpenParameters open = {};
+    FreeParameters open = {};
     int max_steps = 15;
     bool multi_start = false;  ///< From several shares for curves, of which two may explain the same times.
 };

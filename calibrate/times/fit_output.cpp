@@ -49,7 +49,7 @@ std::string value_text(const FittedParameter& parameter) {
                        100 * parameter.standard_deviation);
 }
 
-std::vector<std::size_t> worst_first(const Fit& fit, std::span<const RecordedRun> runs) {
+std::vector<std::size_t> runs_by_error(const Fit& fit, std::span<const RecordedRun> runs) {
     std::vector<std::size_t> order(runs.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
@@ -94,7 +94,7 @@ std::string fit_table(const Fit& fit, std::span<const RecordedRun> runs) {
         text += fmt::format("  {} = {}\n", machine::parameter_name(parameter.parameter_id),
                             value_text(parameter));
     text += fmt::format("\n{:<40} {:>12} {:>12} {:>9}\n", "run", "recorded s", "fitted s", "error %");
-    for (const std::size_t i : worst_first(fit, runs)) {
+    for (const std::size_t i : runs_by_error(fit, runs)) {
         text += fmt::format("{:<40} {:>12.3f} {:>12.3f} {:>+9.2f}\n", run_name(runs[i]), runs[i].time_s,
                             fit.times_s[i], error_percent(fit, runs, i));
     }
@@ -148,7 +148,7 @@ std::string residuals_svg(const Fit& fit, std::span<const RecordedRun> runs) {
         "{1:.2f})</text>\n<line x1=\"{0:.0f}\" y1=\"22\" x2=\"{0:.0f}\" y2=\"{2:.0f}\" stroke=\"#888\"/>\n",
         middle, max, height - 5);
     double y = kTop;
-    for (const std::size_t i : worst_first(fit, runs)) {
+    for (const std::size_t i : runs_by_error(fit, runs)) {
         const double error = error_percent(fit, runs, i);
         const double length = std::abs(error) / max * kHalfWidth;
         svg += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\" text-anchor=\"end\">{}</text>\n", kLeft - 8,

@@ -141,7 +141,7 @@ void refine_curves(const ControllerRules& rules, Refiner& refiner) {
 
 }  // namespace
 
-std::vector<Candidate> generic_candidates(const Machine& machine, const OpenParameters& open) {
+std::vector<Candidate> generic_candidates(const Machine& machine, const FreeParameters& open) {
     std::vector<Candidate> candidates;
     const auto add = [&](const std::string& name, const ControllerRules& rules) {
         Machine straight = machine;

@@ -23,7 +23,7 @@ constexpr double kBoundFactor = 100;
 constexpr double kInitialWait_s = 0.01;
 constexpr double kMinWait_s = 1e-5;
 constexpr double kMaxWait_s = 1;
-constexpr double kMaxWord_s = 600;
+constexpr double kMaxWordTime_s = 600;
 
 /// Collector of open parameters.
 class Parameters {
@@ -49,7 +49,7 @@ class Parameters {
     }
     void add_word(const std::string& key) {
         const double now = parameter_value({"times", key});
-        found_.push_back({{"times", key}, now, kMinWait_s, std::max(kMaxWord_s, now)});
+        found_.push_back({{"times", key}, now, kMinWait_s, std::max(kMaxWordTime_s, now)});
     }
     std::vector<Parameter> release_parameters() { return std::move(found_); }
 
@@ -111,7 +111,7 @@ void add_corners(const ControllerRules& rules, Parameters& parameters) {
 
 }  // namespace
 
-std::vector<Parameter> open_parameters(const Machine& machine, const OpenParameters& open) {
+std::vector<Parameter> free_parameters(const Machine& machine, const FreeParameters& open) {
     Parameters parameters(machine);
     add_axes(machine, &Axis::max_acceleration, "max_acceleration_mm_s2", "max_acceleration_deg_s2",
              open.each_axis, parameters);

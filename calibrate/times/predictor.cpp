@@ -106,8 +106,8 @@ Result<Predictor> Predictor::of(std::span<const RecordedRun> runs, const Reading
         Program& program = *programs[i];
         predictor.run(program, text);
         const bool is_total = runs[i].samples.empty() || !program.log.incomplete_reason().empty();
-        program.data = is_total ? std::vector<Datum>{{.time_s = runs[i].time_s}}
-                                : timing_data(runs[i], program.log, machine);
+        program.data = is_total ? std::vector<TimedInterval>{{.time_s = runs[i].time_s}}
+                                : timed_intervals(runs[i], program.log, machine);
     });
     predictor.programs_.assign(programs.begin(), programs.end());
     return predictor;
@@ -181,10 +181,10 @@ std::vector<Result<double>> Predictor::times_s(const machine::Machine& machine) 
     return times;
 }
 
-std::vector<Datum> Predictor::data() const {
-    std::vector<Datum> all;
+std::vector<TimedInterval> Predictor::data() const {
+    std::vector<TimedInterval> all;
     for (std::size_t i = 0; i < programs_.size(); ++i) {
-        for (Datum datum : programs_[i]->data) {
+        for (TimedInterval datum : programs_[i]->data) {
             datum.run = i;
             all.push_back(datum);
         }
@@ -192,7 +192,7 @@ std::vector<Datum> Predictor::data() const {
     return all;
 }
 
-Result<std::vector<double>> Predictor::times_s(std::span<const Datum> data,
+Result<std::vector<double>> Predictor::times_s(std::span<const TimedInterval> data,
                                                const machine::Machine& machine) const {
     const auto all = moves(machine);
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -200,8 +200,8 @@ Result<std::vector<double>> Predictor::times_s(std::span<const Datum> data,
             return Unexpected(fmt::format("{}: {}", programs_[i]->file, is_total.error().message));
     }
     std::vector<double> times;
-    for (const Datum& datum : data)
-        times.push_back(datum_time_s(datum, programs_[datum.run]->log, *all[datum.run]));
+    for (const TimedInterval& datum : data)
+        times.push_back(interval_time_s(datum, programs_[datum.run]->log, *all[datum.run]));
     return times;
 }
 

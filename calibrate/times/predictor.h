@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "calibrate/times/datum.h"
 #include "calibrate/times/recorded_run.h"
+#include "calibrate/times/timed_interval.h"
 #include "machine/model/machine.h"
 #include "runtime/motion_sources/motion_log.h"
 
@@ -41,17 +41,18 @@ class Predictor {
     std::vector<Result<double>> times_s(const machine::Machine& machine) const;
 
     /// Returns the data of the runs, in their order. For a run that cannot be replanned it is the total time.
-    std::vector<Datum> data() const;
+    std::vector<TimedInterval> data() const;
     /// Returns the times of such data, s; the error names the program that does not reach its end.
-    Result<std::vector<double>> times_s(std::span<const Datum> data, const machine::Machine& machine) const;
+    Result<std::vector<double>> times_s(std::span<const TimedInterval> data,
+                                        const machine::Machine& machine) const;
 
   private:
     /// Requests of a program.
     struct Program {
         std::string file;
         simulation::MotionLog log;
-        std::string error_text;   ///< Reason why it does not reach its end; empty: it does.
-        std::vector<Datum> data;  ///< Their run is set by data().
+        std::string error_text;           ///< Reason why it does not reach its end; empty: it does.
+        std::vector<TimedInterval> data;  ///< Their run is set by data().
     };
 
     using Moves = std::vector<simulation::ReplayedMove>;

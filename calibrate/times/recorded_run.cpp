@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "calibrate/text/list.h"
-#include "calibrate/times/passages.h"
+#include "calibrate/times/passage_times.h"
 
 namespace gsim::calibrate {
 

@@ -44,8 +44,8 @@ std::optional<Error> find_curve_error(const Nurbs& curve) {
     if (!curve.weights.empty() && curve.weights.size() != curve.points.size()) {
         return fmt::format("has {} weights for {} control points", curve.weights.size(), curve.points.size());
     }
-    const auto is_sound = [](double weight) { return weight > 0 && std::isfinite(weight); };
-    if (!std::all_of(curve.weights.begin(), curve.weights.end(), is_sound)) {
+    const auto is_valid_weight = [](double weight) { return weight > 0 && std::isfinite(weight); };
+    if (!std::all_of(curve.weights.begin(), curve.weights.end(), is_valid_weight)) {
         return "has a weight that is not greater than 0";
     }
     return {};

@@ -22,7 +22,7 @@ using EdgePath = std::vector<JetPoint>;
 
 constexpr double kMinCornerAngle_rad = 1.5 * kRadPerDeg;  // a turn that is no corner
 constexpr double kCornerStep_rad = 5 * kRadPerDeg;        // of the jet about a corner
-constexpr double kSame_mm = 1e-7;
+constexpr double kSamePoint_mm = 1e-7;
 constexpr double kMaxCornerDistanceKerfs = 20;  // max distance of the jet from a lower corner
 constexpr double kEqualTolerance = 1e-9;
 
@@ -85,7 +85,7 @@ class JetPathBuilder {
         for (std::size_t i = 0; i < contour_.edges.size(); ++i) {
             if (auto result = add_edge(i); !result) return Unexpected(result.error());
         }
-        if (edges_.size() == 1 && !contour_.is_open) split_single();
+        if (edges_.size() == 1 && !contour_.is_open) split_single_edge();
         corners_.resize(edges_.size());
         const std::size_t joints = contour_.is_open ? edges_.size() - 1 : edges_.size();
         for (std::size_t i = 0; i < joints; ++i) {
@@ -115,7 +115,7 @@ class JetPathBuilder {
     }
 
     // Splits a contour of one edge into two edges, so that it has corners between different edges.
-    void split_single() {
+    void split_single_edge() {
         EdgePath& only = edges_.front();
         const auto half = static_cast<std::ptrdiff_t>(only.size() / 2);
         EdgePath second(only.begin() + half, only.end());
@@ -167,7 +167,7 @@ class JetPathBuilder {
             };
             const Vector from = flat(edge[i - 1].low_mm);
             const Vector direction = flat(edge[i].low_mm) - from;
-            const double share = direction.norm() < kSame_mm
+            const double share = direction.norm() < kSamePoint_mm
                                      ? 0
                                      : std::clamp(-from.dot(direction) / direction.squaredNorm(), 0.0, 1.0);
             nearest = std::min(nearest, (from + share * direction).norm());
@@ -228,8 +228,8 @@ class JetPathBuilder {
 
     // Returns the intersection of two paths, seen along the jet, as near to the end of the first as possible.
     template <typename MiddleOf>
-    static std::optional<PathIntersection> cut_meeting(const EdgePath& before, const EdgePath& after,
-                                                       MiddleOf center_of_point) {
+    static std::optional<PathIntersection> find_intersection(const EdgePath& before, const EdgePath& after,
+                                                             MiddleOf center_of_point) {
         const Vector direction = (before.back().axis + after.front().axis).normalized();
         const Vector x = perpendicular(before.back().tangent, direction);
         const Vector y = direction.cross(x);
@@ -251,7 +251,7 @@ class JetPathBuilder {
     // Trims both paths at their intersection.
     bool trim(EdgePath& before, EdgePath& after) const {
         const auto found =
-            cut_meeting(before, after, [this](const JetPoint& at) { return jet_center(at, jet_); });
+            find_intersection(before, after, [this](const JetPoint& at) { return jet_center(at, jet_); });
         if (!found) return false;
         const JetPoint last = between(before[found->before], before[found->before + 1], found->before_share);
         const JetPoint first = between(after[found->after], after[found->after + 1], found->after_share);
@@ -265,8 +265,8 @@ class JetPathBuilder {
     // At the intersection of the paths of the lower ends, near their corner, the lower end of the jet stays
     // while its upper end moves on.
     std::optional<Vector> trim_lower_ends(EdgePath& before, EdgePath& after, const Vector& corner_mm) const {
-        const auto found =
-            cut_meeting(before, after, [this](const JetPoint& at) { return lower_jet_center(at, jet_); });
+        const auto found = find_intersection(
+            before, after, [this](const JetPoint& at) { return lower_jet_center(at, jet_); });
         if (!found) return std::nullopt;
         const JetPoint last = between(before[found->before], before[found->before + 1], found->before_share);
         const JetPoint first = between(after[found->after], after[found->after + 1], found->after_share);
@@ -287,7 +287,7 @@ class JetPathBuilder {
             for (std::size_t i = 1; i < jet_path.size(); ++i) {
                 const Vector edge_step = jet_path[i].edge_mm - jet_path[i - 1].edge_mm;
                 const Vector step = jet_center(jet_path[i], jet_) - jet_center(jet_path[i - 1], jet_);
-                if (edge_step.norm() < kSame_mm || step.dot(edge_step) > 0) continue;
+                if (edge_step.norm() < kSamePoint_mm || step.dot(edge_step) > 0) continue;
                 return Unexpected(
                     fmt::format("{} cannot be cut: at {} its radius is smaller than half the kerf, {:g} mm",
                                 name(jet_path[i].edge), display_text(jet_path[i].edge_mm), jet_.kerf_mm / 2));
@@ -316,7 +316,7 @@ class JetPathBuilder {
     static void add(const JetPoint& at, EdgePath& points) {
         if (!points.empty()) {
             const JetPoint& last = points.back();
-            const bool same = (at.edge_mm - last.edge_mm).norm() < kSame_mm &&
+            const bool same = (at.edge_mm - last.edge_mm).norm() < kSamePoint_mm &&
                               (at.axis - last.axis).norm() < kEqualTolerance &&
                               (at.lateral - last.lateral).norm() < 1e-6;
             if (same) points.pop_back();

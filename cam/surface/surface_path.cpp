@@ -11,7 +11,7 @@
 #include "cam/surface/edge_proximity.h"
 #include "cam/surface/surface_lead.h"
 #include "cam/surface/surface_program.h"
-#include "cam/surface/vertical_axis.h"
+#include "cam/surface/vertical_points.h"
 #include "toolpath/model/validate.h"
 
 namespace gsim::surface {

@@ -53,15 +53,15 @@ double resolve_machinability(ValueResolver& resolver, const Materials& file, con
 
 JetSetting resolve_jet(ValueResolver& resolver, const JetRule& rule, const CuttingRequest& request,
                        CuttingPlan& plan) {
-    const auto none = [] { return Inferred{}; };  // the file always has these
+    const auto none = [] { return InferredValue{}; };  // the file always has these
     JetSetting jet;
     jet.abrasive_factor = rule.abrasive_factor;
     jet.pressure_mpa = resolver.resolve("pressure", "MPa", request.pressure_mpa, rule.pressure_mpa, none);
     jet.orifice_mm = resolver.resolve("orifice", "mm", request.orifice_mm, rule.orifice_mm, none);
     jet.mixing_tube_mm =
         resolver.resolve("mixing tube", "mm", request.mixing_tube_mm, rule.mixing_tube_mm, [&] {
-            return Inferred{rule.tube_to_orifice * jet.orifice_mm,
-                            fmt::format("{} times the orifice", rule.tube_to_orifice)};
+            return InferredValue{rule.tube_to_orifice * jet.orifice_mm,
+                                 fmt::format("{} times the orifice", rule.tube_to_orifice)};
         });
     plan.water_l_min =
         resolver.inferred("water", "l/min",
@@ -69,8 +69,8 @@ JetSetting resolve_jet(ValueResolver& resolver, const JetRule& rule, const Cutti
                            fmt::format("pressure and orifice, coefficient of discharge {}", rule.discharge)});
     jet.abrasive_g_min =
         resolver.resolve("abrasive", "g/min", request.abrasive_g_min, rule.abrasive_g_min, [&] {
-            return Inferred{1000 * rule.abrasive_to_water * plan.water_l_min,
-                            fmt::format("{} times the mass of the water", rule.abrasive_to_water)};
+            return InferredValue{1000 * rule.abrasive_to_water * plan.water_l_min,
+                                 fmt::format("{} times the mass of the water", rule.abrasive_to_water)};
         });
     return jet;
 }
@@ -82,7 +82,7 @@ void resolve_speeds(ValueResolver& resolver, const CuttingRequest& request, Cutt
          "the cutting equation at quality 1"});
     plan.cutting_speed_mm_min =
         resolver.resolve("cutting speed", "mm/min", request.speed_mm_min, std::nullopt, [&] {
-            return Inferred{
+            return InferredValue{
                 cutting_speed_mm_min(plan.jet, plan.machinability, plan.thickness_mm, plan.quality),
                 fmt::format("the cutting equation at quality {}", plan.quality)};
         });
@@ -92,14 +92,14 @@ void resolve_speeds(ValueResolver& resolver, const CuttingRequest& request, Cutt
 void resolve_pierce(ValueResolver& resolver, const PierceRule& rule, const CuttingRequest& request,
                     CuttingPlan& plan) {
     plan.pierce_s = resolver.resolve("pierce", "s", request.pierce_s, std::nullopt, [&] {
-        return Inferred{
+        return InferredValue{
             pierce_s(rule, plan.thickness_mm, plan.separation_speed_mm_min),
             fmt::format("thickness and separation speed, factor {}, at least {} s", rule.factor, rule.min_s)};
     });
     if (!request.dynamic_pierce) return;
     plan.dynamic_pierce_s = resolver.resolve("dynamic pierce", "s", request.pierce_s, std::nullopt, [&] {
-        return Inferred{*rule.dynamic_pierce_share * plan.pierce_s,
-                        fmt::format("{} times the stationary pierce", *rule.dynamic_pierce_share)};
+        return InferredValue{*rule.dynamic_pierce_share * plan.pierce_s,
+                             fmt::format("{} times the stationary pierce", *rule.dynamic_pierce_share)};
     });
 }
 
@@ -107,8 +107,8 @@ void resolve_shape(ValueResolver& resolver, const Materials& file, const Cutting
                    CuttingPlan& plan) {
     const double share = plan.cutting_speed_mm_min / plan.separation_speed_mm_min;
     plan.kerf_mm = resolver.resolve("kerf", "mm", request.kerf_mm, std::nullopt, [&] {
-        return Inferred{kerf_mm(file.kerf, plan.jet.mixing_tube_mm),
-                        fmt::format("{} times the mixing tube", file.kerf.width_to_tube)};
+        return InferredValue{kerf_mm(file.kerf, plan.jet.mixing_tube_mm),
+                             fmt::format("{} times the mixing tube", file.kerf.width_to_tube)};
     });
     plan.exit_kerf_mm =
         resolver.inferred("kerf at the exit", "mm",
@@ -165,11 +165,11 @@ Result<CuttingPlan> plan_cutting(const Materials& materials, const CuttingReques
     plan.kerf = materials.kerf;
     plan.thickness_mm =
         request.thickness_basis.empty()
-            ? resolver.record_input("thickness", "mm", request.thickness_mm)
+            ? resolver.from_request("thickness", "mm", request.thickness_mm)
             : resolver.inferred("thickness", "mm", {request.thickness_mm, request.thickness_basis});
     plan.machinability = resolve_machinability(resolver, materials, **material);
-    plan.quality =
-        resolver.resolve("quality", {}, request.quality, materials.jet.quality, [] { return Inferred{}; });
+    plan.quality = resolver.resolve("quality", {}, request.quality, materials.jet.quality,
+                                    [] { return InferredValue{}; });
     plan.jet = resolve_jet(resolver, materials.jet, request, plan);
     if (plan.jet.mixing_tube_mm <= plan.jet.orifice_mm) {
         return Unexpected(fmt::format("the mixing tube ({} mm) must be wider than the orifice ({} mm)",

@@ -11,15 +11,15 @@ namespace gsim::waterjet {
 namespace {
 
 std::string clock_text(double time_s) {
-    constexpr double kLongest_s = 1e9;
-    if (!(time_s < kLongest_s)) return "-";
+    constexpr double kMaxShown_s = 1e9;
+    if (!(time_s < kMaxShown_s)) return "-";
     const auto total_s = std::llround(time_s);
     return fmt::format("{}:{:02}:{:02}", total_s / 3600, total_s / 60 % 60, total_s % 60);
 }
 
 std::string source_text(const ResolvedValue& value) {
     switch (value.origin) {
-        case Origin::record_input: return "given";
+        case Origin::from_request: return "given";
         case Origin::from_file:
             return value.basis.empty() ? "the file" : fmt::format("the file: {}", value.basis);
         case Origin::inferred: return fmt::format("inferred from {}", value.basis);
@@ -73,7 +73,7 @@ void append_accuracy(std::string& out, const JobReport& report) {
     }
 }
 
-void append_bill(std::string& out, const JobReport& report) {
+void append_price_items(std::string& out, const JobReport& report) {
     text::append_format(out, "\nPrice\n");
     for (const PriceItem& item : report.price.items) {
         text::append_format(out, "  {:<18}{:>12.4f} {:<7}at {:>9.2f}{:>12.2f}\n", item.name, item.quantity,
@@ -89,7 +89,7 @@ std::string job_report_text(const JobReport& report) {
     append_plan(out, report.plan);
     append_quantities(out, report.price);
     append_accuracy(out, report);
-    append_bill(out, report);
+    append_price_items(out, report);
     return out;
 }
 

@@ -33,7 +33,7 @@ constexpr std::array kMeasuredKeys{"speed_mm_min"sv,   "thickness_mm"sv,   "qual
                                    "abrasive_g_min"sv, "abrasive_factor"sv};
 constexpr std::size_t kMaxTextLength = 200;
 
-constexpr ValueRange kFactor{"abrasive_factor", 0.01, 100};
+constexpr ValueRange kAbrasiveFactor{"abrasive_factor", 0.01, 100};
 constexpr ValueRange kDischarge{"discharge", 0.1, 1};
 constexpr ValueRange kTubeRatio{"tube_to_orifice", 1.01, 20};
 constexpr ValueRange kAbrasiveRatio{"abrasive_to_water", 0.001, 1};
@@ -93,7 +93,7 @@ JetRule read_jet(TomlSection& section) {
     rule.orifice_mm = number(section, range::kOrifice);
     rule.mixing_tube_mm = optional_number(section, range::kMixingTube);
     rule.abrasive_g_min = optional_number(section, range::kAbrasive);
-    rule.abrasive_factor = number(section, kFactor);
+    rule.abrasive_factor = number(section, kAbrasiveFactor);
     rule.discharge = number(section, kDischarge);
     rule.tube_to_orifice = number(section, kTubeRatio);
     rule.abrasive_to_water = number(section, kAbrasiveRatio);
@@ -161,7 +161,7 @@ MeasuredCut read_measured(FirstError& error, const toml::table& table) {
                             .orifice_mm = number(section, range::kOrifice),
                             .mixing_tube_mm = number(section, range::kMixingTube),
                             .abrasive_g_min = number(section, range::kAbrasive),
-                            .abrasive_factor = number(section, kFactor)},
+                            .abrasive_factor = number(section, kAbrasiveFactor)},
                     .speed_mm_min = number(section, range::kSpeed),
                     .thickness_mm = number(section, range::kThickness),
                     .quality = number(section, range::kQuality)};

@@ -130,7 +130,7 @@ std::string_view trim_blanks(std::string_view text) {
     return text;
 }
 
-const ActiveComment* find_active(std::string_view name) {
+const ActiveComment* find_active_comment(std::string_view name) {
     for (const ActiveComment& active : kActiveComments) {
         if (name.starts_with(active.name)) return &active;
     }
@@ -141,7 +141,7 @@ const ActiveComment* find_active(std::string_view name) {
 
 Result<void> write_active_comment(std::string_view comment, std::string& out) {
     comment = trim_blanks(comment);
-    const ActiveComment* active = find_active(text::upper(comment.substr(0, 12)));
+    const ActiveComment* active = find_active_comment(text::upper(comment.substr(0, 12)));
     if (active == nullptr) return {};
     std::string_view text = comment.substr(active->name.size());
     if (active->needs_comma) {

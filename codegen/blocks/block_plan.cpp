@@ -114,7 +114,7 @@ bool BlockPlan::plan(const Block& block) {
         calls_.assign(1, call);
         return true;
     }
-    if (!choose_axis_owner(block) || !assign_words(block) || !check_all_needs(block)) return false;
+    if (!choose_axis_owner(block) || !assign_words(block) || !check_all_required_words(block)) return false;
     gather_operands(block);
     drop_ineffective_one_shots(block);
     sort_calls();
@@ -238,11 +238,11 @@ bool BlockPlan::collect_codes(const Block& block) {
 /// data, and with BlockRules::data_excludes_motion such a code and a motion, except for the tool offset of
 /// a block without axis words.
 bool BlockPlan::report_conflict(const Block& block, const Call& a, const Call& b) const {
-    const bool a_is_data = axis_use(a) == AxisUse::data, b_is_data = axis_use(b) == AxisUse::data;
-    if (a_is_data && b_is_data) return true;
+    const bool is_a_data = axis_use(a) == AxisUse::data, b_is_data = axis_use(b) == AxisUse::data;
+    if (is_a_data && b_is_data) return true;
     if (!dialect_.rules().blocks.data_excludes_motion) return false;
     const std::vector<Word>& words = block.text->words;
-    return (a_is_data ? a : b).code->group != Group::tool_length ||
+    return (is_a_data ? a : b).code->group != Group::tool_length ||
            std::any_of(words.begin(), words.end(), [&](const Word& word) { return is_axis(word); });
 }
 

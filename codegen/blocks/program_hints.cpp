@@ -33,7 +33,7 @@ std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
-std::string blanks_removed(std::string_view text) {
+std::string without_blanks(std::string_view text) {
     std::string out;
     std::copy_if(text.begin(), text.end(), std::back_inserter(out),
                  [](char c) { return c != ' ' && c != '\t' && c != '\r'; });
@@ -124,15 +124,15 @@ text::Diagnostic make_note(const lexer::Source& source, std::uint32_t line, cons
 /// Statistics of the numbers of a program.
 struct NumberStatistics {
     int coordinates = 0;
-    int fine = 0;           // coordinates with three or four decimals
-    int four_decimals = 0;  // with four
-    int more_decimals = 0;  // with more
+    int fine = 0;                 // coordinates with three or four decimals
+    int four_decimals_count = 0;  // with four
+    int more_decimals_count = 0;  // with more
     double extent = 0;
     double max_feed = 0;
     bool has_unit = false;
 
     void add_word(const PlainWord& word);
-    bool look_like_inches() const;
+    bool looks_like_inches() const;
 };
 
 void NumberStatistics::add_word(const PlainWord& word) {
@@ -146,20 +146,20 @@ void NumberStatistics::add_word(const PlainWord& word) {
     ++coordinates;
     extent = std::max(extent, std::abs(word.value));
     if (word.decimals == kCoarseDecimals || word.decimals == kFineDecimals) ++fine;
-    if (word.decimals == kFineDecimals) ++four_decimals;
-    if (word.decimals > kFineDecimals) ++more_decimals;
+    if (word.decimals == kFineDecimals) ++four_decimals_count;
+    if (word.decimals > kFineDecimals) ++more_decimals_count;
 }
 
-bool NumberStatistics::look_like_inches() const {
+bool NumberStatistics::looks_like_inches() const {
     constexpr double kMaxInchFeed = 100;  // in/min; few mills cut so slowly in mm/min
     constexpr double kSmallExtent = 10;
     constexpr double kMediumExtent = 40;
     constexpr int kMinFineCount = 3;
     constexpr int kFineFraction = 4;
-    if (has_unit || more_decimals > 0 || max_feed <= 0 || max_feed > kMaxInchFeed) return false;
+    if (has_unit || more_decimals_count > 0 || max_feed <= 0 || max_feed > kMaxInchFeed) return false;
     return (extent <= kSmallExtent && fine >= kMinFineCount) ||
-           (extent <= kMediumExtent && four_decimals >= kMinFineCount &&
-            four_decimals * kFineFraction >= coordinates);
+           (extent <= kMediumExtent && four_decimals_count >= kMinFineCount &&
+            four_decimals_count * kFineFraction >= coordinates);
 }
 
 }  // namespace
@@ -173,7 +173,7 @@ std::optional<text::Diagnostic> find_dialect_hint(lexer::Source& source,
     PlainLines lines(source);
     while (lines.next()) {
         const std::string_view line = trimmed(lines.text());
-        const std::string compacted = blanks_removed(line);
+        const std::string compacted = without_blanks(line);
         std::optional<DialectFeature> feature = foreign_feature(line);
         if (!feature) feature = has_o_words ? ab9_feature(compacted) : ngc_feature(compacted);
         if (feature && feature->is_exclusive) return make_note(source, lines.number(), *feature);
@@ -192,7 +192,7 @@ std::optional<text::Diagnostic> find_inch_hint(lexer::Source& source) {
         PlainWords words(lines.text());
         while (words.next()) numbers.add_word(words.word());
     }
-    if (!numbers.look_like_inches()) return std::nullopt;
+    if (!numbers.looks_like_inches()) return std::nullopt;
     return text::Diagnostic{
         .severity = text::Severity::warning,
         .kind = text::DiagnosticKind::units,
@@ -200,7 +200,7 @@ std::optional<text::Diagnostic> find_inch_hint(lexer::Source& source) {
         .text =
             fmt::format("the program has neither G20 nor G21 and is read in mm, but seems to be in inches: "
                         "its coordinates are within {:.6g}, with up to {} decimals, its feeds within {:.6g}",
-                        numbers.extent, numbers.four_decimals > 0 ? 4 : 3, numbers.max_feed),
+                        numbers.extent, numbers.four_decimals_count > 0 ? 4 : 3, numbers.max_feed),
         .hint = "add G20 or G21, or set units = \"inch\" or \"mm\" under [program] in the machine file"};
 }
 

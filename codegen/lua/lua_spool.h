@@ -43,7 +43,7 @@ class LuaSpool {
     std::string buffer_;
     std::size_t hashed_ = 0;  ///< Bytes of buffer_ that are in the hash, the head among them.
     TextHash hash_;
-    std::uint64_t head_size_ = 0;  ///< Start of the hash.
+    std::uint64_t header_size_ = 0;  ///< Start of the hash.
     std::uint64_t size_ = 0;
     int error_ = 0;  ///< errno of the first failure to write.
 };

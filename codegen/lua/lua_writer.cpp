@@ -89,7 +89,7 @@ void LuaWriter::on_block(const Block& block) {
     } else {
         write_block(block);
     }
-    plain_line_ = plain_line_ && is_plain(block);
+    is_plain_line_ = is_plain_line_ && is_plain(block);
     add_comment(block);
     if (block.text->end == lexer::BlockEnd::line && block.kind != BlockKind::tape) end_line();
 }
@@ -199,15 +199,15 @@ void LuaWriter::write_block(const Block& block) {
     const std::size_t labelled = code_.size();
     write_statements(block);
     if (code_.size() > labelled) {
-        bare_labels_ = 0;
-    } else if (label && ++bare_labels_ == kMaxBareLabels) {
+        bare_label_count_ = 0;
+    } else if (label && ++bare_label_count_ == kMaxBareLabels) {
         code_ += "do end ";
-        bare_labels_ = 0;
+        bare_label_count_ = 0;
     }
 }
 
 void LuaWriter::write_statements(const Block& block) {
-    if (const auto column = nested_too_deep(block, levels_around(block))) {
+    if (const auto column = nested_too_deep(block, nesting_levels_around(block))) {
         errors_.fail(*column, DiagnosticKind::nesting,
                      "the expression is nested too deep for Lua; assign a part of it to a variable first");
     }
@@ -227,7 +227,7 @@ void LuaWriter::write_statements(const Block& block) {
 
 /// Returns the levels of Lua that are used before an expression of the block begins; simultaneous settings
 /// also use some.
-int LuaWriter::levels_around(const Block& block) const {
+int LuaWriter::nesting_levels_around(const Block& block) const {
     if (!plan_.dialect().rules().blocks.values_before_actions) return oword_flow_.levels();
     constexpr int kLevelsPerSetting = 2;
     const std::size_t settings = std::min(block.assignments.size(), Settings::kMax);
@@ -313,8 +313,8 @@ void LuaWriter::end_line() {
     }
     code_ += '\n';
     spool_.write(code_);
-    parts_.end_line(code_.size(), !flow_.in_loop() && !oword_flow_.open(), plain_line_);
-    plain_line_ = true;
+    parts_.end_line(code_.size(), !flow_.in_loop() && !oword_flow_.open(), is_plain_line_);
+    is_plain_line_ = true;
     code_.clear();
 }
 

@@ -12,8 +12,8 @@
 #include "codegen/flow/jump_scan.h"
 #include "codegen/flow/oword_flow.h"
 #include "codegen/flow/program_names.h"
+#include "codegen/lua/function_writer.h"
 #include "codegen/lua/lua_spool.h"
-#include "codegen/lua/part_writer.h"
 #include "grammar/parser.h"
 
 namespace gsim::codegen {
@@ -45,7 +45,7 @@ class LuaWriter : public grammar::BlockSink {
     void write_block(const grammar::Block& block);
     void record_bad_block(const grammar::Block& block);
     void write_statements(const grammar::Block& block);
-    int levels_around(const grammar::Block& block) const;
+    int nesting_levels_around(const grammar::Block& block) const;
     void write_comment_action(const grammar::Block& block, std::string& out);
     void write_body(const grammar::Block& block);
     void write_content(const grammar::Block& block);
@@ -86,13 +86,13 @@ class LuaWriter : public grammar::BlockSink {
     BlockPlan plan_;
     ControlFlow flow_;
     OWordFlow oword_flow_;
-    PartWriter parts_;
+    FunctionWriter parts_;
     std::string code_;
     std::string comment_;
-    bool plain_line_ = true;  ///< For the blocks of the line that is being built.
+    bool is_plain_line_ = true;  ///< For the blocks of the line that is being built.
     std::size_t next_ordinal_ = 0;
-    bool main_ended_ = false;  ///< By M2 or M30: only subroutines may follow.
-    int bare_labels_ = 0;      ///< Labels since the last statement.
+    bool main_ended_ = false;   ///< By M2 or M30: only subroutines may follow.
+    int bare_label_count_ = 0;  ///< Labels since the last statement.
     ProgramNames names_;
 };
 

@@ -6,8 +6,8 @@
 
 namespace gsim::codegen {
 
-AxisWords::AxisWords(std::span<const WrittenAxis> axes, const DecimalFormat& length,
-                     const DecimalFormat& angle, bool inch, bool verbose)
+AxisWords::AxisWords(std::span<const GcodeAxis> axes, const DecimalFormat& length, const DecimalFormat& angle,
+                     bool inch, bool verbose)
     : axes_(axes.begin(), axes.end()),
       length_(length),
       angle_(angle),
@@ -18,7 +18,7 @@ AxisWords::AxisWords(std::span<const WrittenAxis> axes, const DecimalFormat& len
 
 std::size_t AxisWords::index_of(char letter) const {
     const auto found = std::find_if(axes_.begin(), axes_.end(),
-                                    [letter](const WrittenAxis& axis) { return axis.letter == letter; });
+                                    [letter](const GcodeAxis& axis) { return axis.letter == letter; });
     return static_cast<std::size_t>(found - axes_.begin());
 }
 

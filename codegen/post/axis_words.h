@@ -12,7 +12,7 @@
 namespace gsim::codegen {
 
 /// Axis of the machine of a program.
-struct WrittenAxis {
+struct GcodeAxis {
     char letter = 'X';
     bool rotary = false;  ///< In deg, otherwise mm.
 };
@@ -21,10 +21,10 @@ struct WrittenAxis {
 class AxisWords {
   public:
     /// `inch`: lengths are written in inches. `verbose`: words are written though they have not changed.
-    AxisWords(std::span<const WrittenAxis> axes, const DecimalFormat& length, const DecimalFormat& angle,
+    AxisWords(std::span<const GcodeAxis> axes, const DecimalFormat& length, const DecimalFormat& angle,
               bool inch, bool verbose);
 
-    const std::vector<WrittenAxis>& axes() const { return axes_; }
+    const std::vector<GcodeAxis>& axes() const { return axes_; }
     /// Returns the index of the axis with this letter, which must exist.
     std::size_t index_of(char letter) const;
 
@@ -57,7 +57,7 @@ class AxisWords {
   private:
     std::int64_t round(std::size_t axis, double value);
 
-    std::vector<WrittenAxis> axes_;
+    std::vector<GcodeAxis> axes_;
     DecimalFormat length_;
     DecimalFormat angle_;
     bool inch_;

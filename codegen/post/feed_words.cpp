@@ -34,13 +34,13 @@ std::int64_t FeedWords::positive_units(double value) const {
     return std::max<std::int64_t>(1, format_.units(value));
 }
 
-FeedWords::FeedMode FeedWords::mode_for(const WrittenFeed& feed) const {
+FeedWords::FeedMode FeedWords::mode_for(const GcodeFeed& feed) const {
     if (feed.duration_s && !post_.feed_modes.inverse_time.empty()) return FeedMode::inverse_time;
     if (feed.per_rev_mm && !post_.feed_modes.per_revolution.empty()) return FeedMode::per_revolution;
     return FeedMode::per_minute;
 }
 
-void FeedWords::write_mode(ProgramText& block, const WrittenFeed& feed) {
+void FeedWords::write_mode(ProgramText& block, const GcodeFeed& feed) {
     const FeedMode mode = mode_for(feed);
     if (mode == mode_) return;
     mode_ = mode;
@@ -53,7 +53,7 @@ void FeedWords::write_mode(ProgramText& block, const WrittenFeed& feed) {
     }
 }
 
-void FeedWords::write(ProgramText& block, const WrittenFeed& feed, double turn_rad) {
+void FeedWords::write(ProgramText& block, const GcodeFeed& feed, double turn_rad) {
     const FeedMode mode = mode_for(feed);
     if (mode == FeedMode::inverse_time) {
         const bool by_angle = post_.feed_modes.inverse_time_by_angle && turn_rad > 0;

@@ -11,7 +11,7 @@
 namespace gsim::codegen {
 
 /// Feed rate. If the controller supports it, it is written in the form of its origin.
-struct WrittenFeed {
+struct GcodeFeed {
     double per_min = 0;                     ///< mm or deg
     bool rotary = false;                    ///< In deg/min: rotary axes alone move.
     std::optional<double> duration_s = {};  ///< For the full move.
@@ -33,9 +33,9 @@ class FeedWords {
     FeedWords(const Post& post, const Options& options);
 
     /// Writes the word of the feed's mode.
-    void write_mode(ProgramText& block, const WrittenFeed& feed);
+    void write_mode(ProgramText& block, const GcodeFeed& feed);
     /// Writes F. `turn_rad` is the angle of an arc, else 0.
-    void write(ProgramText& block, const WrittenFeed& feed, double turn_rad);
+    void write(ProgramText& block, const GcodeFeed& feed, double turn_rad);
     /// Writes the post's blocks for an acceleration; no block if it has no such words, or if the same one is
     /// active.
     void write_acceleration(ProgramText& text, double mm_s2);
@@ -50,7 +50,7 @@ class FeedWords {
     enum class FeedMode { unknown, per_minute, inverse_time, per_revolution };
 
     FeedMode initial_mode() const { return options_.feed_modes ? FeedMode::unknown : FeedMode::per_minute; }
-    FeedMode mode_for(const WrittenFeed& feed) const;
+    FeedMode mode_for(const GcodeFeed& feed) const;
     double in_unit(double mm) const;
     /// A feed that rounds to 0 would never reach the target.
     std::int64_t positive_units(double value) const;

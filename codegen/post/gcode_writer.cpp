@@ -13,10 +13,10 @@ namespace {
 constexpr std::array<char, 3> kCenterLetters = {'I', 'J', 'K'};
 
 // Axes of X, Y, Z in each plane, by index.
-constexpr std::array<std::array<std::size_t, 2>, 3> kInPlane = {{{0, 1}, {0, 2}, {1, 2}}};
+constexpr std::array<std::array<std::size_t, 2>, 3> kPlaneAxisIndices = {{{0, 1}, {0, 2}, {1, 2}}};
 
 const std::array<std::size_t, 2>& in_plane(Plane plane) {
-    return kInPlane[static_cast<std::size_t>(plane)];
+    return kPlaneAxisIndices[static_cast<std::size_t>(plane)];
 }
 
 char letter_of(std::size_t direction) {
@@ -31,7 +31,7 @@ DecimalFormat length_format(const Post& post, const WriterOptions& options) {
 
 }  // namespace
 
-GcodeWriter::GcodeWriter(const Post& post, std::span<const WrittenAxis> axes, const WriterOptions& options,
+GcodeWriter::GcodeWriter(const Post& post, std::span<const GcodeAxis> axes, const WriterOptions& options,
                          Sink sink)
     : post_(post),
       actions_(post.actions),
@@ -60,7 +60,7 @@ void GcodeWriter::begin_motion() {
     next_words_.clear();
 }
 
-void GcodeWriter::move(std::span<const double> values, const std::optional<WrittenFeed>& feed) {
+void GcodeWriter::move(std::span<const double> values, const std::optional<GcodeFeed>& feed) {
     if (!axes_.would_change(values)) return;
     if (feed && feed->lead_mm) return thread(values, *feed);
     begin_motion();
@@ -72,7 +72,7 @@ void GcodeWriter::move(std::span<const double> values, const std::optional<Writt
     text_.end();
 }
 
-void GcodeWriter::thread(std::span<const double> values, const WrittenFeed& feed) {
+void GcodeWriter::thread(std::span<const double> values, const GcodeFeed& feed) {
     begin_motion();
     text_.code(post_.thread.code);
     modal_.forget_motion();
@@ -89,7 +89,7 @@ bool GcodeWriter::is_full_circle(std::span<const double> values, Plane plane) co
     });
 }
 
-void GcodeWriter::arc(std::span<const double> values, const ArcWords& words, const WrittenFeed& feed) {
+void GcodeWriter::arc(std::span<const double> values, const ArcWords& words, const GcodeFeed& feed) {
     begin_motion();
     modal_.write_plane(text_, words.plane);
     feed_.write_mode(text_, feed);
@@ -116,8 +116,8 @@ void GcodeWriter::arc(std::span<const double> values, const ArcWords& words, con
 
 // The point is written in full, because it distinguishes the circle from all others through the ends.
 void GcodeWriter::arc_through(std::span<const double> values, const std::array<double, 3>& via_mm,
-                              const WrittenFeed& feed, double turn_rad) {
-    const ThroughPoint& words = *post_.arcs.through_point;
+                              const GcodeFeed& feed, double turn_rad) {
+    const ThroughPointWords& words = *post_.arcs.through_point;
     begin_motion();
     feed_.write_mode(text_, feed);
     modal_.forget_motion();
@@ -145,8 +145,8 @@ void GcodeWriter::action(std::string_view name) {
     const auto block = actions_.find_block(name, options_.inch ? kMmPerInch : 1);
     if (!block) return text_.comment(fmt::format("action: {}", name));
     if (block->empty()) return;
-    if (block->ends_with(kInNextBlock)) {
-        next_words_.push_back(block->substr(0, block->size() - kInNextBlock.size()));
+    if (block->ends_with(kNextBlockSuffix)) {
+        next_words_.push_back(block->substr(0, block->size() - kNextBlockSuffix.size()));
         return;
     }
     const bool is_comment = block->front() == '(';

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/plane.h"
-#include "codegen/post/action_words.h"
+#include "codegen/post/action_blocks.h"
 #include "codegen/post/axis_words.h"
 #include "codegen/post/feed_words.h"
 #include "codegen/post/machine_blocks.h"
@@ -43,7 +43,7 @@ class GcodeWriter {
     using Sink = ProgramText::Sink;
 
     /// Makes a writer; `post` must outlive it. One of the axes must be X, one Y and one Z for arcs.
-    GcodeWriter(const Post& post, std::span<const WrittenAxis> axes, const WriterOptions& options, Sink sink);
+    GcodeWriter(const Post& post, std::span<const GcodeAxis> axes, const WriterOptions& options, Sink sink);
     GcodeWriter(const GcodeWriter&) = delete;
     GcodeWriter& operator=(const GcodeWriter&) = delete;
 
@@ -56,12 +56,12 @@ class GcodeWriter {
 
     /// Writes a rapid (without feed) or linear move to these values, one for each axis. Writes no block if no
     /// word would change.
-    void move(std::span<const double> values, const std::optional<WrittenFeed>& feed);
+    void move(std::span<const double> values, const std::optional<GcodeFeed>& feed);
     /// Writes an arc or helix; a full circle ends at its start.
-    void arc(std::span<const double> values, const ArcWords& words, const WrittenFeed& feed);
+    void arc(std::span<const double> values, const ArcWords& words, const GcodeFeed& feed);
     /// Writes an arc through a point, given by its X, Y and Z. Only for a post that has words for it.
     void arc_through(std::span<const double> values, const std::array<double, 3>& via_mm,
-                     const WrittenFeed& feed, double turn_rad = 0);
+                     const GcodeFeed& feed, double turn_rad = 0);
     void dwell(double seconds);
     /// Writes the post's blocks for an acceleration; no block if it has no such words, or if the same one is
     /// active.
@@ -73,11 +73,11 @@ class GcodeWriter {
 
   private:
     void begin_motion();
-    void thread(std::span<const double> values, const WrittenFeed& feed);
+    void thread(std::span<const double> values, const GcodeFeed& feed);
     bool is_full_circle(std::span<const double> values, Plane plane) const;
 
     const Post& post_;
-    ActionWords actions_;
+    ActionBlocks actions_;
     WriterOptions options_;
     ProgramText text_;
     AxisWords axes_;

@@ -48,7 +48,7 @@ void OffsetBlocks::rapid_block(std::string_view letters, const std::array<double
     text_.end();
 }
 
-void OffsetBlocks::touch(const std::string& system, const WrittenTouch& touch) {
+void OffsetBlocks::touch(const std::string& system, const ProbeTouch& touch) {
     rapid_block("XY", touch.from_mm);
     rapid_block("Z", touch.from_mm);
     PlaceholderValues& placeholders = text_.placeholders();

@@ -14,7 +14,7 @@
 namespace gsim::codegen {
 
 /// Straight path along an axis until the tool touches something, by which a work offset is found.
-struct WrittenTouch {
+struct ProbeTouch {
     char axis = 'Z';
     std::array<double, 3> from_mm{};  ///< Start point.
     double to_mm = 0;                 ///< Max end position.
@@ -41,7 +41,7 @@ class OffsetBlocks {
     /// Writes the post's blocks that find by a touch the origin of a work offset, which is active; the post
     /// must have some. The tool, which is up, comes down to the start of the touch, and returns there after
     /// it.
-    void touch(const std::string& system, const WrittenTouch& touch);
+    void touch(const std::string& system, const ProbeTouch& touch);
     void forget() { active_.clear(); }
 
   private:

@@ -43,17 +43,17 @@ struct BlockFormat {
 };
 
 /// Words of an arc through a point: its code, and the letters of X, Y and Z of the point.
-struct ThroughPoint {
+struct ThroughPointWords {
     std::string code;
     std::array<std::string, 3> letters;
 
-    bool operator==(const ThroughPoint&) const = default;
+    bool operator==(const ThroughPointWords&) const = default;
 };
 
 /// Arcs that the controller has beyond those by their centre in a plane of the axes.
 struct ArcAbilities {
     std::string turns_letter;  ///< Letter of the number of circles that an arc begins; empty: max one.
-    std::optional<ThroughPoint>
+    std::optional<ThroughPointWords>
         through_point;             ///< For arcs in any plane; not set: the controller has no word.
     bool rejects_oblique = false;  ///< Those it has no word for; otherwise they become lines.
 
@@ -132,7 +132,7 @@ struct Post {
     AccelerationLines acceleration;
     std::vector<std::string> begin, end;        ///< Lines of the program.
     std::optional<SubprogramLines> subprogram;  ///< Not set: sub-paths are written at their use.
-    std::map<std::string, std::string, std::less<>> actions;  ///< See ActionWords.
+    std::map<std::string, std::string, std::less<>> actions;  ///< See ActionBlocks.
 
     bool operator==(const Post&) const = default;
 };

@@ -6,7 +6,7 @@
 #include "base/os/input_file.h"
 #include "base/text/format.h"
 #include "base/toml/toml_section.h"
-#include "codegen/post/action_words.h"
+#include "codegen/post/action_blocks.h"
 #include "codegen/post/embedded_posts.h"
 
 namespace gsim::codegen {
@@ -26,7 +26,7 @@ constexpr std::array<std::string_view, 14> kPostKeys = {
     "name",    "reads_as",     "numbers",    "blocks",  "arcs",        "program",          "subprogram",
     "actions", "acceleration", "feed_modes", "offsets", "tool_change", "reference_points", "probe"};
 constexpr std::array<std::string_view, 3> kArcKeys = {"through_point", "oblique", "turns"};
-constexpr std::array<std::string_view, 2> kOblique = {"lines", "refuse"};
+constexpr std::array<std::string_view, 2> kObliqueArcRules = {"lines", "refuse"};
 constexpr std::array<std::string_view, 6> kNumberKeys = {
     "decimals_mm", "decimals_inch", "decimals_deg", "decimals_feed", "decimals_recorded_mm", "zeros"};
 constexpr std::array<std::string_view, 7> kBlockKeys = {
@@ -52,7 +52,7 @@ constexpr std::array<std::string_view, 6> kSubprogramKeys = {"order", "begin",  
                                                              "call",  "call_repeated", "file"};
 constexpr std::array<std::string_view, 2> kAccelerationKeys = {"set", "end"};
 constexpr std::array<std::string_view, 2> kOrders = {"after", "before"};
-constexpr std::array<std::string_view, 3> kZeros = {"keep", "point", "cut"};
+constexpr std::array<std::string_view, 3> kTrailingZeroRules = {"keep", "point", "cut"};
 constexpr std::array<std::string_view, 2> kDialects = {"ab9", "rs274ngc"};
 
 constexpr std::array<std::string_view, 5> kProgramPlaceholders = {"number", "title", "program", "lower",
@@ -127,7 +127,7 @@ class PostReader {
         if (section.has("decimals_recorded_mm"))
             post_.numbers.decimals_recorded_mm = read_integer(section, "decimals_recorded_mm", kMaxDecimals);
         section.require("zeros");
-        post_.numbers.zeros = static_cast<TrailingZeros>(section.choice("zeros", 0, kZeros));
+        post_.numbers.zeros = static_cast<TrailingZeros>(section.choice("zeros", 0, kTrailingZeroRules));
     }
 
     void read_blocks(const toml::table& table) {
@@ -220,7 +220,7 @@ class PostReader {
 
     void read_arcs(const toml::table& table) {
         TomlSection section(error_, table, "[arcs]", kArcKeys);
-        post_.arcs.rejects_oblique = section.choice("oblique", 0, kOblique) == 1;
+        post_.arcs.rejects_oblique = section.choice("oblique", 0, kObliqueArcRules) == 1;
         post_.arcs.turns_letter = word(section, "turns");
         if (!section.has("through_point")) return;
         std::vector<std::string> words = lines(section, "through_point", {});

@@ -170,7 +170,7 @@ class CellReader {
 };
 
 /// Returns the `on` values of a cell's [[shape]]s, even if the tables are not right.
-std::set<std::string, std::less<>> replaced_locations(const toml::table& root) {
+std::set<std::string, std::less<>> replaced_attachments(const toml::table& root) {
     std::set<std::string, std::less<>> attachments;
     const toml::array* shapes = root.get_as<toml::array>("shape");
     if (shapes == nullptr) return attachments;
@@ -184,7 +184,7 @@ std::set<std::string, std::less<>> replaced_locations(const toml::table& root) {
 
 /// The tool of a cell replaces that of the machine file, and the same applies to the jet.
 machine::Machine remove_replaced_shapes(const machine::Machine& machine, const toml::table& root) {
-    const auto attachments = replaced_locations(root);
+    const auto attachments = replaced_attachments(root);
     machine::Machine left = machine;
     left.shapes.clear();
     std::map<std::size_t, std::size_t> numbers;

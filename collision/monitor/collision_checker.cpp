@@ -39,7 +39,7 @@ std::optional<Obstacle> find_obstacle(const CandidatePair& pair, const LinkMotio
 CollisionChecker::CollisionChecker(const Cell& cell, std::shared_ptr<const kinematics::Kinematics> kinematics)
     : cell_(&cell), kinematics_(std::move(kinematics)) {
     for (CandidatePair& pair : candidate_pairs(cell, *kinematics_)) {
-        if (!pair.with_jet) pairs_.push_back(std::move(pair));
+        if (!pair.includes_jet) pairs_.push_back(std::move(pair));
     }
 }
 

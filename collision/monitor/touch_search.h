@@ -37,7 +37,7 @@ class TouchSearch {
   private:
     explicit TouchSearch(std::shared_ptr<const kinematics::Kinematics> kinematics)
         : kinematics_(std::move(kinematics)) {}
-    void add_tip_pairs(const Cell& cell, const Eigen::Vector3d& tcp_mm);
+    void add_probe_point_pairs(const Cell& cell, const Eigen::Vector3d& tcp_mm);
 
     std::shared_ptr<const kinematics::Kinematics> kinematics_;
     std::shared_ptr<const Shape> probe_point_;

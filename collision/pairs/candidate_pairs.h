@@ -20,7 +20,7 @@ struct ItemPair {
 /// Candidate pair: two bodies of a cell that may meet.
 struct CandidatePair {
     ItemPair items;
-    bool with_jet;
+    bool includes_jet;
     BodyPair bodies;
 };
 

@@ -209,8 +209,8 @@ std::int32_t Host::make_step(RcsSharedStep& step) {
     step.step = module_step;
     const bool is_valid_step = step.status == GSIM_RCS_SUCCESS || step.status == GSIM_RCS_TARGET_REACHED ||
                                step.status == GSIM_RCS_NEED_MORE_DATA;
-    const bool asks_target = is_valid_step && shared_.queries_targets != 0 && module_step.elapsed_s > 0;
-    step.target_status = asks_target ? kPending : kNotQueried;
+    const bool queries_target = is_valid_step && shared_.queries_targets != 0 && module_step.elapsed_s > 0;
+    step.target_status = queries_target ? kPending : kNotQueried;
     return step.status;
 }
 

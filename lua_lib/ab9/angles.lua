@@ -58,11 +58,11 @@ end
 -- Filter in the path while an angle waits for its motion or the end of a line is open: all other moves are
 -- errors.
 local guard = { rank = 5 }
-local guarding = false
+local is_guarding = false
 
 local function guard_path(on)
-  if on == guarding then return end
-  guarding = on
+  if on == is_guarding then return end
+  is_guarding = on
   if on then path.add_filter(guard) else path.remove_filter(guard) end
 end
 

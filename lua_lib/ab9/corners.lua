@@ -2,7 +2,7 @@
 -- the active plane. The move is buffered until the next one is known. In Lua: `corner(2) G1{x=10}`.
 
 local dialect = use "core/dialect"
-local alarm, copied, given, space_between = use("core/basics", "alarm", "copied", "given", "space_between")
+local alarm, copied, given, distance_in_space = use("core/basics", "alarm", "copied", "given", "distance_in_space")
 local feed_of_part = use("common/feed", "feed_of_part")
 local word = use("core/words", "word")
 local axes, path, plane_geometry, plane_view = use "core/axes", use "core/path", dialect.use "geometry", use "core/plane_view"
@@ -10,7 +10,7 @@ local axes, path, plane_geometry, plane_view = use "core/axes", use "core/path",
 local geometry = plane_geometry
 local SAME_MM, STRAIGHT = geometry.same_mm, geometry.straight
 
-local KEYS = { chamfer = ",C", corner = ",R" }
+local WORD_NAMES = { chamfer = ",C", corner = ",R" }
 
 local requested_corner       -- { key, size_mm, plane, place } for the move of the block
 local held         -- the pending move, with its corner
@@ -120,7 +120,7 @@ end
 -- Outputs the pending move up to the corner and the corner. Returns the remainder of the second move, or nil.
 -- Moves that continue in one direction have no corner.
 local function join(first, second)
-  local mark, size = KEYS[first.corner.key], first.corner.size_mm
+  local mark, size = WORD_NAMES[first.corner.key], first.corner.size_mm
   check_plane(second, first.plane, mark)
   second.plane = first.plane
   local a, b = element_of(first), element_of(second)
@@ -163,7 +163,7 @@ local function has_motion(move)
   return false
 end
 
-local function fail_without_motion(corner) alarm("corner", "%s is in a block without a move", KEYS[corner.key]) end
+local function fail_without_motion(corner) alarm("corner", "%s is in a block without a move", WORD_NAMES[corner.key]) end
 
 local function consume_corner(move)
   local own = requested_corner
@@ -180,12 +180,12 @@ local function take(move)
     if own then fail_without_motion(own) end
     return
   end
-  if own then check_plane(move, own.plane, KEYS[own.key]) end
+  if own then check_plane(move, own.plane, WORD_NAMES[own.key]) end
   if held then
     local first = held
     held = nil
     move = join(first, move)
-    if move == nil and own then alarm("corner", "%s: the previous corner consumes its complete move", KEYS[own.key]) end
+    if move == nil and own then alarm("corner", "%s: the previous corner consumes its complete move", WORD_NAMES[own.key]) end
   end
   if move and own then
     held = move
@@ -209,14 +209,14 @@ end
 
 local function fail_if_pending(what)
   if held == nil then return end
-  local mark = KEYS[held.corner.key]
+  local mark = WORD_NAMES[held.corner.key]
   held = nil
   alarm("corner", "%s must be followed by a feed move (G1, G2, G3), but %s", mark, what)
 end
 
 function filter:rapid(target, place)
   if requested_corner and requested_corner.place == place then
-    alarm("corner", "%s applies to G1, G2 and G3, not to G0", KEYS[requested_corner.key])
+    alarm("corner", "%s applies to G1, G2 and G3, not to G0", WORD_NAMES[requested_corner.key])
   end
   fail_if_pending("a rapid follows")
   consume_corner { place = place }
@@ -239,7 +239,7 @@ end
 
 -- Returns the factor by which scaling changes lengths in a plane.
 local function plane_scale(p, mark)
-  local function factor(letter) return space_between({}, axes.direction(letter)) end
+  local function factor(letter) return distance_in_space({}, axes.direction(letter)) end
   local a, b = factor(p.first), factor(p.second)
   if math.abs(a - b) > 1e-9 * a then
     alarm("corner", "%s requires equal scales of both axes of the plane, but they are %.10g and %.10g", mark, a, b)
@@ -249,14 +249,14 @@ end
 
 local function corner_word(key)
   word(key, function(size)
-    if not given(size, KEYS[key]) then return end
+    if not given(size, WORD_NAMES[key]) then return end
     if not (size >= 0 and size < math.huge) then
-      alarm("corner", "%s must be a length of 0 or more, not %.10g", KEYS[key], size)
+      alarm("corner", "%s must be a length of 0 or more, not %.10g", WORD_NAMES[key], size)
     end
     if requested_corner and requested_corner.place == core.place() then alarm("corner", "a corner must have ,C or ,R, not both") end
     if requested_corner then fail_without_motion(requested_corner) end
     if size == 0 then return end
-    local scale = plane_scale(plane_view.planes[core.plane()], KEYS[key])
+    local scale = plane_scale(plane_view.planes[core.plane()], WORD_NAMES[key])
     local plane = plane_view.machine_plane(core.plane())
     requested_corner = { key = key, size_mm = size * core.unit_mm() * scale, plane = plane, place = core.place() }
     install()

@@ -3,7 +3,7 @@
 -- from R. They and P, Q and the shift are valid, for all cycles, until G80 or a motion code ends the series.
 
 local alarm, check_table = use("core/basics", "alarm", "check_table")
-local if_allowed, word, word_id = use("core/words", "if_allowed", "word", "id")
+local with_compensation_check, word, word_id = use("core/words", "with_compensation_check", "word", "id")
 local axes, cycles, motion, overrides, path = use "core/axes", use "common/cycles", use "common/motion", use "common/overrides", use "core/path"
 local plane_view, polar, spindle, state = use "core/plane_view", use "common/polar", use "common/spindle", use "core/state"
 
@@ -243,7 +243,7 @@ local function drill(name, words)
 end
 
 for name in pairs(strokes) do
-  local modal = motion.new(name, core.word(word_id(), if_allowed(name, function(words) drill(name, words) end)))
+  local modal = motion.new(name, core.word(word_id(), with_compensation_check(name, function(words) drill(name, words) end)))
   word(name, function(words)
     if not cycles.is_cycle(core.motion()) then
       motion_before_series = core.motion_id()

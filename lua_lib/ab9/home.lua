@@ -39,7 +39,7 @@ local function complete_target(values)
 end
 
 local function move_home(words, number, code)
-  axes.refuse_with_tcp_control(code)
+  axes.reject_with_tcp_control(code)
   local home, target = homes(number), {}
   for _, axis in ipairs(axes.list) do
     if is_named(words, axis.letter) then
@@ -81,7 +81,7 @@ end)
 -- G29 moves the axes that it names; an increment counts from the intermediate point.
 word("G29", function(words)
   if words == nil then alarm("word-missing", "G29 requires the axis words of its target") end
-  axes.refuse_with_tcp_control("G29")
+  axes.reject_with_tcp_control("G29")
   local through = {}
   for letter, value in pairs(way or {}) do
     if is_named(words, letter) then through[letter] = value end
@@ -91,7 +91,7 @@ word("G29", function(words)
 end)
 
 word("G27", function(words)
-  axes.refuse_with_tcp_control("G27")
+  axes.reject_with_tcp_control("G27")
   if words ~= nil then path.rapid(core.target(words)) end
   path.flush()
   for _, axis in ipairs(axes.list) do

@@ -14,7 +14,7 @@ local variable_by_key = {
   a = 1, b = 2, c = 3, d = 7, e = 8, f = 9, h = 11, i = 4, j = 5, k = 6, m = 13, q = 17, r = 18, s = 19, t = 20,
   u = 21, v = 22, w = 23, x = 24, y = 25, z = 26,
 }
-local in_set = { i = 0, j = 1, k = 2 }
+local position_in_set = { i = 0, j = 1, k = 2 }
 local MAX_SETS = 10
 
 local level = 0
@@ -35,7 +35,7 @@ local function assign_sets(locals, pairs_in_order)
   local set, last = 0, math.huge
   for _, pair in ipairs(pairs_in_order) do
     local letter, value = pair[1], pair[2]
-    local rank = in_set[letter]
+    local rank = position_in_set[letter]
     if rank == nil then
       alarm("word-value", "a macro call repeats only I, J and K, not %s", tostring(letter):upper())
     end

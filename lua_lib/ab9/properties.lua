@@ -9,7 +9,7 @@ return {
     "ab9/threads", "ab9/tool_offsets", "ab9/transform", "ab9/variables", "ab9/zones",
   },
   keeps_offset_off_plane = true,
-  arc_rules = { radii_tolerance_mm = 0.05, radii_tolerance_inch_mm = 0.05, short_radius_mm = 0.05 },
+  arc_rules = { radii_tolerance_mm = 0.05, radii_tolerance_inch_mm = 0.05, max_radius_shortfall_mm = 0.05 },
   switch_times = { M8 = "process_on", M9 = "process_off" },
   tool_table_kinds = { [10] = true, [11] = true, [12] = true, [13] = true },   -- L of G10
 }

@@ -40,7 +40,7 @@ end
 
 -- Inputs and outputs ----------------------------------------------------------------------------------------------------
 
-local ALL = 32       -- #1032 and #1132: the 32 signals before as one number
+local SIGNAL_COUNT = 32       -- #1032 and #1132: the 32 signals before as one number
 
 local outputs = {}   -- number from 0 -> true if it is on
 
@@ -67,18 +67,18 @@ local function switch_output(number, on)
 end
 
 local function signals(first, what, is_on, switch)
-  range(first, first + ALL, what, function(_, index)
-    if index < ALL then return is_on(index) and 1.0 or 0.0 end
+  range(first, first + SIGNAL_COUNT, what, function(_, index)
+    if index < SIGNAL_COUNT then return is_on(index) and 1.0 or 0.0 end
     local bits = 0
-    for number = 0, ALL - 1 do bits = bits | (is_on(number) and 1 << number or 0) end
+    for number = 0, SIGNAL_COUNT - 1 do bits = bits | (is_on(number) and 1 << number or 0) end
     return bits + 0.0
   end, switch and function(number, value, index)
-    if index < ALL then return switch(index, value ~= 0) end
+    if index < SIGNAL_COUNT then return switch(index, value ~= 0) end
     local bits = math.tointeger(value)
-    if bits == nil or bits < 0 or bits >= 1 << ALL then
+    if bits == nil or bits < 0 or bits >= 1 << SIGNAL_COUNT then
       alarm("word-value", "#%d requires the 32 outputs as an integer", number)
     end
-    for signal = 0, ALL - 1 do
+    for signal = 0, SIGNAL_COUNT - 1 do
       local on = bits & (1 << signal) ~= 0
       if on ~= (outputs[signal] == true) then switch(signal, on) end
     end

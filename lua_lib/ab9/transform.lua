@@ -9,7 +9,7 @@ local word = use("core/words", "word")
 local ab9_frames, hooks, plane_view, state = dialect.use "frames", use "core/hooks", use "core/plane_view", use "core/state"
 
 local LETTERS = { "x", "y", "z" }
-local FACTOR = { x = "i", y = "j", z = "k" }
+local FACTOR_LETTERS = { x = "i", y = "j", z = "k" }
 local MIN_FACTOR = 1e-6
 
 local mirror = {}   -- letter -> coordinate of the plane of symmetry, mm
@@ -81,10 +81,10 @@ local function is_rotation_active()
   return rotation ~= nil and rotation.frame == state.frame
 end
 
-local rotating = false   -- whether a rotation acts
+local was_rotating = false   -- whether a rotation acts
 
 local function apply()
-  rotating = is_rotation_active()
+  was_rotating = is_rotation_active()
   local map = identity()
   if next(mirror) then map = mirror_map(map) end
   if scale then map = about(map, diagonal(scale.factor), scale.centre) end
@@ -134,7 +134,7 @@ word("G50_1", function(words)
 end)
 
 local function scale_factor(words, letter, code)
-  local key = words[FACTOR[letter]] ~= nil and FACTOR[letter] or words.p ~= nil and "p" or nil
+  local key = words[FACTOR_LETTERS[letter]] ~= nil and FACTOR_LETTERS[letter] or words.p ~= nil and "p" or nil
   if key == nil then return 1 end
   local factor = number(words[key], code, key)
   if not (math.abs(factor) >= MIN_FACTOR and math.abs(factor) < math.huge) then
@@ -211,7 +211,7 @@ end
 
 -- A rotation begins or ends to act with a change of work coordinate system.
 hooks.on("frame", "rotation", function()
-  if rotating ~= is_rotation_active() then apply() end
+  if was_rotating ~= is_rotation_active() then apply() end
 end)
 
 return {

@@ -2,7 +2,7 @@
 
 local dialect = use "core/dialect"
 local alarm, copied = use("core/basics", "alarm", "copied")
-local take_remark = use("common/expressions", "take_remark")
+local release_comment = use("common/expressions", "release_comment")
 local system = dialect.use "system"
 
 local LAST_LOCAL, FIRST_COMMON, LAST_COMMON, FIRST_PERMANENT, LAST_PERMANENT = 33, 100, 199, 500, 999
@@ -43,7 +43,7 @@ env.v = setmetatable(variables, {
   __newindex = function(held, number, value)
     local whole, exists = index(number)
     if whole == 0 then alarm("variable", "#0 is always vacant and cannot be set") end
-    local remark = take_remark()
+    local remark = release_comment()
     if exists then
       rawset(held, whole, value)
     elseif not system.set(whole, value, remark) then

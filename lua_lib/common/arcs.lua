@@ -1,7 +1,7 @@
 -- Circular motion (thesis, Appendix D): by centre, by radius, by angle, and through a point. Plain arcs are
 -- C++, which makes them from their words (core.read_arc); the rules of a dialect for them are properties.
 
-local alarm, check_table, space_between = use("core/basics", "alarm", "check_table", "space_between")
+local alarm, check_table, distance_in_space = use("core/basics", "alarm", "check_table", "distance_in_space")
 local axes, motion, path, polar = use "core/axes", use "common/motion", use "core/path", use "common/polar"
 
 -- Permitted difference of the radii of start and end if the centre is given, and permitted shortness of R.
@@ -29,7 +29,7 @@ local function sweep_via(a, m, b)
     if near == 0 or far == 0 then return 0 end
     return math.acos(math.max(-1, math.min(1, (near * near + far * far - opposite * opposite) / (2 * near * far))))
   end
-  local am, mb, ab = space_between(a, m), space_between(m, b), space_between(a, b)
+  local am, mb, ab = distance_in_space(a, m), distance_in_space(m, b), distance_in_space(a, b)
   return 2 * math.pi - 2 * inscribed_angle(m, ab, am, mb)
 end
 

@@ -6,7 +6,7 @@
 -- segment, f }. `source` and `target`, its programmed ends, name every axis; `segment`
 -- (common/comp_geometry.lua) is nil without motion in the plane. An action stores its own source location.
 
-local alarm, copied, space_between = use("core/basics", "alarm", "copied", "space_between")
+local alarm, copied, distance_in_space = use("core/basics", "alarm", "copied", "distance_in_space")
 local axes, g, plane_view = use "core/axes", use "common/comp_geometry", use "core/plane_view"
 
 local SAME_POINT_MM = 1e-9
@@ -53,7 +53,7 @@ function comp_filter:straight(kind, target, feed, linear_kind, place)
   end
   local item = { kind = kind, source = self.programmed, target = self:complete(target), place = place or core.place() }
   if kind == "line" then
-    item.feed = feed_at_programmed_speed(feed or core.take_feed(), space_between(self.programmed, item.target))
+    item.feed = feed_at_programmed_speed(feed or core.take_feed(), distance_in_space(self.programmed, item.target))
   end
   local from, to = self:point(self.programmed), self:point(item.target)
   if g.distance(from, to) > SAME_POINT_MM then item.segment = g.line(from, to) end

@@ -1,6 +1,6 @@
 -- Cutter compensation: G40, and what the words of the dialects that switch it on have in common.
 
-local alarm, nearly_whole = use("core/basics", "alarm", "nearly_whole")
+local alarm, snap_to_integer = use("core/basics", "alarm", "snap_to_integer")
 local keeps_offset_off_plane = use("core/dialect", "keeps_offset_off_plane")
 local comp_filter, comp_geometry, compensation =
   use "common/comp_filter", use "common/comp_geometry", use "common/compensation"
@@ -10,7 +10,7 @@ local word = words.word
 
 -- Returns the radius of a tool of the tool table, mm.
 local function offset_radius(number, name)
-  number = nearly_whole(number)
+  number = snap_to_integer(number)
   if type(number) ~= "number" or number % 1 ~= 0 or number < 0 then
     alarm("compensation", "%s: D must be a tool number, an integer of at least 0, not %s", name, tostring(number))
   end

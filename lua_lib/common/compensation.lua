@@ -28,7 +28,7 @@ function compensation.refuse(what)
 end
 
 -- rs274ngc: moves that LinuxCNC never makes next to the path, but permits with a radius of 0.
-function compensation.refuse_next_to_path(what)
+function compensation.reject_next_to_path(what)
   if compensation.filter then compensation.refuse(what) end
 end
 

@@ -2,7 +2,7 @@
 -- plane, the tool moves in along the third. Cycles are calculated in program coordinates, so that offsets,
 -- rotation and mirror image apply to each stroke.
 
-local alarm, nearly_whole = use("core/basics", "alarm", "nearly_whole")
+local alarm, snap_to_integer = use("core/basics", "alarm", "snap_to_integer")
 local word = use("core/words", "word")
 local modal_cycles, peck_tolerance_mm = use("core/dialect", "modal_cycles", "peck_tolerance_mm")
 local path, state = use "core/path", use "core/state"
@@ -40,7 +40,7 @@ end
 
 local function cycle_repeats(value, letter, name)
   if value == nil then return 1 end
-  value = nearly_whole(value)
+  value = snap_to_integer(value)
   if value % 1 ~= 0 or value < 0 or value > MAX_REPEATS then
     alarm("word-value", "%s of %s must be an integer number of repeats up to %d, not %.10g", letter, name, MAX_REPEATS, value)
   end

@@ -74,10 +74,10 @@ function env.skipped() return core.block_delete end
 local remark
 function env.message(text) remark = text end
 
-local function take_remark()
+local function release_comment()
   local text = remark
   remark = nil
   return text
 end
 
-return { number_of = number_of, rounded = rounded, take_remark = take_remark }
+return { number_of = number_of, rounded = rounded, release_comment = release_comment }

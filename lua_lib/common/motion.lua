@@ -30,7 +30,7 @@ end
 
 -- Defines the word of a motion that is modal.
 function motion.modal_word(name, meaning)
-  env[name] = modal_motion(name, word_keys(name, words.if_allowed(name, meaning)))
+  env[name] = modal_motion(name, word_keys(name, words.with_compensation_check(name, meaning)))
 end
 
 -- Plain motions are C++ as long as no filter or macro changes them (core/motion_modifiers.lua): by name the word and its

@@ -29,7 +29,7 @@ end
 -- The path between the poses and the machine must have no filter.
 local function begin(name)
   compensation.refuse(name)
-  axes.refuse_with_tcp_control(name)
+  axes.reject_with_tcp_control(name)
   path.flush()
 end
 

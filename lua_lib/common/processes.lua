@@ -31,7 +31,7 @@ local function main_process(next_script)
       script()
       script = next_script()
     end
-    programs.run_first()
+    programs.run_main_program()
   end
 end
 

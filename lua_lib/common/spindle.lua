@@ -17,7 +17,7 @@ end
 
 -- Turns the spindle "cw" or "ccw", or stops it (nil).
 function spindle.turn(direction)
-  process.switched_by(WORDS[direction] or STOP, nil, turn, direction)
+  process.call_switch_word(WORDS[direction] or STOP, nil, turn, direction)
 end
 
 -- Sets its speed in rev/min: for the feeds of the words that follow at once, for the machine after the moves
@@ -35,7 +35,7 @@ end
 
 -- Stops it at its marked angle, so that the tool can be moved off the wall.
 function spindle.orient()
-  process.switched_by(STOP, nil, orient)
+  process.call_switch_word(STOP, nil, orient)
 end
 
 -- Returns the feed that cuts `pitch_mm` per turn at the active speed.

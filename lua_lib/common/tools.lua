@@ -1,7 +1,7 @@
 -- Tools and the offsets that belong to them: T, M6, D, H, G49. The words that switch offsets on differ between
 -- the dialects (tool_offsets.lua).
 
-local alarm, copied, given, nearly_whole = use("core/basics", "alarm", "copied", "given", "nearly_whole")
+local alarm, copied, given, snap_to_integer = use("core/basics", "alarm", "copied", "given", "snap_to_integer")
 local dialect = use "core/dialect"
 local apply_offsets = dialect.use("frames", "apply_offsets")
 local word = use("core/words", "word")
@@ -61,7 +61,7 @@ local function tool_entry(number, name)
 end
 
 local function whole(value, name)
-  value = nearly_whole(value)
+  value = snap_to_integer(value)
   if type(value) ~= "number" or value % 1 ~= 0 or value < 0 or value > 2^31 - 1 then
     alarm("word-value", "%s must be an integer of at least 0, not %s", name, tostring(value))
   end

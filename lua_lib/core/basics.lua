@@ -32,7 +32,7 @@ function basics.given(value, name)
 end
 
 -- Returns the integer as which a number counts in the dialect, else the number.
-function basics.nearly_whole(value)
+function basics.snap_to_integer(value)
   if integer_tolerance == 0 or type(value) ~= "number" then return value end
   local near = math.floor(value + 0.5)
   return math.abs(value - near) <= integer_tolerance and near or value
@@ -48,7 +48,7 @@ end
 function basics.code_number(name) return tonumber(basics.printed(name:sub(2))) end
 
 -- Returns the distance of two points in space; axes that the machine does not have count as 0.
-function basics.space_between(a, b)
+function basics.distance_in_space(a, b)
   local sum = 0
   for _, letter in ipairs { "x", "y", "z" } do sum = sum + ((b[letter] or 0) - (a[letter] or 0)) ^ 2 end
   return math.sqrt(sum)

@@ -5,7 +5,7 @@ local dialect = use "core/dialect"
 local TABLES = { math = true, string = true, table = true, rrs = true }   -- as in plain Lua: require "math"
 
 local loaded = {}     -- what each module has returned
-local LOADING = {}    -- value while it runs
+local LOADING_MARK = {}    -- value while it runs
 
 -- Returns true if a name begins like the modules of the library.
 local function is_library_name(name) return name == "gsim" or name:sub(1, 5) == "gsim." end
@@ -34,11 +34,11 @@ function env.require(name)
   if type(name) ~= "string" then error("require needs the name of a module: require \"shapes\"", 0) end
   if is_library_name(name) then return (library(name)) end
   if TABLES[name] then return env[name] end
-  if loaded[name] == LOADING then error(("the module \"%s\" requires itself"):format(name), 0) end
+  if loaded[name] == LOADING_MARK then error(("the module \"%s\" requires itself"):format(name), 0) end
   if loaded[name] ~= nil then return loaded[name] end
   local run, reason = core.load_module(name)
   if run == nil then error(("require \"%s\": %s"):format(name, reason), 0) end
-  loaded[name] = LOADING
+  loaded[name] = LOADING_MARK
   local value = run()
   loaded[name] = value == nil and true or value
   return loaded[name]

@@ -1,11 +1,11 @@
 -- Programs, subprograms, and the end of a run.
 
-local alarm, nearly_whole = use("core/basics", "alarm", "nearly_whole")
+local alarm, snap_to_integer = use("core/basics", "alarm", "snap_to_integer")
 local word = use("core/words", "word")
 local calls, dialect, path = use "core/calls", use "core/dialect", use "core/path"
 
 local MAX_NUMBER = 2^31 - 1     -- of a program number, and of repeats
-local TO_START = "M99"   -- return value of a program that ends in M99
+local RESTART_PROGRAM = "M99"   -- return value of a program that ends in M99
 
 local programs = {}
 local first
@@ -20,7 +20,7 @@ function env.program(name, body)
     repeat
       for _, part in ipairs(parts) do
         local ended = part()
-        if ended ~= nil then return (parts == own or ended ~= TO_START) and ended or nil end
+        if ended ~= nil then return (parts == own or ended ~= RESTART_PROGRAM) and ended or nil end
       end
       parts = parts.following
     until parts == nil
@@ -43,7 +43,7 @@ end
 -- indefinitely on the machine. Here it makes the requested number of passes.
 local passes = 0
 
-local function pass_ended(block)
+local function end_pass(block)
   passes = passes + 1
   core.note_pass(passes, block)
   return passes >= core.passes
@@ -52,15 +52,15 @@ end
 -- Returns true if the jump back to that block, by which the main program ends, ends its last pass.
 function env.last_pass(block)
   core.note_place()
-  return pass_ended(block)
+  return end_pass(block)
 end
 
-local function run_first()
+local function run_main_program()
   if first ~= nil then
     repeat
       local ended = first()
       path.flush()
-    until ended ~= TO_START or pass_ended()
+    until ended ~= RESTART_PROGRAM or end_pass()
   end
   path.flush()
 end
@@ -92,7 +92,7 @@ local function find_program(number)
 end
 
 local function whole(value, name)
-  value = nearly_whole(value)
+  value = snap_to_integer(value)
   if type(value) ~= "number" or value % 1 ~= 0 or value < 0 or value > MAX_NUMBER then
     alarm("word-value", "%s of M98 must be an integer from 0 to %d, not %s", name, MAX_NUMBER, tostring(value))
   end
@@ -155,7 +155,7 @@ word("M98", function(words, can_jump)
 end)
 
 word("M99", function(words)
-  if words == nil or words.p == nil then return TO_START end
+  if words == nil or words.p == nil then return RESTART_PROGRAM end
   return { block = whole(words.p, "P") }
 end)
 
@@ -171,4 +171,4 @@ word("M1", function()
   path.event("optional_stop", core.optional_stop and "" or "off: skipped")
 end)
 
-return { run_first = run_first, load_file = load_file, find_program = find_program, call_program = call_program }
+return { run_main_program = run_main_program, load_file = load_file, find_program = find_program, call_program = call_program }

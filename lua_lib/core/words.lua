@@ -36,14 +36,14 @@ end
 -- Returns the meaning of a word at which the controller waits by a special rule (core.stops, docs/stops.md).
 local function with_stop_rule(name, meaning)
   local rule = core.stops[printed(name)]
-  return rule and function(...) return path.by_rule(rule, meaning, ...) end or meaning
+  return rule and function(...) return path.call_with_stop_rule(rule, meaning, ...) end or meaning
 end
 
-local refusals = { refused = compensation.refuse, ["refused beside the path"] = compensation.refuse_next_to_path }
+local refusals = { refused = compensation.refuse, ["refused beside the path"] = compensation.reject_next_to_path }
 
 -- Returns the meaning of a code, called after a check that cutter compensation allows it (column
 -- `compensation`).
-function words.if_allowed(name, meaning)
+function words.with_compensation_check(name, meaning)
   local refuse, display_name = refusals[core.codes.compensation[name]], printed(name)
   if refuse == nil then return meaning end
   return function(...)
@@ -54,7 +54,7 @@ end
 
 -- Defines a word of the language. A call belongs to the block at the line from which the script calls it.
 function words.word(name, meaning)
-  local looked_at = with_stop_rule(name, words.if_allowed(name, meaning))
+  local looked_at = with_stop_rule(name, words.with_compensation_check(name, meaning))
   env[name] = core.word(words.id(), word_keys(name, looked_at))
 end
 

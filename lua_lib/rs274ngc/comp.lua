@@ -10,7 +10,7 @@ local SMALL_CORNER_RAD = 0.05     -- up to here it is not treated as a corner
 local MAX_SPIRAL_MM = 0.04       -- between the radii of an arc's ends
 local RADII_TOLERANCE = 0.01      -- of an arc that was cut back, in program units
 -- An arc that becomes longer than programmed by more than that has been shortened past its other end.
-local CUT_BACK_RAD = { metric = 0.0254, inch = 0.001 }
+local MAX_ARC_EXCESS_RAD = { metric = 0.0254, inch = 0.001 }
 
 local TURN = 2 * math.pi
 
@@ -56,7 +56,7 @@ function ngc:cut_back(item, point)
     if is_off_circle(item, point) then self:raise_alarm(item, UNREACHABLE_CORNER) end
     if self.start then
       local sweep = g.swept_after(self.start, point, item.centre, segment.turn, segment.sweep)
-      local tolerance = core.unit_mm() == 1 and CUT_BACK_RAD.metric or CUT_BACK_RAD.inch
+      local tolerance = core.unit_mm() == 1 and MAX_ARC_EXCESS_RAD.metric or MAX_ARC_EXCESS_RAD.inch
       if sweep > segment.sweep + tolerance then self:raise_alarm(item, UNREACHABLE_CORNER) end
     end
   elseif self.start and item.watched and g.dot(segment.heading[1], g.minus(point, self.start)) < 0 then

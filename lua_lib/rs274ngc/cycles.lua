@@ -4,7 +4,7 @@
 
 local dialect = use "core/dialect"
 local alarm, check_table = use("core/basics", "alarm", "check_table")
-local if_allowed, word, word_id = use("core/words", "if_allowed", "word", "id")
+local with_compensation_check, word, word_id = use("core/words", "with_compensation_check", "word", "id")
 local axes, cycles, motion, ngc_modes, overrides =
   use "core/axes", use "common/cycles", use "common/motion", dialect.use "modes", use "common/overrides"
 local path, plane_view, spindle, state = use "core/path", use "core/plane_view", use "common/spindle", use "core/state"
@@ -263,7 +263,7 @@ end
 -- Cycles that a controller may read without executing them.
 local bores = { G85 = true, G86 = true, G89 = true }
 
-local NOWHERE = 0 / 0
+local UNKNOWN_POSITION = 0 / 0
 
 local function drill(name, words, before)
   check_table(words, name)
@@ -282,14 +282,14 @@ local function drill(name, words, before)
   if not cycles.is_cycle(before) then held.initial = current end
   local hole = { first = snap(here[p.first] / unit), second = snap(here[p.second] / unit) }
   local tool = cycles.tool(p, here)
-  if path.is_displaced() then tool[3] = NOWHERE end   -- whatever the first stroke, it is a move
+  if path.is_displaced() then tool[3] = UNKNOWN_POSITION end   -- whatever the first stroke, it is a move
   add_strokes(hole, tool)
   current = levels(hole, words, name, p, again, current)
   read_words(hole, words, name, p, again)
   local step = core.is_incremental() and make_stepper(words, name, p)
   if not step then set_absolute_position(hole, words, name, p) end
   -- The moves of a cycle follow the exact path in every path mode.
-  path.in_mode("exact_path", function()
+  path.call_in_mode("exact_path", function()
     for pass = 1, repeats do
       if step then step(hole) end
       -- The move to the first hole is at the level of the tool, moves between repeats are at the clearance
@@ -307,7 +307,7 @@ local function drill(name, words, before)
 end
 
 for name in pairs(strokes) do
-  local modal = motion.new(name, core.word(word_id(), if_allowed(name, function(words) drill(name, words, name) end)))
+  local modal = motion.new(name, core.word(word_id(), with_compensation_check(name, function(words) drill(name, words, name) end)))
   word(name, function(words)
     local before = core.motion()
     core.make_modal(modal)

@@ -48,11 +48,11 @@ local function define(name, first, home_number)
     if home and not core.variables[number] then parameters.set(number, parameters.to_stored(letter, home)) end
   end
   word(name, function(words)
-    axes.refuse_with_tcp_control(name)
+    axes.reject_with_tcp_control(name)
     go(words, first)
   end)
   word(name .. "_1", function()
-    axes.refuse_with_tcp_control(name .. ".1")
+    axes.reject_with_tcp_control(name .. ".1")
     store(first, axes.display_point(axes.programmed_point()))
   end)
 end

@@ -11,7 +11,7 @@ local inputs, parameters, path = use "common/inputs", dialect.use "variables", u
 
 local RESULT = 5399
 local TIMED_OUT = -1
-local LAST_WAIT = 4
+local MAX_WAIT_MODE = 4
 local WITH_MOVE = " with the next move"
 
 local function number_of(value, name, letter)
@@ -47,7 +47,7 @@ end
 analog("M67", true)
 analog("M68", false)
 
-local HOW = { "rises", "falls", "on", "off" }
+local WAIT_CONDITIONS = { "rises", "falls", "on", "off" }
 
 -- Returns the response of other processes: the signal of the input. The robot is idle meanwhile.
 local function read_signal(kind, number, wait, timeout)
@@ -56,7 +56,7 @@ local function read_signal(kind, number, wait, timeout)
   if value == nil then return 0, 0 end
   if wait > 0 then
     local signal = inputs.io_signal(name, number)
-    if not core.processes.wait_signal(signal, HOW[wait], nil, timeout) then return TIMED_OUT, 0 end
+    if not core.processes.wait_signal(signal, WAIT_CONDITIONS[wait], nil, timeout) then return TIMED_OUT, 0 end
     value = core.processes.value(signal)
   end
   if kind == "digital" then return (value and value ~= 0) and 1 or 0, 0 end
@@ -87,8 +87,8 @@ end
 word("M66", function(words)
   local kind, number = read_input(words or {})
   local wait, timeout = parameters.whole(words.l or 0), words.q or 0
-  if wait == nil or wait < 0 or wait > LAST_WAIT then
-    alarm("word-value", "L of M66 is a wait mode and must be from 0 to %d", LAST_WAIT)
+  if wait == nil or wait < 0 or wait > MAX_WAIT_MODE then
+    alarm("word-value", "L of M66 is a wait mode and must be from 0 to %d", MAX_WAIT_MODE)
   end
   if wait ~= 0 and kind == "analog" then alarm("word-value", "M66 reads an analog input immediately: L must be 0") end
   if wait ~= 0 and timeout <= 0 then

@@ -6,7 +6,7 @@ local word = use("core/words", "word")
 local path = use "core/path"
 
 local DIGIT_0, DIGIT_9 = ("09"):byte(1, 2)
-local UNKNOWN = "######"   -- for a parameter without a value
+local UNKNOWN_VALUE_TEXT = "######"   -- for a parameter without a value
 local ZERO_LIMIT = 1e-4 -- what is smaller, as LinuxCNC prints it
 
 local plain = { ["%f"] = "%f", ["%d"] = "%.0f", ["%%"] = "%%" }
@@ -22,7 +22,7 @@ local function format_at(text, at)
 end
 
 local function display_text(format, value)
-  if value == nil then return UNKNOWN end
+  if value == nil then return UNKNOWN_VALUE_TEXT end
   local number = env.number(value)
   local text = format:format(math.abs(number) < ZERO_LIMIT and 0 or number)
   if tonumber(text) == 0 and text:sub(1, 1) == "-" then return text:sub(2) end

@@ -30,7 +30,7 @@ return {
   -- hundred times that. A number of turns within 0.0001 of an integer counts as that integer.
   arc_rules = {
     radii_tolerance_mm = 0.0283, radii_tolerance_inch_mm = 0.00283 * 25.4, radii_tolerance_share = 0.001,
-    radii_tolerance_growth = 100, short_radius_mm = 0.00127, turns_tolerance = 1e-4,
+    radii_tolerance_growth = 100, max_radius_shortfall_mm = 0.00127, turns_tolerance = 1e-4,
   },
   switch_times = { M8 = "coolant_on", M9 = "coolant_off" },
   tool_table_kinds = { [1] = true, [10] = true, [11] = true },   -- L of G10

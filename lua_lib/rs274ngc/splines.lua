@@ -1,9 +1,9 @@
 -- RS274/NGC: splines in the XY plane, G5 (cubic), G5.1 (quadratic), G5.2 / G5.3 (NURBS), output as pairs of
 -- arcs.
 
-local alarm, check_table, space_between = use("core/basics", "alarm", "check_table", "space_between")
+local alarm, check_table, distance_in_space = use("core/basics", "alarm", "check_table", "distance_in_space")
 local feed_of_part = use("common/feed", "feed_of_part")
-local if_allowed, word, word_id = use("core/words", "if_allowed", "word", "id")
+local with_compensation_check, word, word_id = use("core/words", "with_compensation_check", "word", "id")
 local axes, motion, path, splines = use "core/axes", use "common/motion", use "core/path", use "common/splines"
 
 local SAME_MM = 1e-9
@@ -88,7 +88,7 @@ word("G5", function(words)
   words = words or {}
   check(words, "G5", " x y i j p q ")
   local start = here()
-  local continues = last_g5 ~= nil and space_between(last_g5.point, start) < SAME_MM
+  local continues = last_g5 ~= nil and distance_in_space(last_g5.point, start) < SAME_MM
   local first = pair(words, "i", "j", "G5", true) or continues and last_g5.lead or { 0, 0 }
   local last = pair(words, "p", "q", "G5")
   -- grblHAL uses the negated P and Q of the block itself, while others use those of the block before.
@@ -135,7 +135,7 @@ local function add_control_point(words, first)
   nurbs.weights[#nurbs.weights + 1] = words.p or 1
 end
 
-local next_point = motion.new("G5.2", core.word(word_id(), if_allowed("G5_2", function(words)
+local next_point = motion.new("G5.2", core.word(word_id(), with_compensation_check("G5_2", function(words)
   add_control_point(words or {}, false)
 end)))
 

@@ -9,7 +9,7 @@ local LAST = 5601
 local INDEX_TOLERANCE = 1e-4   -- for a number that represents an integer
 local EQUAL_TOLERANCE = 1e-4   -- of EQ and NE; the other comparisons are exact
 
-local STORED_MM = 25.4         -- mm of a unit in the parameters of offsets, home points and tools: inches, as rs274 has them
+local STORED_UNIT_MM = 25.4         -- mm of a unit in the parameters of offsets, home points and tools: inches, as rs274 has them
 
 local parameters = {
   letters = { "x", "y", "z", "a", "b", "c", "u", "v", "w" },   -- axes in the order of their parameters
@@ -24,8 +24,8 @@ function parameters.is_angle(letter)
   return known
 end
 
-function parameters.to_stored(letter, value) return parameters.is_angle(letter) and value or value / STORED_MM end
-function parameters.from_stored(letter, value) return parameters.is_angle(letter) and value or value * STORED_MM end
+function parameters.to_stored(letter, value) return parameters.is_angle(letter) and value or value / STORED_UNIT_MM end
+function parameters.from_stored(letter, value) return parameters.is_angle(letter) and value or value * STORED_UNIT_MM end
 
 -- Returns the integer that a value means, or nil.
 function parameters.whole(value)

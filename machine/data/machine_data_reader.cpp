@@ -135,7 +135,7 @@ class DataReader {
         check_unique(data_key(*section_, read->row.id),
                      fmt::format("the {} {}", rules.what, printable_word(first.text)));
         check_unique_name(rules, *read);
-        if (!has_error_) add_row(read_.data, rules, read->row, rules_.axes_known());
+        if (!has_error_) add_row(read_.data, rules, read->row, rules_.has_known_axes());
     }
 
     void check_unique_name(const SectionRules& rules, const ParsedRow& read) {

@@ -208,7 +208,7 @@ std::size_t SectionRules::positional() const {
     }));
 }
 
-DataRules::DataRules(std::span<const Axis> axes) : axes_known_(!axes.empty()) {
+DataRules::DataRules(std::span<const Axis> axes) : has_known_axes_(!axes.empty()) {
     for (const DataSection section : kDataSections) {
         SectionRules& rules = sections_[static_cast<std::size_t>(section)];
         rules = section_rules(section, axes);

@@ -52,7 +52,7 @@ rrs::ControllerRules read_custom_file(TomlSection& section, const std::string& m
     }
     auto rules = read_controller(*text, path.string(), model);
     if (rules) return *std::move(rules);
-    section.adopt_error(std::move(rules).error().message);
+    section.add_file_error(std::move(rules).error().message);
     return {};
 }
 

@@ -12,10 +12,11 @@ using base::NumberRule;
 using base::TomlSection;
 
 struct DriveKeys {
-    std::string_view coulomb, viscous, rotor, counterweight, peak, continuous, curve_speeds, curve_peaks;
+    std::string_view coulomb_friction, viscous, rotor, counterweight, peak, continuous, curve_speeds,
+        curve_peaks;
 
     std::vector<std::string_view> all() const {
-        return {coulomb, viscous, rotor, counterweight, peak, continuous, curve_speeds, curve_peaks};
+        return {coulomb_friction, viscous, rotor, counterweight, peak, continuous, curve_speeds, curve_peaks};
     }
 };
 
@@ -80,7 +81,7 @@ Drive read_drive(TomlSection& axis, const toml::table& table, AxisKind kind) {
     const DriveKeys& keys = drive_keys_of_kind(kind);
     const Drive none;
     Drive drive;
-    drive.coulomb = axis.number(keys.coulomb, 0, NumberRule::not_negative);
+    drive.coulomb_friction = axis.number(keys.coulomb_friction, 0, NumberRule::not_negative);
     drive.viscous = axis.number(keys.viscous, 0, NumberRule::not_negative);
     drive.rotor = axis.number(keys.rotor, 0, NumberRule::not_negative);
     drive.counterweight = axis.number(keys.counterweight, 0, NumberRule::finite);
@@ -96,7 +97,7 @@ void print_drive(base::TomlWriter& out, const Axis& axis) {
     const auto number = [&](std::string_view key, double value) {
         if (value != 0) out.number(key, value);
     };
-    number(keys.coulomb, drive.coulomb);
+    number(keys.coulomb_friction, drive.coulomb_friction);
     number(keys.viscous, drive.viscous);
     number(keys.rotor, drive.rotor);
     number(keys.counterweight, drive.counterweight);

@@ -50,7 +50,7 @@ constexpr std::array kDhKeys{"theta_deg"sv, "d_mm"sv, "a_mm"sv, "alpha_deg"sv};
 struct AxisKeys {
     std::string_view title;
     std::string_view min, max, max_speed, max_acceleration, max_deceleration, max_jerk, max_speed_step, step;
-    std::array<std::string_view, kHomes> homes;
+    std::array<std::string_view, kHomeCount> homes;
     std::string_view zero;
     std::string_view turning;  ///< Empty if an axis of the kind has no such key.
 

@@ -23,7 +23,7 @@ constexpr std::array kProcessKeys{"kind"sv, "on"sv, "off"sv};
 constexpr std::array kProcessKinds{"jet"sv, "plasma"sv, "laser"sv,
                                    "spindle"sv};  // in the order of ProcessKind
 // The longest dwell of each kind; a jet may take long to pierce.
-constexpr std::array kDefaultDwells_s{60.0, 5.0, 10.0, std::numeric_limits<double>::infinity()};
+constexpr std::array kDefaultMaxDwells_s{60.0, 5.0, 10.0, std::numeric_limits<double>::infinity()};
 
 struct CheckKey {
     std::string_view name;
@@ -155,7 +155,7 @@ std::optional<Process> read_process(FirstError& error, TomlSection& file) {
     process.on = read_words(section, "on");
     process.off = read_words(section, "off");
     check_distinct(section, process);
-    process.checks.dwell_s = kDefaultDwells_s[static_cast<std::size_t>(process.kind)];
+    process.checks.dwell_s = kDefaultMaxDwells_s[static_cast<std::size_t>(process.kind)];
     read_checks(error, checks, process.checks);
     return process;
 }

@@ -241,8 +241,9 @@ Read<std::vector<machine::Axis>> read_axes(IniFile& ini, const IniUnits& units,
     const auto joint_count = ini.number("KINS", "JOINTS");
     if (!joint_count) return tl::unexpected(joint_count.error());
     const auto max = static_cast<double>(pose_from_joints->size());
-    const double given_count = joint_count->value_or(max);
-    const auto count = static_cast<std::size_t>(given_count >= 0 ? std::min(given_count, max) : max);
+    const double configured_count = joint_count->value_or(max);
+    const auto count =
+        static_cast<std::size_t>(configured_count >= 0 ? std::min(configured_count, max) : max);
     std::map<char, std::vector<std::size_t>> joints;
     for (std::size_t joint = 0; joint < count; ++joint) joints[(*pose_from_joints)[joint]].push_back(joint);
     std::vector<machine::Axis> axes;

@@ -88,15 +88,15 @@ class Importer {
     void import_units() {
         result_.machine.program.dialect = "linuxcnc";
         if (units_.linear_mm == kMmPerInch) result_.machine.program.units = machine::ProgramUnits::inch;
-        const auto startup = ini_.text("RS274NGC", "RS274NGC_STARTUP_CODE");
-        if (!startup) return;
-        const std::string code = text::upper(*startup);
+        const auto startup_code = ini_.text("RS274NGC", "RS274NGC_STARTUP_CODE");
+        if (!startup_code) return;
+        const std::string code = text::upper(*startup_code);
         if (code.find("G20") != std::string::npos)
             result_.machine.program.units = machine::ProgramUnits::inch;
         if (code.find("G21") != std::string::npos) result_.machine.program.units = machine::ProgramUnits::mm;
         result_.warnings.push_back(fmt::format(
             "[RS274NGC] RS274NGC_STARTUP_CODE = {} is not run before programs; only its units are imported",
-            *startup));
+            *startup_code));
     }
 
     // Reads a number of [TRAJ] by the first of two names; the second is the name in older versions.

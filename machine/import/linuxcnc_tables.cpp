@@ -17,14 +17,15 @@ namespace gsim::import {
 namespace {
 
 constexpr std::string_view kLettersInOrder = "XYZABCUVW";  // of parameters
-constexpr double kStoredMm = kMmPerInch;  // parameters of this project's RS274/NGC hold lengths in inches
+constexpr double kStoredUnit_mm =
+    kMmPerInch;  // parameters of this project's RS274/NGC hold lengths in inches
 constexpr int kFirstHome = 5161;
 constexpr int kSecondHome = 5181;
 constexpr int kG92Active = 5210;
 constexpr int kFirstG92 = 5211;
 constexpr int kActiveSystem = 5220;
 constexpr int kFirstSystem = 5221;
-constexpr int kPerSystem = 20;
+constexpr int kParametersPerSystem = 20;
 constexpr int kRotation = 9;
 constexpr int kFirstUserVariable = 31;  // of the variables that programs may keep
 constexpr int kLastUserVariable = 5000;
@@ -99,7 +100,7 @@ class Parameters {
     }
 
     void import_system(std::size_t system) {
-        const int first = kFirstSystem + static_cast<int>(system) * kPerSystem;
+        const int first = kFirstSystem + static_cast<int>(system) * kParametersPerSystem;
         machine::AxisValues values;
         bool any = false;
         for (std::size_t i = 0; i < kLettersInOrder.size(); ++i) {
@@ -118,7 +119,8 @@ class Parameters {
             const char letter = kLettersInOrder[i];
             const double of = value(first + static_cast<int>(i));
             if (of == 0 || !has_axis(letter, of, what)) continue;
-            data_.variables[first + static_cast<int>(i)] = is_rotary(letter) ? of : of * unit_mm_ / kStoredMm;
+            data_.variables[first + static_cast<int>(i)] =
+                is_rotary(letter) ? of : of * unit_mm_ / kStoredUnit_mm;
         }
     }
 

@@ -12,7 +12,7 @@
 #include "machine/model/frame_pose.h"
 #include "motion/kinematics/chain_kinematics.h"
 #include "motion/kinematics/gantry.h"
-#include "motion/kinematics/numeric.h"
+#include "motion/kinematics/numeric_kinematics.h"
 
 namespace gsim::machine {
 
@@ -150,12 +150,12 @@ std::optional<Error> find_controller_error(const Machine& machine) {
     if (!machine.controller.coordination.interpolated_rapids && std::isfinite(machine.path.max_rapid_mm_s))
         return "'interpolated_rapids = false' cannot be combined with 'max_rapid_mm_s': each axis has its "
                "own speed, so the tool speed is not limited";
-    const bool is_chords = planner.arc_chords == rrs::ArcChords::by_tolerance &&
-                           machine.controller.curves.arc_chord_tolerance_mm > 0;
-    if (machine.controller.blocks.path_measure == rrs::PathMeasure::all_axes && !is_chords)
+    const bool uses_chords = planner.arc_chords == rrs::ArcChords::by_tolerance &&
+                             machine.controller.curves.arc_chord_tolerance_mm > 0;
+    if (machine.controller.blocks.path_measure == rrs::PathMeasure::all_axes && !uses_chords)
         return "'path_measure = \"all-axes\"' needs the planner \"look-ahead\" with arcs as chords "
                "(arc_chord_tolerance_mm), which plans only lines";
-    if (machine.controller.ramps.limit_jerk && machine.controller.ramps.step_s > 0 && !is_chords)
+    if (machine.controller.ramps.limit_jerk && machine.controller.ramps.step_s > 0 && !uses_chords)
         return "'ramp_step_s' needs the planner \"look-ahead\" with arcs as chords (arc_chord_tolerance_mm), "
                "which plans only lines";
     if (machine.controller.coordination.orientation == rrs::OrientationRule::joints) return std::nullopt;

@@ -53,7 +53,7 @@ struct DhRow {
     bool operator==(const DhRow&) const = default;
 };
 
-inline constexpr int kHomes = 4;  ///< Home positions of a machine: the primary one and three others.
+inline constexpr int kHomeCount = 4;  ///< Home positions of a machine: the primary one and three others.
 
 /// One axis of the machine: the letter that programs use and the joint it drives. The index of an axis is the
 /// index of its joint. Axes that carry the tool are in the order from the world to the tool. Those that carry
@@ -82,7 +82,7 @@ struct Axis {
     CarriedPart carries = CarriedPart::tool;
     RotaryMode turning = RotaryMode::limited;
     /// Home positions 2 to 4, if the axis has a value there.
-    std::array<std::optional<double>, kHomes - 1> other_homes = {};
+    std::array<std::optional<double>, kHomeCount - 1> other_homes = {};
     Drive drive = {};
     /// Servo loop, if given in the file: following errors of all axes are computed then.
     std::optional<Servo> servo = std::nullopt;

@@ -118,8 +118,8 @@ TableSchema axis_table(bool rotary, const std::string& unit) {
     TableSchema table{.at = {"axis"},
                       .many = true,
                       .meaning = rotary ? "a rotary axis" : "a linear axis",
-                      .where_key = "kind",
-                      .where_value = rotary ? "rotary" : "linear"};
+                      .condition_key = "kind",
+                      .condition_value = rotary ? "rotary" : "linear"};
     table.keys = {
         required(choice_key("letter", "", {"A", "B", "C", "U", "V", "W", "X", "Y", "Z"},
                             "the letter of the axis in programs")),

@@ -196,7 +196,8 @@ Efforts Dynamics::friction(const rrs::JointPos& velocity, const rrs::JointPos& s
     Efforts efforts(joint_count());
     for (int joint = 0; joint < joint_count(); ++joint) {
         const JointDrive& drive = drives_[static_cast<std::size_t>(joint)];
-        efforts[joint] = drive.coulomb * sense[joint] + drive.viscous * in_si(joint, velocity[joint]);
+        efforts[joint] =
+            drive.coulomb_friction * sense[joint] + drive.viscous * in_si(joint, velocity[joint]);
     }
     return efforts;
 }

@@ -6,8 +6,8 @@ namespace gsim::dynamics {
 
 namespace {
 
-constexpr std::size_t kMinKeptSteps = 3;        // steps that are kept,
-constexpr std::size_t kMaxKeptSteps = 100'000;  // and the max, whatever the delay
+constexpr std::size_t kMinStoredSteps = 3;        // steps that are kept,
+constexpr std::size_t kMaxStoredSteps = 100'000;  // and the max, whatever the delay
 
 }  // namespace
 
@@ -22,9 +22,9 @@ ServoHistory::ServoHistory(const std::vector<ServoLoop>& loops) {
 void ServoHistory::add(Step step) {
     steps_.push_back(std::move(step));
     const auto covers_delay = [this] {
-        return steps_[1].start_s <= steps_[steps_.size() - kMinKeptSteps].start_s - longest_delay_s_;
+        return steps_[1].start_s <= steps_[steps_.size() - kMinStoredSteps].start_s - longest_delay_s_;
     };
-    while (steps_.size() > kMinKeptSteps && (covers_delay() || steps_.size() > kMaxKeptSteps)) {
+    while (steps_.size() > kMinStoredSteps && (covers_delay() || steps_.size() > kMaxStoredSteps)) {
         spare_ = std::move(steps_.front());
         steps_.pop_front();
     }

@@ -54,7 +54,7 @@ void ServoMotion::begin(const rrs::JointPos& start) {
 void ServoMotion::enter(const Segment& segment, const StepHandler& on_step) {
     go_to(segment.start_s, on_step);
     segment_ = &segment;
-    at_s_ = 0;
+    segment_time_s_ = 0;
     now_s_ = std::max(now_s_, segment.start_s);
     part_ = 0;
     part_begun_ = false;
@@ -87,15 +87,15 @@ void ServoMotion::go_to(double t_s, const StepHandler& on_step) {
         return;
     }
     const double to_s = std::min(t_s - segment_->start_s, segment_->duration_s);
-    while (to_s - at_s_ > kMinStep_s) {
-        while (part_ < part_ends_s_.size() && part_ends_s_[part_] - at_s_ <= kMinStep_s) {
+    while (to_s - segment_time_s_ > kMinStep_s) {
+        while (part_ < part_ends_s_.size() && part_ends_s_[part_] - segment_time_s_ <= kMinStep_s) {
             ++part_;
             part_begun_ = false;
         }
         if (!part_begun_) begin_part();
         const double path_part_end_s =
             part_ < part_ends_s_.size() ? part_ends_s_[part_] : std::numeric_limits<double>::infinity();
-        make_step(next_step_s(std::min(path_part_end_s, to_s) - at_s_), on_step);
+        make_step(next_step_s(std::min(path_part_end_s, to_s) - segment_time_s_), on_step);
     }
 }
 
@@ -111,8 +111,8 @@ JointState ServoMotion::state_inside(double from_s, double to_s, bool at_end) co
 void ServoMotion::begin_part() {
     const double end_s = part_ < part_ends_s_.size() ? std::min(part_ends_s_[part_], segment_->duration_s)
                                                      : segment_->duration_s;
-    set_points_.from = state_inside(at_s_, end_s, false);
-    const JointState last = state_inside(at_s_, end_s, true);
+    set_points_.from = state_inside(segment_time_s_, end_s, false);
+    const JointState last = state_inside(segment_time_s_, end_s, true);
     part_constant_ = std::isinf(curve_step_s_) && set_points_.from.acceleration.isZero(0) &&
                      last.acceleration.isZero(0) && set_points_.from.velocity == last.velocity;
     part_begun_ = true;
@@ -167,10 +167,10 @@ ServoHistory::JointStep ServoMotion::joint_step(std::size_t joint, double durati
 }
 
 void ServoMotion::make_step(double duration_s, const StepHandler& on_step) {
-    const double to_s = at_s_ + duration_s;
-    set_points_.start_s = segment_->start_s + at_s_;
+    const double to_s = segment_time_s_ + duration_s;
+    set_points_.start_s = segment_->start_s + segment_time_s_;
     set_points_.duration_s = duration_s;
-    set_points_.to = part_constant_ ? set_points_.from : state_inside(at_s_, to_s, true);
+    set_points_.to = part_constant_ ? set_points_.from : state_inside(segment_time_s_, to_s, true);
     if (part_constant_) set_points_.to.position += duration_s * set_points_.from.velocity;
     ServoHistory::Step step = history_.release_spare();
     step.start_s = set_points_.start_s;
@@ -182,8 +182,8 @@ void ServoMotion::make_step(double duration_s, const StepHandler& on_step) {
                         joint_state.error.at(duration_s)};
     }
     history_.add(std::move(step));
-    at_s_ = to_s;
-    now_s_ = segment_->start_s + at_s_;
+    segment_time_s_ = to_s;
+    now_s_ = segment_->start_s + segment_time_s_;
     if (on_step) on_step(set_points_);
     set_points_.from = set_points_.to;
     set_points_.begins_segment = false;

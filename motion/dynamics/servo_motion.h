@@ -74,7 +74,7 @@ class ServoMotion {
 
     motion::Segment standstill_;                // between segments
     const motion::Segment* segment_ = nullptr;  // that is gone through
-    double at_s_ = 0;                           // in it
+    double segment_time_s_ = 0;                 // in it
     std::vector<double> part_ends_s_;           // of the parts in which its laws are polynomials
     std::size_t part_ = 0;
     bool part_begun_ = false;

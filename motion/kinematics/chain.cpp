@@ -35,7 +35,7 @@ void apply_joint(rrs::CartPos& frame, rrs::JointKind kind, double value) {
     }
 }
 
-rrs::CartPos branch_tip_pose(const Branch& branch, const rrs::JointPos& joints) {
+rrs::CartPos branch_end_pose(const Branch& branch, const rrs::JointPos& joints) {
     rrs::CartPos frame = branch.base;
     for (const Link& link : branch.links) {
         if (!link.row) frame = frame * link.before;
@@ -103,8 +103,8 @@ Chain::Chain(Branch tool_side, Branch work_side, std::vector<int> idle_joints)
 }
 
 rrs::CartPos Chain::forward(const rrs::JointPos& joints) const {
-    if (work_is_world_) return branch_tip_pose(tool_side_, joints);
-    return branch_tip_pose(work_side_, joints).inverse() * branch_tip_pose(tool_side_, joints);
+    if (work_is_world_) return branch_end_pose(tool_side_, joints);
+    return branch_end_pose(work_side_, joints).inverse() * branch_end_pose(tool_side_, joints);
 }
 
 std::vector<rrs::CartPos> Chain::tool_frames(const rrs::JointPos& joints) const {

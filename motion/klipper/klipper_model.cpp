@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMinMovesToPlan = 64;
 constexpr double kSpeedTolerance = 1e-9;  // relative
 
-LimitedBy limited_by(const QueuedMove& move, const TimeLaw& law) {
+LimitCause limited_by(const QueuedMove& move, const TimeLaw& law) {
     if (law.peak_speed() >= move.max_speed * (1 - kSpeedTolerance)) return move.speed_limit;
     if (law.start_speed() > kStandstillTolerance && law.end_speed() > kStandstillTolerance)
         return {LimitKind::corner, -1};

@@ -64,7 +64,7 @@ PlanResult LinuxcncModel::add_complete(const PathMove& move) {
     }
     skipped_start_.reset();
     if (sub_segment->turns || !linuxcnc::may_merge(move)) {
-        end_merged();
+        finish_merged_line();
         add_part(*std::move(sub_segment));
         return {};
     }
@@ -80,7 +80,7 @@ PlanResult LinuxcncModel::add_complete(const PathMove& move) {
 }
 
 void LinuxcncModel::plan_to_standstill() {
-    end_merged();
+    finish_merged_line();
     emit(true);
     queue_.clear();
     velocity_planner_.clear();
@@ -98,12 +98,12 @@ void LinuxcncModel::clear() {
 }
 
 void LinuxcncModel::merge(const PathMove& line) {
-    if (!merged_.empty() && !merged_.accepts(line)) end_merged();
+    if (!merged_.empty() && !merged_.accepts(line)) finish_merged_line();
     merged_.add(line);
 }
 
 /// A line that replaces plannable lines is plannable itself, or has no length.
-void LinuxcncModel::end_merged() {
+void LinuxcncModel::finish_merged_line() {
     if (merged_.empty()) return;
     auto sub_segment = linuxcnc::make_sub_segment(setup_, axes_, merged_.line(), planning_);
     const bool several = merged_.several();
@@ -120,7 +120,7 @@ void LinuxcncModel::add_part(SubSegment sub_segment) {
     }
     SubSegment& last = queue_.back().sub_segment;
     const auto blend = linuxcnc::join(last, sub_segment, axes_, join_rules_);
-    if (blend && blend->absorbs_before) {
+    if (blend && blend->absorbs_previous_line) {
         last = blend->sub_segment;
     } else {
         linuxcnc::finalize(last, planning_);

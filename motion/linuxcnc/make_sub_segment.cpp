@@ -25,7 +25,7 @@ JointRole sub_segment_role(const JointChanges& changes, bool curved) {
 }
 
 // Largest change of a joint divided by its limit, and the joint that has it.
-struct Need {
+struct LimitRatio {
     double value = 0;
     int joint = -1;
 
@@ -36,16 +36,16 @@ struct Need {
     double along(double length) const { return value > 0 ? length / value : kUnlimited; }
 };
 
-struct JointDemands {
-    Need speed;
-    Need acceleration;
-    Need jerk;
+struct JointLimitRatios {
+    LimitRatio speed;
+    LimitRatio acceleration;
+    LimitRatio jerk;
     bool has_unlimited_jerk = false;  // a joint has no jerk limit
 };
 
 // LinuxCNC uses only the jerks of X, Y and Z round an arc.
-JointDemands joint_demands(const PlannerSetup& setup, const JointChanges& changes, bool curved) {
-    JointDemands demands;
+JointLimitRatios joint_limit_ratios(const PlannerSetup& setup, const JointChanges& changes, bool curved) {
+    JointLimitRatios demands;
     for (int joint = 0; joint < setup.joint_count(); ++joint) {
         const double change = std::abs(changes.of(joint));
         if (change == 0) continue;
@@ -68,7 +68,7 @@ double min_in_plane(const Vector3d& limits, const Arc& arc) {
     return min;
 }
 
-void limit_line(SubSegment& sub_segment, const JointDemands& demands) {
+void limit_line(SubSegment& sub_segment, const JointLimitRatios& demands) {
     sub_segment.limits.max_speed = demands.speed.along(sub_segment.length);
     sub_segment.limits.full_acceleration = demands.acceleration.along(sub_segment.length);
 }
@@ -80,7 +80,7 @@ double arc_distance_mm(const Arc& arc) {
 }
 
 // The chord counts for the joints, the path round the arc for the axes of its plane.
-void limit_arc(SubSegment& sub_segment, const Axes& axes, JointDemands& demands) {
+void limit_arc(SubSegment& sub_segment, const Axes& axes, JointLimitRatios& demands) {
     const Arc& arc = sub_segment.arc;
     const double acceleration = min_in_plane(axes.max_acceleration_mm_s2(), arc);
     const double change = arc.end_radius_mm - arc.radius_mm;
@@ -104,12 +104,12 @@ double requested_speed_of(const PathMove& move, const SubSegment& sub_segment, J
     return role == JointRole::rotary ? move.rules.orientation_speed_rad_s : move.rules.programmed_speed_mm_s;
 }
 
-LimitedBy joint_limit(LimitKind kind, int joint) {
+LimitCause joint_limit(LimitKind kind, int joint) {
     return {kind, static_cast<std::int8_t>(joint)};
 }
 
-void set_speeds(SubSegment& sub_segment, const PathMove& move, JointRole role, const JointDemands& demands,
-                double period_s) {
+void set_speeds(SubSegment& sub_segment, const PathMove& move, JointRole role,
+                const JointLimitRatios& demands, double period_s) {
     const double limited_speed = requested_speed_of(move, sub_segment, role);
     if (sub_segment.limits.speed_limit.kind != LimitKind::centripetal || demands.speed.joint >= 0) {
         sub_segment.limits.speed_limit = joint_limit(LimitKind::joint_speed, demands.speed.joint);
@@ -129,7 +129,7 @@ void set_speeds(SubSegment& sub_segment, const PathMove& move, JointRole role, c
 }
 
 void set_acceleration(SubSegment& sub_segment, const PathMove& move, JointRole role,
-                      const JointDemands& demands, double period_s) {
+                      const JointLimitRatios& demands, double period_s) {
     sub_segment.limits.acceleration_limit = joint_limit(LimitKind::acceleration, demands.acceleration.joint);
     const double limit = role == JointRole::rotary ? move.rules.orientation_acceleration_rad_s2
                                                    : move.rules.path_acceleration_mm_s2;
@@ -143,7 +143,7 @@ void set_acceleration(SubSegment& sub_segment, const PathMove& move, JointRole r
 }
 
 // One joint without a limit leaves the complete move without S-curves, as in LinuxCNC.
-void set_jerk(SubSegment& sub_segment, JointRole role, const JointDemands& demands,
+void set_jerk(SubSegment& sub_segment, JointRole role, const JointLimitRatios& demands,
               const PlanningRules& planning) {
     if (!planning.s_curves) return;
     sub_segment.limits.path_jerk = planning.path_jerk * (role == JointRole::rotary ? kRadPerDeg : 1);
@@ -212,7 +212,7 @@ void set_path(SubSegment& sub_segment, const Axes& axes, const PathMove& move, c
 
 void set_limits(SubSegment& sub_segment, const PlannerSetup& setup, const Axes& axes, const PathMove& move,
                 const JointChanges& changes, JointRole role, const PlanningRules& planning) {
-    JointDemands demands = joint_demands(setup, changes, sub_segment.curved);
+    JointLimitRatios demands = joint_limit_ratios(setup, changes, sub_segment.curved);
     if (sub_segment.curved) {
         limit_arc(sub_segment, axes, demands);
     } else {

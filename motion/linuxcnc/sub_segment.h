@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "controller/services/types.h"
-#include "motion/linuxcnc/planning.h"
+#include "motion/linuxcnc/planning_rules.h"
 #include "motion/path/arc.h"
 #include "motion/planner/override_schedule.h"
 #include "motion/segment/segment.h"
@@ -36,8 +36,8 @@ struct SubSegmentLimits {
     double tangential_share = kTangentialShare;  ///< Only for an arc.
     double jerk = kUnlimited;                    ///< Jerk of its ramps.
     double path_jerk = kUnlimited;               ///< That of any path; across arcs, too.
-    LimitedBy speed_limit;
-    LimitedBy acceleration_limit;
+    LimitCause speed_limit;
+    LimitCause acceleration_limit;
 };
 
 /// Passage from the sub-segment before and to the next one.

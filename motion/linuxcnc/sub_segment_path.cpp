@@ -44,11 +44,11 @@ PathPart path_part(const SubSegment& sub_segment, const Axes& axes, double from,
     part.end = joints_at(sub_segment, axes, to);
     if (sub_segment.curved && from >= sub_segment.lead_in.length) {
         part.scale = arc_scale(sub_segment);
-        const bool is_full_piece = from <= sub_segment.lead_in.length && to >= sub_segment.length;
+        const bool is_full_arc = from <= sub_segment.lead_in.length && to >= sub_segment.length;
         const std::optional<Arc> arc =
-            is_full_piece ? sub_segment.arc
-                          : arc_part(sub_segment.arc, (from - sub_segment.lead_in.length) * part.scale,
-                                     (to - sub_segment.lead_in.length) * part.scale);
+            is_full_arc ? sub_segment.arc
+                        : arc_part(sub_segment.arc, (from - sub_segment.lead_in.length) * part.scale,
+                                   (to - sub_segment.lead_in.length) * part.scale);
         part.curved = arc.has_value();
         if (arc) part.arc = *arc;
     }

@@ -11,15 +11,15 @@ namespace gsim::motion::linuxcnc {
 namespace {
 
 constexpr double kMinRampTime_s = 0.01;  // feed sub-segments of less time than this are one ramp
-constexpr std::size_t kKeptSubSegments =
+constexpr std::size_t kMaxRetainedSubSegments =
     4;  // a group's end never starts to be shared earlier than with these
 
 // Returns the limit that kept the sub-segment from being faster. `slowed_by` is the limit of the speed at its
 // end.
-LimitedBy limit_cause(const SubSegment& sub_segment, double share, const Law& law, bool starts_at_standstill,
-                      bool ends_at_standstill, LimitKind slowed_by) {
+LimitCause limit_cause(const SubSegment& sub_segment, double share, const Law& law, bool starts_at_standstill,
+                       bool ends_at_standstill, LimitKind slowed_by) {
     if (law.top_speed() >= target_speed(sub_segment, share) * (1 - 1e-6)) {
-        return sub_segment.rapid && share < 1 ? LimitedBy{LimitKind::rapid_override, -1}
+        return sub_segment.rapid && share < 1 ? LimitCause{LimitKind::rapid_override, -1}
                                               : sub_segment.limits.speed_limit;
     }
     if (starts_at_standstill && ends_at_standstill) return sub_segment.limits.acceleration_limit;
@@ -53,7 +53,7 @@ void VelocityPlanner::advance(SubSegmentQueue& queue, bool ended) {
 }
 
 std::size_t VelocityPlanner::ready() const {
-    return next_ - std::min(group_.sub_segments, kKeptSubSegments);
+    return next_ - std::min(group_.sub_segments, kMaxRetainedSubSegments);
 }
 
 void VelocityPlanner::drop(std::size_t count) {
@@ -112,10 +112,10 @@ void VelocityPlanner::plan_next(SubSegmentQueue& queue) {
 }
 
 Profile VelocityPlanner::make_profile(SubSegmentQueue& queue, LimitKind& slowed_by) {
-    return is_end_known_ && tangent_end_ == next_ ? last_profile(queue) : pass_profile(queue, slowed_by);
+    return is_end_known_ && tangent_end_ == next_ ? last_profile(queue) : passing_profile(queue, slowed_by);
 }
 
-Profile VelocityPlanner::pass_profile(const SubSegmentQueue& queue, LimitKind& slowed_by) const {
+Profile VelocityPlanner::passing_profile(const SubSegmentQueue& queue, LimitKind& slowed_by) const {
     const SubSegment& sub_segment = queue[next_].sub_segment;
     const JunctionSpeed junction = planning_.s_curves ? curved_junction_speed(queue, next_, horizon())
                                                       : junction_speed(queue, next_, horizon());
@@ -127,7 +127,7 @@ Profile VelocityPlanner::pass_profile(const SubSegmentQueue& queue, LimitKind& s
     const double mean_speed = (group_.speed + std::min(junction.speed, target_speed_limit)) / 2;
     const Law start = start_law(sub_segment);
     const double from = start_speed(start);
-    Stretch section = make_stretch(sub_segment);
+    Stretch section = make_path_section(sub_segment);
     section.length -= start.length();
     const bool reaches_end_speed =
         from * from + 2 * section.acceleration * section.length <= end_speed * end_speed;
@@ -140,7 +140,7 @@ Profile VelocityPlanner::pass_profile(const SubSegmentQueue& queue, LimitKind& s
 
 // A group takes full periods: it dwells for the remainder of the last one.
 Profile VelocityPlanner::last_profile(const SubSegmentQueue& queue) {
-    Stretch section = make_stretch(queue[next_].sub_segment);
+    Stretch section = make_path_section(queue[next_].sub_segment);
     const bool has_late_overlap = overlaps_late(queue, next_);
     const bool starts_at_standstill = group_.sub_segments == 0 && overlap_acceleration_ <= 0;
     if (starts_at_standstill && !has_late_overlap && std::isinf(section.jerk))

@@ -163,9 +163,9 @@ Blend blend_at(const PlannerSetup& setup, const Block& from, const Block& to, do
 }
 
 double min_blend_speed(const Block& from, const Block& to) {
-    constexpr double kShare = 0.45;  // blends at joint limits are passed at half of it at least
+    constexpr double kMinBlendSpeedShare = 0.45;  // blends at joint limits are passed at half of it at least
     const auto [acceleration, jerk] = CommonRamp(from, to);
-    return kShare * reachable_speed(to.entry_blend.cut, 0, acceleration, jerk);
+    return kMinBlendSpeedShare * reachable_speed(to.entry_blend.cut, 0, acceleration, jerk);
 }
 
 }  // namespace gsim::motion

@@ -33,7 +33,7 @@ rrs::JointPos joint_shares(const PathMove& move, const PlannerSetup& setup, cons
     return shares;
 }
 
-void limit(double& value, LimitedBy& by, double other, LimitedBy other_by) {
+void limit(double& value, LimitCause& by, double other, LimitCause other_by) {
     if (other >= value) return;
     value = other;
     by = other_by;

@@ -11,7 +11,7 @@ namespace gsim::motion {
 
 namespace {
 
-constexpr int kAllCornersUpTo = 8;
+constexpr int kMaxCornersCheckedEach = 8;
 constexpr int kCornerStride = 4;
 
 /// Corners before the newest one that have a lower speed of their own.
@@ -42,24 +42,24 @@ class CornerSequence {
   public:
     CornerSequence(const rrs::JointPos& slope_in, const rrs::JointPos& slope_out, const SlowerCorners& slower,
                    double distance)
-        : slope_in_(slope_in), slope_out_(slope_out), slower_(slower), distance_(distance) {}
+        : slope_in_(slope_in), slope_out_(slope_out), slower_corners_(slower), distance_(distance) {}
 
     Eigen::Index joints() const { return slope_in_.size(); }
     double total_change(Eigen::Index joint) const { return slope_out_[joint] - slope_in_[joint]; }
-    double turn(Eigen::Index joint) const { return total_change(joint) - slower_.turn(joint); }
-    double before(Eigen::Index joint) const { return slower_.jump(joint); }
+    double turn(Eigen::Index joint) const { return total_change(joint) - slower_corners_.turn(joint); }
+    double before(Eigen::Index joint) const { return slower_corners_.jump(joint); }
     double change(Eigen::Index joint, double speed) const {
         return std::abs(speed * turn(joint) + before(joint));
     }
     /// Returns the lowest of the corners' own speeds.
-    double min() const { return slower_.min(); }
+    double min() const { return slower_corners_.min(); }
     /// Returns the path length that the corners count for.
     double distance() const { return distance_; }
 
   private:
     const rrs::JointPos& slope_in_;
     const rrs::JointPos& slope_out_;
-    const SlowerCorners& slower_;
+    const SlowerCorners& slower_corners_;
     double distance_;
 };
 
@@ -158,7 +158,7 @@ void for_each_corner_sequence(const JointBounds& bounds, const PrecedingBlocks& 
         if (block.move.kind == SegmentKind::circular && block.max_speed < speed)
             slower.add(block.slope_out - block.slope_in, block.max_speed);
         ++corners;
-        if (corners <= kAllCornersUpTo || corners % kCornerStride == 0)
+        if (corners <= kMaxCornersCheckedEach || corners % kCornerStride == 0)
             visit_window(CornerSequence(in, to.slope_in, slower, distance * corners / (corners - 1)));
     }
 }

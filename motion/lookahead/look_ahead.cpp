@@ -35,9 +35,9 @@ rrs::JointPos snap_to_grid(const PlannerSetup& setup, rrs::JointPos position) {
 }  // namespace
 
 PlanResult LookAhead::add(const PathMove& move) {
-    const bool is_chords =
+    const bool uses_chords =
         move.kind == SegmentKind::circular && setup_.controller.curves.arc_chord_tolerance_mm > 0;
-    if (!is_chords) return add_line(move);
+    if (!uses_chords) return add_line(move);
     PlanResult planned;
     for_each_chord(move, setup_, [&](const PathMove& line) {
         if (planned) planned = add_line(line);
@@ -240,7 +240,7 @@ double LookAhead::settle_s(const Block& block) const {
     return block.settling.fixed_s + std::log(worst) / setup_.controller.position_loop.gain_1_s;
 }
 
-LimitedBy LookAhead::blend_limited_by(const Block& from, const Block& to, double speed) const {
+LimitCause LookAhead::blend_limited_by(const Block& from, const Block& to, double speed) const {
     const Block& slower = from.max_speed <= to.max_speed ? from : to;
     if (speed >= slower.max_speed * (1 - kBlockSpeedTolerance)) return slower.speed_limit;
     return {to.is_window_limited && speed >= to.entry ? LimitKind::look_ahead : LimitKind::corner, -1};
@@ -254,7 +254,7 @@ void LookAhead::emit_dwell(rrs::TargetId id, const rrs::JointPos& end, double se
     output_.finish();
 }
 
-LimitedBy LookAhead::limited_by(const Block& block, const TimeLaw& law, double exit_speed) const {
+LimitCause LookAhead::limited_by(const Block& block, const TimeLaw& law, double exit_speed) const {
     if (law.peak_speed() >= block.max_speed * (1 - kBlockSpeedTolerance)) return block.speed_limit;
     const Block* next = window_.size() > 1 ? &window_[1] : nullptr;
     if (next != nullptr && next->is_window_limited && exit_speed >= next->entry)
@@ -267,9 +267,9 @@ LimitedBy LookAhead::limited_by(const Block& block, const TimeLaw& law, double e
 
 void LookAhead::plan_to_standstill() {
     if (!window_.empty()) plan_backward(0);
-    ending_ = true;
+    is_ending_ = true;
     while (!window_.empty()) emit_front_block();
-    ending_ = false;
+    is_ending_ = false;
     speed_ = 0;
 }
 
@@ -284,7 +284,7 @@ void LookAhead::clear() {
     planned_count_ = 0;
     inner_count_ = 0;
     output_.clear();
-    stepped_ = SteppedRamps(setup_.controller.ramps.step_s);
+    stepped_ramps_ = SteppedRamps(setup_.controller.ramps.step_s);
     speed_ = 0;
     has_rounded_end_ = false;
 }

@@ -56,8 +56,8 @@ EnqueueResult BufferedMoves::enqueue(const Move& move) {
     const bool is_pending = timeline_.pending().enqueue(path_move.target_id);
     if (path_sink_ != nullptr) path_sink_->on_programmed_move(path_move);
     if (PlanResult planned = model_->add(path_move); !planned) {
-        if (is_pending) timeline_.pending().retract_last();
-        if (path_sink_ != nullptr) path_sink_->retract_last();
+        if (is_pending) timeline_.pending().discard_last_move();
+        if (path_sink_ != nullptr) path_sink_->discard_last_move();
         return tl::unexpected(std::move(planned.error()));
     }
     position_.move_to(path_move.end);

@@ -33,11 +33,11 @@ PlanResult MotionStop::stop() {
     timeline_.keep_all_segments(true);
     buffered_moves_.plan_to_standstill();
     timeline_.keep_all_segments(false);
-    stopped_ = Stopped{{}, position_.joints()};
+    stopped_ = StopState{{}, position_.joints()};
     if (timeline_.queue().empty()) return {};
     StoppedMotion motion = stop_motion(timeline_.cut_at_step_clock(), timeline_.step_time_s(),
                                        accelerations(machine_.original()));
-    stopped_ = Stopped{std::move(motion.remainder), motion.position};
+    stopped_ = StopState{std::move(motion.remainder), motion.position};
     for (std::vector<Segment>* part : {&motion.done, &motion.braking}) {
         for (Segment& segment : *part) timeline_.append(std::move(segment));
     }

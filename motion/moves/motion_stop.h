@@ -46,7 +46,7 @@ class MotionStop {
     PlanResult check_ready_for_move() const;
 
   private:
-    struct Stopped {
+    struct StopState {
         std::vector<Segment> remainder;
         rrs::JointPos position;
     };
@@ -56,7 +56,7 @@ class MotionStop {
     BufferedMoves& buffered_moves_;
     Timeline& timeline_;
     RobotPosition& position_;
-    std::optional<Stopped> stopped_;
+    std::optional<StopState> stopped_;
 };
 
 }  // namespace gsim::motion

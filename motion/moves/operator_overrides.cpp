@@ -27,7 +27,7 @@ struct OperatorOverrides::ActiveMove {
     double length = 0;  ///< By the measure of its lead.
     TimeLaw law;
     LawLimits limits;
-    LimitedBy limited_by;
+    LimitCause limited_by;
 
     bool is_on_hold(const Overrides& overrides) const {
         return move.enabled_overrides.share(overrides, move.rapid) <= 0;

@@ -160,7 +160,7 @@ PlanResult ToolMoves::add_sub_segments(const PathMove& full_move, const ToolPath
         move.reaches_target = i + 1 == sub_segments.size();
         move.share = sub_segment.share;
         if (PlanResult result = model.add(move); !result) {
-            if (is_pending) timeline_.pending().retract_last();
+            if (is_pending) timeline_.pending().discard_last_move();
             if (!is_look_ahead) model.clear();
             return result;
         }

@@ -15,14 +15,14 @@ namespace {
 
 constexpr double kShortest_s = 1e-15;  // below, speeds are no physical values and may not even be finite
 
-LimitedBy limit_cause_of_move(const Segment& segment, const MasterPath& master, const Followers* followers,
-                              double master_s) {
+LimitCause limit_cause_of_move(const Segment& segment, const MasterPath& master, const Followers* followers,
+                               double master_s) {
     if (segment.duration_s <= master_s) {
         return reached_limit(segment.master, master.limits, master.speed_limit, master.acceleration_limit,
                              master.jerk_limit);
     }
     const bool follower = followers != nullptr && segment.duration_s <= followers->fastest_s();
-    return follower ? followers->slowest() : LimitedBy{LimitKind::time, -1};
+    return follower ? followers->slowest() : LimitCause{LimitKind::time, -1};
 }
 
 }  // namespace

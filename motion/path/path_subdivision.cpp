@@ -80,8 +80,8 @@ class PathSubdivider {
             if (!(deviation_mm <= kToleranceShare * setup_.controller.coordination.tcp_tolerance_mm))
                 return false;
             if (share != 0.5) continue;
-            const Eigen::Quaterniond probe_orientation(pose.linear());
-            if (!(probe_orientation.angularDistance(Eigen::Quaterniond(
+            const Eigen::Quaterniond sample_orientation(pose.linear());
+            if (!(sample_orientation.angularDistance(Eigen::Quaterniond(
                       path_.tool_pose(middle_joints).linear())) <= kSubdivisionAngle_rad)) {
                 return false;
             }

@@ -39,7 +39,7 @@ class PlannerShell : public rrs::Shell {
     /// Sets the cell of the robot. It must outlive the planner; the run's time is on the planner's clock.
     void set_cell(CellFrames& cell) { frames_.set_cell(cell); }
     /// Sets the operator's overrides that the targets that follow obey; no service sets this.
-    void set_obeyed_overrides(const EnabledOverrides& enabled_overrides) {
+    void set_enabled_overrides(const EnabledOverrides& enabled_overrides) {
         selections_.move_parameters.enabled_overrides = enabled_overrides;
     }
     const Selections& selections() const { return selections_; }

@@ -157,7 +157,7 @@ PlanResult TargetServices::enqueue(const Move& move) {
     selections_.dwell_s = 0;
     drop_via();
     if (!*result) return {};
-    return tl::unexpected(time_raised(**result));
+    return tl::unexpected(motion_time_raised_error(**result));
 }
 
 PlanResult TargetServices::store_via(const Goal& goal) {

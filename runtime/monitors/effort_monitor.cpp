@@ -116,9 +116,9 @@ void EffortMonitor::jump(const rrs::JointPos& position, const rrs::JointPos& to,
     if (change.cwiseAbs().maxCoeff() <= kMinSpeedJump + kRelativeSpeedJump * fastest) return;
     ++report_.jumps;
     const dynamics::Efforts impulses = dynamics_.inertial_efforts(position, change);
-    const rrs::JointPos works_j = dynamics_.powers_w(impulses, (to + velocity_) / 2);
+    const rrs::JointPos work_by_axis_j = dynamics_.powers_w(impulses, (to + velocity_) / 2);
     for (std::size_t axis = 0; axis < sums_.size(); ++axis) {
-        const double work_j = works_j[static_cast<Eigen::Index>(axis)];
+        const double work_j = work_by_axis_j[static_cast<Eigen::Index>(axis)];
         (work_j > 0 ? sums_[axis].drive_j : sums_[axis].regenerated_j).add(std::abs(work_j));
         (work_j > 0 ? program.drive_j : program.regenerated_j).add(std::abs(work_j));
         const double impulse = std::abs(impulses[static_cast<Eigen::Index>(axis)]);

@@ -126,7 +126,7 @@ class MultiRobotMonitor {
         std::size_t robot;
         SourceLocation location;
         rrs::JointPos joints;
-        std::string own_body;
+        std::string robot_body;
         std::string other;
     };
     struct CollisionFinding {

@@ -29,7 +29,7 @@ motion::PlanError ModuleMotion::plan_error(Status status) {
 
 motion::EnqueueResult ModuleMotion::enqueue_result(Status status) {
     if (is_error_status(status)) return tl::unexpected(plan_error(status));
-    if (status == Status::RRS_MOTION_TIME_RAISED) return motion::TimeRaised{};
+    if (status == Status::RRS_MOTION_TIME_RAISED) return motion::MotionTimeIncrease{};
     return {};
 }
 
@@ -93,7 +93,7 @@ Status ModuleMotion::enqueue_move_until(const motion::Move& move, const motion::
         const double from_s = time_s();
         const Status step_status = shell_.step();
         if (is_error_status(step_status)) return step_status;
-        if (time_s() > from_s && search(shell_.segments().segment())) return shell_.stop_here();
+        if (time_s() > from_s && search(shell_.segments().segment())) return shell_.stop_and_cancel();
         if (step_status == Status::RRS_NEED_MORE_DATA) break;
     }
     return status;

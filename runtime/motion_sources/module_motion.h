@@ -32,13 +32,13 @@ class ModuleMotion final : public MotionSource {
                  motion::SegmentSink& sink);
 
     rrs::Shell& shell() override { return shell_; }
-    const motion::Selections& selections() const override { return no_selections_; }
+    const motion::Selections& selections() const override { return empty_selections_; }
     motion::PlanError last_error() override;
     bool set_cell(motion::CellFrames& /*cell*/) override { return false; }
     std::optional<motion::WorkFrames> work_frames() const override { return std::nullopt; }
     bool set_overrides(std::shared_ptr<const motion::OverrideSchedule>) override { return false; }
     bool set_move_limits(std::shared_ptr<const motion::MoveLimits>) override { return false; }
-    void set_obeyed_overrides(const motion::EnabledOverrides&) override {}
+    void set_enabled_overrides(const motion::EnabledOverrides&) override {}
     motion::PlanResult start_at(const rrs::JointPos& joints) override;
     motion::PlanResult check_ramps() const override { return {}; }
     motion::PlanResult check_tcp(const std::optional<Eigen::Vector3d>& tcp_mm) override;
@@ -49,7 +49,7 @@ class ModuleMotion final : public MotionSource {
     motion::PlanResult enqueue_independent(const rrs::JointPos& end) override;
     double independent_end_s() const override { return 0; }
     motion::PlanResult enqueue_dwell(const DwellRequest& request) override;
-    std::vector<std::string> drain_remarks() override { return settings_.drain_remarks(); }
+    std::vector<std::string> drain_warnings() override { return settings_.drain_warnings(); }
     void plan_to_standstill(bool waits) override;
     void end_program() override;
     double time_s() const override { return shell_.segments().time_s(); }
@@ -70,7 +70,7 @@ class ModuleMotion final : public MotionSource {
     motion::PlannerSetup setup_;
     ModuleShell shell_;
     ModuleMoveSettings settings_;
-    motion::Selections no_selections_;
+    motion::Selections empty_selections_;
 };
 
 }  // namespace gsim::simulation

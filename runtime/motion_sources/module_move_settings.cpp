@@ -55,20 +55,21 @@ Status ModuleMoveSettings::send_kind(const motion::Move& move) {
 
 Status ModuleMoveSettings::send_feed(const motion::MoveParameters& move_parameters) {
     ModuleModes& sent = shell_.move_modes();
-    const bool any_speed =
+    const bool accepts_any_speed =
         move_parameters.rapid || move_parameters.motion_time_s > 0;  // will do: it does not hold
-    const double position_mm_s = any_speed ? motion::kUnlimited : move_parameters.position_speed_mm_s;
-    const double orientation_rad_s = any_speed ? motion::kUnlimited : move_parameters.orientation_speed_rad_s;
+    const double position_mm_s = accepts_any_speed ? motion::kUnlimited : move_parameters.position_speed_mm_s;
+    const double orientation_rad_s =
+        accepts_any_speed ? motion::kUnlimited : move_parameters.orientation_speed_rad_s;
     if (move_parameters.rapid && sent.position_speed_mm_s) return Status::RRS_SUCCESS;
     if (sent.position_speed_mm_s != position_mm_s) {
         const Status status = shell_.SetCartesianPositionSpeed(position_mm_s);
-        if (status != Status::RRS_SUCCESS && !any_speed) return status;
+        if (status != Status::RRS_SUCCESS && !accepts_any_speed) return status;
         sent.position_speed_mm_s = position_mm_s;
     }
     if (move_parameters.rapid) return Status::RRS_SUCCESS;
     if (sent.orientation_speed_rad_s != orientation_rad_s) {
         const Status status = shell_.SetCartesianOrientationSpeed(orientation_rad_s);
-        if (status != Status::RRS_SUCCESS && !any_speed) return status;
+        if (status != Status::RRS_SUCCESS && !accepts_any_speed) return status;
         sent.orientation_speed_rad_s = orientation_rad_s;
     }
     return move_parameters.motion_time_s > 0 ? shell_.SetMotionTime(move_parameters.motion_time_s)

@@ -129,7 +129,7 @@ Status ModuleShell::call_with_prefetch(rrs::RcsPrefetch what, const Call& call) 
 
 /// Repeats the call until the module's queue has space.
 template <typename Call>
-Status ModuleShell::retry_until_room(const Call& call) {
+Status ModuleShell::retry_until_accepted(const Call& call) {
     Status status = call_with_prefetch(rrs::RcsPrefetch::if_full, call);
     while (status == Status::RRS_QUEUE_FULL) {
         if (const Status step_status = step_to_target(); is_error_status(step_status)) return step_status;
@@ -149,7 +149,7 @@ Status ModuleShell::on_queued(Status status, rrs::TargetId id, rrs::TargetParam 
 Status ModuleShell::SetNextTarget(rrs::TargetId id, rrs::TargetParam param, const rrs::CartPos& cartesian,
                                   const rrs::JointPos& joints, std::string_view configuration,
                                   double param_value) {
-    const Status status = retry_until_room(
+    const Status status = retry_until_accepted(
         [&] { return RcsShell::SetNextTarget(id, param, cartesian, joints, configuration, param_value); });
     return on_queued(status, id, param, cartesian, joints);
 }
@@ -158,7 +158,7 @@ Status ModuleShell::SetNextNamedTarget(rrs::TargetId id, rrs::TargetParam param,
                                        const rrs::CartPos& cartesian, const rrs::JointPos& joints,
                                        std::string_view configuration, double param_value,
                                        std::string_view target_name) {
-    const Status status = retry_until_room([&] {
+    const Status status = retry_until_accepted([&] {
         return RcsShell::SetNextNamedTarget(id, param, cartesian, joints, configuration, param_value,
                                             target_name);
     });
@@ -168,13 +168,13 @@ Status ModuleShell::SetNextNamedTarget(rrs::TargetId id, rrs::TargetParam param,
 Status ModuleShell::SetNextArcTarget(rrs::TargetId id, const Eigen::Vector3d& center_mm,
                                      const Eigen::Vector3d& axis, double sweep_rad,
                                      const rrs::CartPos& cartesian, const rrs::JointPos& joints) {
-    const Status status = retry_until_room(
+    const Status status = retry_until_accepted(
         [&] { return RcsShell::SetNextArcTarget(id, center_mm, axis, sweep_rad, cartesian, joints); });
     return on_queued(status, id, rrs::TargetParam::end, cartesian, joints);
 }
 
 Status ModuleShell::SetNextRest(rrs::TargetId id, double dwell_s) {
-    const Status status = retry_until_room([&] { return RcsShell::SetNextRest(id, dwell_s); });
+    const Status status = retry_until_accepted([&] { return RcsShell::SetNextRest(id, dwell_s); });
     if (is_error_status(status)) return status;
     progress_.add_dwell(dwell_s);
     targets_.add(id);
@@ -236,7 +236,7 @@ Status ModuleShell::record(Status status, const rrs::JointPos& joints, double el
     return status;
 }
 
-Status ModuleShell::stop_here() {
+Status ModuleShell::stop_and_cancel() {
     if (const Status stopped = StopMotion(); is_error_status(stopped)) return stopped;
     step_to_end();
     const Status cancelled = CancelMotion();

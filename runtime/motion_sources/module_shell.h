@@ -66,7 +66,7 @@ class ModuleShell final : public rrs::RcsShell {
     void step_to_end();
     /// Stops the motion, steps to the stop, and cancels the targets; the module must offer StopMotion and
     /// CancelMotion. The stop is at the end of the step, wherever in it the search wants it.
-    rrs::Status stop_here();
+    rrs::Status stop_and_cancel();
 
     /// Returns joint values at the last target.
     const rrs::JointPos& target() const { return target_; }
@@ -101,7 +101,7 @@ class ModuleShell final : public rrs::RcsShell {
     template <typename Call>
     rrs::Status call_with_prefetch(rrs::RcsPrefetch what, const Call& call);
     template <typename Call>
-    rrs::Status retry_until_room(const Call& call);
+    rrs::Status retry_until_accepted(const Call& call);
     rrs::Status on_queued(rrs::Status status, rrs::TargetId id, rrs::TargetParam param,
                           const rrs::CartPos& cartesian, const rrs::JointPos& joints);
     rrs::Status step_to_target();

@@ -33,8 +33,8 @@ class PlannerMotion final : public MotionSource {
         planner_.machine().set_move_limits(std::move(limits));
         return true;
     }
-    void set_obeyed_overrides(const motion::EnabledOverrides& enabled_overrides) override {
-        shell_.set_obeyed_overrides(enabled_overrides);
+    void set_enabled_overrides(const motion::EnabledOverrides& enabled_overrides) override {
+        shell_.set_enabled_overrides(enabled_overrides);
     }
 
     motion::PlanResult start_at(const rrs::JointPos& joints) override {
@@ -56,7 +56,7 @@ class PlannerMotion final : public MotionSource {
     motion::PlanResult enqueue_dwell(const DwellRequest& request) override {
         return planner_.dwells().enqueue(request.target_id, request.dwell_s);
     }
-    std::vector<std::string> drain_remarks() override { return {}; }
+    std::vector<std::string> drain_warnings() override { return {}; }
     void plan_to_standstill(bool waits) override { planner_.dwells().plan_to_standstill(waits); }
     void end_program() override {
         planner_.dwells().plan_to_final_standstill();

@@ -13,7 +13,7 @@
 #include "machine/schema/controller_keys.h"
 #include "motion/kinematics/chain_kinematics.h"
 #include "motion/kinematics/gantry.h"
-#include "motion/kinematics/numeric.h"
+#include "motion/kinematics/numeric_kinematics.h"
 
 namespace gsim::rcs {
 

@@ -225,7 +225,7 @@ void PathRecorder::on_unrecordable_motion(std::string_view reason) {
 }
 
 Result<path::Program> PathRecorder::finish(const std::string& name) {
-    if (builder_.has_targets()) record_standstill(standstill_at_);
+    if (builder_.has_targets()) record_standstill(standstill_position_);
     if (error_.empty() && !builder_.has_targets()) error_ = "the program neither moves nor switches anything";
     if (!error_.empty()) return tl::unexpected(error_);
     path::Program program = builder_.finish(name);

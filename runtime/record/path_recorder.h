@@ -92,7 +92,7 @@ class PathRecorder final : public simulation::ProgramObserver {
     std::optional<double> spindle_rev_min_;
     bool moved_since_standstill_ = false;  // since the machine has last waited
     bool standstill_pending_ = false;      // before what follows, though no dwell or switch says so
-    simulation::AxisVector standstill_at_;
+    simulation::AxisVector standstill_position_;
     std::set<std::string> notes_;
     std::string error_;
 };

@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 3> kRampLimits = {"acceleration", "decele
 // Records that the next motion begins at standstill, which a dwell or a switch says already.
 void PathRecorder::standstill(const AxisVector& at) {
     standstill_pending_ = standstill_pending_ || moved_since_standstill_;
-    standstill_at_ = at;
+    standstill_position_ = at;
     moved_since_standstill_ = false;
 }
 

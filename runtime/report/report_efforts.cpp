@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "base/text/format.h"
-#include "runtime/report/report_values.h"
-#include "runtime/report/report_words.h"
+#include "runtime/report/json_values.h"
+#include "runtime/report/text_helpers.h"
 
 namespace gsim::simulation {
 

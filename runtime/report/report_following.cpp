@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "runtime/report/report_values.h"
-#include "runtime/report/report_words.h"
+#include "runtime/report/json_values.h"
+#include "runtime/report/text_helpers.h"
 
 namespace gsim::simulation {
 
@@ -63,8 +63,8 @@ nlohmann::ordered_json following_json(const Report& report) {
 
 std::string following_text(const Report& report) {
     const FollowingReport& following = *report.following;
-    std::string out = fmt::format("\n{:<15}{:>11}{:>12}{:>14}   {}\n", "following", "peak", "rms",
-                                  "delay (ms)", "peak at");
+    std::string out =
+        fmt::format("\n{:<15}{:>11}{:>12}{:>14}   {}\n", "following", "peak", "rms", "delay (ms)", "peak at");
     for (const AxisFollowing& axis : following.axes) {
         std::string row =
             fmt::format("{} {:<13}{:>11.4f}{:>12.4f}{:>14.3f}   {}", axis.letter, following_unit(axis),

@@ -3,10 +3,10 @@
 
 #include "base/text/diagnostic_json.h"
 #include "base/text/file_format.h"
+#include "runtime/report/json_values.h"
 #include "runtime/report/report_diagnostics.h"
 #include "runtime/report/report_efforts.h"
 #include "runtime/report/report_following.h"
-#include "runtime/report/report_values.h"
 #include "runtime/report/robots_report.h"
 
 namespace gsim::simulation {

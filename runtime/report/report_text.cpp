@@ -9,7 +9,7 @@
 #include "runtime/report/report.h"
 #include "runtime/report/report_efforts.h"
 #include "runtime/report/report_following.h"
-#include "runtime/report/report_words.h"
+#include "runtime/report/text_helpers.h"
 
 namespace gsim::simulation {
 
@@ -83,15 +83,15 @@ void add_passes(Text& out, const Report& report) {
 
 void add_overrides(Text& out, const Report& report) {
     if (!report.overrides) return;
-    constexpr std::size_t kMaxDisplayedPassages = 10;
+    constexpr std::size_t kMaxDisplayedOverrideChanges = 10;
     const std::vector<motion::OverrideChange>& changes = report.overrides->changes;
-    for (std::size_t i = 0; i < std::min(changes.size(), kMaxDisplayedPassages); ++i) {
+    for (std::size_t i = 0; i < std::min(changes.size(), kMaxDisplayedOverrideChanges); ++i) {
         const motion::Overrides& to = changes[i].to;
         out.line("{:<12}feed {:g} %, rapid {:g} %, spindle {:g} % from {:.3f} s on",
                  i == 0 ? "overrides" : "", to.feed * 100, to.rapid * 100, to.spindle * 100, changes[i].at_s);
     }
-    if (changes.size() > kMaxDisplayedPassages)
-        out.line("{:<12}and {} more changes", "", changes.size() - kMaxDisplayedPassages);
+    if (changes.size() > kMaxDisplayedOverrideChanges)
+        out.line("{:<12}and {} more changes", "", changes.size() - kMaxDisplayedOverrideChanges);
     for (const auto& [name, locked_s] : {std::pair{"feed", report.overrides->feed_locked_s},
                                          {"rapid", report.overrides->rapid_locked_s},
                                          {"spindle", report.overrides->spindle_locked_s}}) {

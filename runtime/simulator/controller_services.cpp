@@ -25,7 +25,7 @@ Status ControllerServices::set_start(const std::function<Status()>& set) {
 Status ControllerServices::queue_target(MoveKind kind, const SourceLocation& location,
                                         const std::function<Status(rrs::TargetId)>& queue) {
     const MoveInfo info = program_.make_info(kind, location, Feed{}, 0);
-    motion_.source().set_obeyed_overrides(info.enabled_overrides);
+    motion_.source().set_enabled_overrides(info.enabled_overrides);
     motion_.recorder().expect(info);
     const Status status = queue(info.target_id);
     position_.set_joints(motion_.source().position());

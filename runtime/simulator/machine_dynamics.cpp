@@ -31,7 +31,7 @@ RigidBody body_of(const machine::LinkMass& mass) {
 
 JointDrive make_joint_drive(const machine::Axis& axis) {
     const double speeds = axis.kind == machine::AxisKind::linear ? 1 / kMetresPerMm : kDegPerRad;
-    return {.coulomb = axis.drive.coulomb,
+    return {.coulomb_friction = axis.drive.coulomb_friction,
             .viscous = axis.drive.viscous * speeds,
             .rotor = axis.drive.rotor,
             .counterweight = axis.drive.counterweight};

@@ -12,7 +12,7 @@ namespace gsim::simulation {
 namespace {
 
 constexpr double kParallelTolerance = 1e-9;  // mm or rad
-constexpr const char* kByControllerModule = ", by a step of the controller module, not by a target";
+constexpr const char* kControllerModuleStepText = ", by a step of the controller module, not by a target";
 
 std::string range_message(const Violation& violation) {
     const char* unit = violation.rotary ? "deg" : "mm";
@@ -82,13 +82,13 @@ void RangeViolations::add_last(const SourceLocation& location) {
         log_.add_before(program_.ids().next() - 1, std::move(violation));
     }
     axes_out_of_range_ |= excess;
-    motion_.recorder().mark_last(excess);
+    motion_.recorder().mark_last_out_of_range(excess);
 }
 
 bool RangeViolations::fail_out_of_range(const RangeExcess& step) {
     const Violation violation = make_violation(step.axis, step.value, step.limit);
     return outcome_.fail_during(step.move, {.kind = text::DiagnosticKind::axis_limit,
-                                            .message = violation.message + kByControllerModule,
+                                            .message = violation.message + kControllerModuleStepText,
                                             .axis = violation.axis,
                                             .value = violation.value,
                                             .limit = violation.limit});
@@ -111,7 +111,7 @@ void RangeViolations::add_steps() {
         violation.t_s = step.t_s;
         violation.location = program_.ids().location_of(step.move);
         violation.calls = program_.calls().open().at(step.move.target_id);
-        violation.message += kByControllerModule;
+        violation.message += kControllerModuleStepText;
         log_.add(std::move(violation));
     }
 }

@@ -25,8 +25,8 @@ Simulator::Simulator(machine::Machine machine, RunLimits limits, std::optional<r
       poses_(machine_, motion_, position_, program_, groups_, warnings_),
       moves_(machine_, motion_, position_, program_, outcome_, violations_.ranges(), acceptance_, groups_,
              poses_, warnings_, notifier_),
-      probing_(motion_, clock_, position_, program_, cell_, outcome_, violations_.ranges(), acceptance_,
-               groups_, moves_.feeds(), warnings_),
+      is_probing_(motion_, clock_, position_, program_, cell_, outcome_, violations_.ranges(), acceptance_,
+                  groups_, moves_.feeds(), warnings_),
       services_(motion_, clock_, position_, program_, outcome_, notifier_) {
     start();
 }

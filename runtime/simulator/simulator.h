@@ -78,7 +78,7 @@ class Simulator {
     AxisGroups& groups() { return groups_; }
     PoseSolver& poses() { return poses_; }
     MoveQueue& moves() { return moves_; }
-    Probing& probing() { return probing_; }
+    Probing& probing() { return is_probing_; }
     /// Returns the services of the controller for clients that call them by themselves.
     ControllerServices& services() { return services_; }
 
@@ -107,7 +107,7 @@ class Simulator {
     AxisGroups groups_;
     PoseSolver poses_;
     MoveQueue moves_;
-    Probing probing_;
+    Probing is_probing_;
     ControllerServices services_;
 };
 

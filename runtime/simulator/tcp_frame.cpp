@@ -11,7 +11,7 @@ namespace gsim::simulation {
 namespace {
 
 constexpr double kOrthogonalityTolerance = 1e-9;
-constexpr double kNearlySquare = 0.01;  // half a degree: no machine that is aligned is off by so much
+constexpr double kMaxAlignmentError = 0.01;  // half a degree: no machine that is aligned is off by so much
 
 double non_orthogonality(const Eigen::Matrix3d& directions) {
     return (directions.transpose() * directions - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
@@ -48,9 +48,9 @@ tl::expected<TcpFrame, std::string> TcpFrame::make(const motion::PlannerSetup& s
         frame.directions_.col(axis) = setup.kinematics->forward(moved) * tool_mm - frame.origin_mm_;
     }
     const double deviation = non_orthogonality(frame.directions_);
-    if (deviation > kOrthogonalityTolerance && deviation < kNearlySquare)
+    if (deviation > kOrthogonalityTolerance && deviation < kMaxAlignmentError)
         frame.directions_ = orthogonalized(frame.directions_);
-    if (!(deviation < kNearlySquare)) {
+    if (!(deviation < kMaxAlignmentError)) {
         return tl::unexpected(
             std::string("TCP control needs X, Y and Z at right angles; those of this machine are not"));
     }

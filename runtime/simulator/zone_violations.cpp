@@ -48,7 +48,7 @@ ZoneViolations::ZoneViolations(MachineMotion& motion, const ProgramState& progra
                                EventLog& events)
     : motion_(motion), program_(program), outcome_(outcome), events_(events) {
     if (!outcome.limits().stop_at_first)
-        motion.zones().continue_after_hits([this](const ZoneHit& hit) { add(hit); });
+        motion.zones().continue_after_violations([this](const ZoneHit& hit) { add(hit); });
 }
 
 bool ZoneViolations::check() {

@@ -89,10 +89,10 @@ Result<void> set(Request& request, const std::string& key, const nlohmann::json&
     }
     if (const NumberKey* number = find_row(kNumberKeys, key)) {
         if (!value.is_number()) return error("a number");
-        const auto given_value = value.get<double>();
-        if (!(given_value >= number->min && given_value <= number->max))
+        const auto parsed_value = value.get<double>();
+        if (!(parsed_value >= number->min && parsed_value <= number->max))
             return error(fmt::format("from {} to {}", number->min, number->max));
-        number->set(request, given_value);
+        number->set(request, parsed_value);
         return {};
     }
     if (const SwitchKey* switch_key = find_row(kSwitches, key)) {

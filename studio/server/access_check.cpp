@@ -28,7 +28,7 @@ bool equal_in_constant_time(const std::string& a, const std::string& b) {
 }  // namespace
 
 RequestError too_large() {
-    return {{fmt::format("a request may have at most {} MiB", kLargestBody >> 20U)}, 413};
+    return {{fmt::format("a request may have at most {} MiB", kMaxBodyBytes >> 20U)}, 413};
 }
 
 std::uint64_t declared_body_bytes(const httplib::Request& request) {
@@ -68,7 +68,7 @@ std::optional<RequestError> AccessCheck::reject(const httplib::Request& request)
     const std::string site = request.get_header_value("Sec-Fetch-Site");
     if (!is_page_request && !site.empty() && site != "same-origin" && site != "none")
         return RequestError{{fmt::format("the request comes from a page of another site ('{}')", site)}, 403};
-    if (declared_body_bytes(request) > kLargestBody) return too_large();
+    if (declared_body_bytes(request) > kMaxBodyBytes) return too_large();
     return std::nullopt;
 }
 

@@ -17,7 +17,7 @@ struct RequestError : Error {
 };
 
 /// Max size of a request's body.
-constexpr std::size_t kLargestBody = std::size_t{512} << 20U;
+constexpr std::size_t kMaxBodyBytes = std::size_t{512} << 20U;
 
 /// Returns the reason why larger bodies are rejected.
 RequestError too_large();

@@ -19,7 +19,7 @@ using os::ContentTag;
 using os::DirectoryError;
 
 constexpr std::size_t kMaxFiles = ScanLimits{}.max_files;
-constexpr std::size_t kMaxFileBytes = kLargestBody;
+constexpr std::size_t kMaxFileBytes = kMaxBodyBytes;
 
 constexpr int kNotFound = 404;
 constexpr int kForbidden = 403;

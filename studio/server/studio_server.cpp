@@ -205,9 +205,9 @@ void StudioServer::ask(const httplib::Request& request, httplib::Response& respo
     std::string request_body;
     const bool has_full_body = content([&](const char* bytes, std::size_t count) {
         request_body.append(bytes, count);
-        return request_body.size() <= kLargestBody;
+        return request_body.size() <= kMaxBodyBytes;
     });
-    if (request_body.size() > kLargestBody) {
+    if (request_body.size() > kMaxBodyBytes) {
         const RequestError rejection = too_large();
         return respond_error(response, rejection.status, rejection.message);
     }
@@ -216,9 +216,9 @@ void StudioServer::ask(const httplib::Request& request, httplib::Response& respo
     std::vector<std::string> command = server_content_.engine;
     std::shared_ptr<StoredRun> kept;
     if (const std::string name = request.get_header_value("Run"); !name.empty()) {
-        auto kept_run = kept_.add(name);
-        if (!kept_run) return respond_error(response, 507, kept_run.error().message);
-        kept = *kept_run;
+        auto added_run = kept_.add(name);
+        if (!added_run) return respond_error(response, 507, added_run.error().message);
+        kept = *added_run;
         command.insert(command.end(), {"--keep-behind", request.get_header_value("Whole")});
     }
     auto begun = EngineProcess::begin(command, request_body, kept ? kept->number() : -1);

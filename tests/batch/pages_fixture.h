@@ -170,7 +170,7 @@ class Pages : public testing::Test {
     fs::path folder_ = fs::temp_directory_path() / ("gsim-pages-" + std::to_string(::getpid()));
     fs::path site_ = folder_ / "site";
     std::string file_ = (folder_ / "r.sqlite").string();
-    std::optional<ViewMaker> views_;
+    std::optional<ViewGenerator> views_;
     std::map<Told, std::int64_t> runs_;
     std::map<std::string, pugi::xml_document> pages_;
 };

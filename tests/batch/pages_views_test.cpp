@@ -20,7 +20,7 @@ class Views : public Pages {
         std::ofstream(maker) << "#!/bin/sh\necho \"<title>gsim studio</title> $*\" > \"$3\"\necho x >> '"
                              << (folder_ / "made").string() << "'\nexit 1\n";
         fs::permissions(maker, fs::perms::owner_all);
-        views_ = ViewMaker{.program = maker, .version = "v1"};
+        views_ = ViewGenerator{.program = maker, .version = "v1"};
     }
 
     std::size_t view_count() const { return text_in(folder_ / "made").size() / 2; }

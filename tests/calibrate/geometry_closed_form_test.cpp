@@ -13,9 +13,9 @@
 
 #include "calibrate/geometry/compensation.h"
 #include "calibrate/geometry/geometry_output.h"
-#include "calibrate/geometry/simulate.h"
+#include "calibrate/geometry/pose_selection.h"
+#include "calibrate/geometry/simulated_tcps.h"
 #include "calibrate/geometry/squareness.h"
-#include "calibrate/geometry/suggest.h"
 #include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "calibrate/geometry/suggest.h"
+#include "calibrate/geometry/pose_selection.h"
 #include "machine/file/machine_file.h"
 #include "tests/build_files/build_files.h"
 

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "calibrate/times/passages.h"
+#include "calibrate/times/passage_times.h"
 #include "calibrate/times/recorded_run.h"
 
 namespace gsim::calibrate::motion_record_test {
@@ -103,7 +103,7 @@ TEST(Passages, AreWhereARecordingIsNearest) {
     EXPECT_NEAR(span->start_s, 0, 1e-9);
     EXPECT_NEAR(span->end_s, 3, 1e-9);
     const std::vector<Eigen::Vector3d> places{{2.5, 0, 0}, {9.98, 0.02, 0}, {500, 0, 0}, {10, 7.5, 0}};
-    const auto passages = passages_s(samples, places);
+    const auto passages = passage_times_s(samples, places);
     ASSERT_EQ(passages.size(), 4U);
     EXPECT_NEAR(passages[0].value_or(0), 0.25, 1e-9);
     EXPECT_NEAR(passages[1].value_or(0), 1.0, 0.01);
@@ -117,7 +117,7 @@ TEST(Passages, OfAPlaceThatIsPassedTwiceAreTwo) {
     for (auto sample = forth.rbegin(); sample != forth.rend(); ++sample)
         samples.push_back({8 - sample->t_s, sample->at_mm});
     const std::vector<Eigen::Vector3d> places{{5, 0, 0}, {10, 10, 0}, {5, 0, 0}};
-    const auto passages = passages_s(samples, places);
+    const auto passages = passage_times_s(samples, places);
     EXPECT_NEAR(passages[0].value_or(0), 0.5, 1e-9);
     EXPECT_NEAR(passages[2].value_or(0), 7.5, 1e-9);
 }

@@ -9,8 +9,8 @@
 namespace gsim::codegen::gcode_writer_test {
 namespace {
 
-constexpr std::array<WrittenAxis, 4> kAxes{{{'X', false}, {'Y', false}, {'Z', false}, {'B', true}}};
-constexpr WrittenFeed kFeed{1000, false};
+constexpr std::array<GcodeAxis, 4> kAxes{{{'X', false}, {'Y', false}, {'Z', false}, {'B', true}}};
+constexpr GcodeFeed kFeed{1000, false};
 
 struct Text {
     explicit Text(const std::string& post_name, WriterOptions options = {})

@@ -161,12 +161,12 @@ TEST(CellFile, AToolOfTheCellTakesThePlaceOfTheMachines) {
     machine::Machine machine = with_body();
     machine.shapes.push_back({"spray", "jet", machine::SphereShape{1}, {}});
     machine.ignored = {{1, 2}, {0, 1}};
-    const auto with_jet = read_cell(kWhole, "c.toml", machine);
-    ASSERT_TRUE(with_jet) << with_jet.error().message;
-    EXPECT_EQ(with_jet->items[0].name, "hull");
-    EXPECT_EQ(with_jet->items.size(), 6U);
-    EXPECT_EQ(with_jet->replaced, 1U);
-    EXPECT_EQ(with_jet->ignored, (std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}}));
+    const auto includes_jet = read_cell(kWhole, "c.toml", machine);
+    ASSERT_TRUE(includes_jet) << includes_jet.error().message;
+    EXPECT_EQ(includes_jet->items[0].name, "hull");
+    EXPECT_EQ(includes_jet->items.size(), 6U);
+    EXPECT_EQ(includes_jet->replaced, 1U);
+    EXPECT_EQ(includes_jet->ignored, (std::vector<std::pair<std::size_t, std::size_t>>{{0, 1}}));
 }
 
 TEST(CellFile, AMeshOfTheMachineThatIsNoneIsAnError) {

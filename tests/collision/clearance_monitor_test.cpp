@@ -308,7 +308,7 @@ TEST(ClearanceMonitor, RandomMotionsAreAsNearAsTheirSamples) {
         if (i % 3 == 0) {
             const double travel = segment.end[3] - segment.start[3];
             segment.add_follower(3, travel < 0 ? -1 : 1,
-                                 motion::TimeLaw::in_time(std::abs(travel), segment.duration_s, 100));
+                                 motion::TimeLaw::with_duration(std::abs(travel), segment.duration_s, 100));
         }
         ClearanceMonitor monitor(cell, machine);
         monitor.record_times();

@@ -68,7 +68,7 @@ TEST(LookAhead, OneLineIsATrapezoid) {
     EXPECT_TRUE(path.out().segments.empty()) << "more may come";
     path.standstill();
     EXPECT_NEAR(path.out().time_s(), 1.1, 1e-12);
-    EXPECT_EQ(path.out().segments[0].limited_by, (LimitedBy{LimitKind::feed, -1}));
+    EXPECT_EQ(path.out().segments[0].limited_by, (LimitCause{LimitKind::feed, -1}));
 }
 
 /// Speeds that were measured on grbl 1.1 with these settings.

@@ -67,8 +67,8 @@ class Operated {
                                             sweep_rad, rrs::CartPos::Identity(), joint_pos({x, y, 0})),
                   rrs::Status::RRS_SUCCESS);
     }
-    void set_obeyed_overrides(const EnabledOverrides& enabled_overrides) {
-        planner_.set_obeyed_overrides(enabled_overrides);
+    void set_enabled_overrides(const EnabledOverrides& enabled_overrides) {
+        planner_.set_enabled_overrides(enabled_overrides);
     }
     DefaultPlanner& planner() { return planner_; }
     /// Ends the program and returns its time.
@@ -131,7 +131,7 @@ TEST_P(OverridesOf, ARapidTakesItsShareOfTheSpeedAndTheWholeAcceleration) {
 
 TEST_P(OverridesOf, AMoveThatIsLockedIsDeaf) {
     Operated run(setup(), constant({.feed = 0.5, .rapid = 0.5, .spindle = 0.5}));
-    run.set_obeyed_overrides({.feed = false, .rapid = false});
+    run.set_enabled_overrides({.feed = false, .rapid = false});
     run.feed(100, 0, 10);
     run.planner().dwells().plan_to_standstill();
     const double feed_s = run.planner().time_s();
@@ -142,9 +142,9 @@ TEST_P(OverridesOf, AMoveThatIsLockedIsDeaf) {
 
 TEST_P(OverridesOf, TheLockOfAMoveIsThatOfItsTarget) {
     Operated run(setup(), constant({.feed = 0.5}));
-    run.set_obeyed_overrides({.feed = false});
+    run.set_enabled_overrides({.feed = false});
     run.feed(100, 0, 10);
-    run.set_obeyed_overrides({});
+    run.set_enabled_overrides({});
     run.feed(100, 50, 10);
     double locked_s = 0;
     run.end();
@@ -158,7 +158,7 @@ TEST_P(OverridesOf, TheLockOfAMoveIsThatOfItsTarget) {
 
 TEST_P(OverridesOf, WhatFollowsTheSpindleHasTheProductOfBoth) {
     Operated run(setup(), constant({.feed = 0.5, .spindle = 1.5}));
-    run.set_obeyed_overrides({.spindle = true});
+    run.set_enabled_overrides({.spindle = true});
     run.feed(100, 0, 10);
     EXPECT_NEAR(run.end(), trapezoid_s(100, 7.5), 1e-9);
 }

@@ -160,7 +160,7 @@ TEST(ApartMove, OverridesOfRapidsSlowEachJoint) {
     setup.overrides = std::make_shared<const OverrideSchedule>(
         std::vector<OverrideChange>{{.at_s = 0, .to = {.rapid = 0.5}}});
     ReadyRapids at(setup, joint_pos({0, 0, 0}));
-    at.planner.set_obeyed_overrides({.rapid = true});
+    at.planner.set_enabled_overrides({.rapid = true});
     at.to(joint_pos({100, 40, 0}));
     EXPECT_NEAR(at.last().duration_s, trapezoid_s(100, 50, 1000), 1e-9);
     ASSERT_EQ(at.last().followers().size(), 1U);

@@ -212,7 +212,7 @@ class Validator {
         if (auto error = frame_error(frame)) return fail(id.path, id.target, *std::move(error));
         check_touches(id, frame);
         if (!frame.set_offset_mm) return;
-        const auto [set, is_new] = set_.emplace(frame.name, *frame.set_offset_mm);
+        const auto [set, is_new] = offsets_by_frame_.emplace(frame.name, *frame.set_offset_mm);
         if (!is_new && set->second != *frame.set_offset_mm)
             fail(id.path, id.target, fmt::format("the work offset '{}' is set to two positions", frame.name));
     }
@@ -380,7 +380,7 @@ class Validator {
 
     const Program& program_;
     std::optional<TargetError> error_;
-    std::map<std::string_view, Vector> set_;  // work offsets
+    std::map<std::string_view, Vector> offsets_by_frame_;  // work offsets
     std::map<std::string_view, const std::vector<Touch>*> touches_;
     bool has_tools_ = false;
     std::vector<std::optional<int>> nesting_depth_;  // of each path

@@ -77,7 +77,7 @@ std::optional<TargetError> find_modal_action(const Program& program) {
 }
 
 /// Returns true if an orientation sets the value of each rotary axis.
-bool is_whole(const std::optional<Orientation>& orientation, const MachineSpace& space) {
+bool sets_all_rotary_axes(const std::optional<Orientation>& orientation, const MachineSpace& space) {
     if (space.rotary_count() == 0) return true;
     if (!orientation) return false;
     const auto* rotary = std::get_if<RotaryAxes>(&*orientation);
@@ -119,7 +119,7 @@ std::optional<Error> find_reorder_error(const Program& program, const Target& ta
     const Point* first = first_point(program, sub_path_call->path);
     if (first == nullptr || first->motion == MotionType::circular || first->motion == MotionType::none)
         return fmt::format("the sub-path '{}' must begin with a straight motion or a rapid", name);
-    if (!is_whole(first->orientation, space))
+    if (!sets_all_rotary_axes(first->orientation, space))
         return fmt::format("the first point of the sub-path '{}' needs an orientation with all rotary axes",
                            name);
     bool known = false;

@@ -40,8 +40,8 @@ std::vector<double> in_range(const machine::Axis& axis, double value, double nea
 }
 
 // Leaves axes that are not named unchanged.
-Result<AxisValues> given_values(const MachineSpace& space, const RotaryAxes& given,
-                                const AxisValues& before) {
+Result<AxisValues> specified_values(const MachineSpace& space, const RotaryAxes& given,
+                                    const AxisValues& before) {
     AxisValues values = before;
     for (const auto& [letter, value_deg] : given) {
         std::size_t axis = 0;
@@ -110,7 +110,7 @@ Result<std::vector<AxisValues>> rotary_candidates(const MachineSpace& space, con
         checked_bodies.push_back(near);
         std::vector<AxisValues> solutions;
         if (const auto* given = std::get_if<RotaryAxes>(&orientation)) {
-            const auto values = given_values(space, *given, near);
+            const auto values = specified_values(space, *given, near);
             if (!values) return tl::unexpected(values.error());
             if (is_literal) {
                 add_unique(found, *values);

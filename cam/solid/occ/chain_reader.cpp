@@ -41,7 +41,7 @@ class ChainReader {
 
   private:
     Result<void> add(const TopoDS_Solid& solid) {
-        const std::vector<TopoDS_Edge> edges = selection_.find_in(solid);
+        const std::vector<TopoDS_Edge> edges = selection_.find_edges_in(solid);
         if (edges.empty()) return {};
         EdgeFaceMap edge_faces;
         TopExp::MapShapesAndUniqueAncestors(solid, TopAbs_EDGE, TopAbs_FACE, edge_faces);

@@ -80,7 +80,7 @@ class ContourReader {
         EdgeFaceMap edge_faces;
         TopExp::MapShapesAndUniqueAncestors(solid, TopAbs_EDGE, TopAbs_FACE, edge_faces);
         const ContourTracer walk(file_, solid, edge_faces, options_);
-        edges_.find_in(solid);
+        edges_.find_edges_in(solid);
         TopTools_MapOfShape walls;
         for (const Candidate& candidate : candidates(solid)) {
             // A face along which the jet cuts is not entered as well.

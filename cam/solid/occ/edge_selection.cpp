@@ -40,7 +40,7 @@ bool EdgeSelection::is_requested(const std::string& label) const {
                        [&](const std::string& number) { return is_number(label, number); });
 }
 
-std::vector<TopoDS_Edge> EdgeSelection::find_in(const TopoDS_Shape& body) {
+std::vector<TopoDS_Edge> EdgeSelection::find_edges_in(const TopoDS_Shape& body) {
     std::vector<TopoDS_Edge> edges;
     if (accepts_any()) return edges;
     TopTools_IndexedMapOfShape all;

@@ -24,7 +24,7 @@ class EdgeSelection {
     /// Returns true if none is requested, so any edge is accepted.
     bool accepts_any() const { return numbers_.empty(); }
     /// Searches for them in a body, and returns those found.
-    std::vector<TopoDS_Edge> find_in(const TopoDS_Shape& body);
+    std::vector<TopoDS_Edge> find_edges_in(const TopoDS_Shape& body);
     /// Returns true if one of them is among these, or any is accepted.
     bool accepts(const std::vector<TopoDS_Edge>& edges) const;
     void mark_cut(const std::vector<TopoDS_Edge>& edges);

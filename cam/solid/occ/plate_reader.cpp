@@ -10,7 +10,7 @@ namespace gsim::solid {
 
 namespace {
 
-void note_ignored(std::size_t count, const char* what, Plate& plate) {
+void add_ignored_note(std::size_t count, const char* what, Plate& plate) {
     if (count == 0) return;
     plate.drawing.notes.push_back(fmt::format("{} {} that are not part of a body are ignored", count, what));
 }
@@ -23,8 +23,8 @@ Result<Plate> plate_from_solids(const Bodies& bodies, const ShapeFile& file, con
     for (const TopoDS_Solid& solid : bodies.solids) {
         if (auto result = outline.add(solid); !result) return Unexpected(result.error());
     }
-    note_ignored(bodies.faces.size(), bodies.faces.size() == 1 ? "surface is" : "surfaces are", plate);
-    note_ignored(bodies.edges.size(), bodies.edges.size() == 1 ? "curve is" : "curves are", plate);
+    add_ignored_note(bodies.faces.size(), bodies.faces.size() == 1 ? "surface is" : "surfaces are", plate);
+    add_ignored_note(bodies.edges.size(), bodies.edges.size() == 1 ? "curve is" : "curves are", plate);
     return plate;
 }
 

@@ -116,7 +116,7 @@ Result<void> SolidOutline::sort_faces(const TopoDS_Solid& solid) {
     upper_.clear();
     lower_.clear();
     depths_mm_.clear();
-    others_.clear();
+    other_faces_.clear();
     for (const TopoDS_Face& face : shape_faces(solid)) {
         const auto plane = face_plane(face);
         const double rise = plane ? plane->Axis().Direction().Dot(frame_.up()) : 0;
@@ -134,7 +134,7 @@ Result<void> SolidOutline::sort_faces(const TopoDS_Solid& solid) {
             }
             upper_.push_back(face);
         } else {
-            others_.push_back(face);
+            other_faces_.push_back(face);
         }
     }
     return {};
@@ -143,7 +143,7 @@ Result<void> SolidOutline::sort_faces(const TopoDS_Solid& solid) {
 Result<void> SolidOutline::find_thickness() {
     if (lower_.empty() || upper_.empty()) {
         const TopoDS_Face& face =
-            others_.empty() ? (lower_.empty() ? upper_ : lower_).front() : others_.front();
+            other_faces_.empty() ? (lower_.empty() ? upper_ : lower_).front() : other_faces_.front();
         return reject(face,
                       fmt::format("belongs to a body without {} side; a plate must have two planar sides",
                                   upper_.empty() ? "an upper" : "a lower"));
@@ -199,7 +199,7 @@ Result<void> SolidOutline::add(const TopoDS_Solid& solid) {
                 upper_edge_faces.Add(neighbour);
         }
     }
-    for (const TopoDS_Face& face : others_) {
+    for (const TopoDS_Face& face : other_faces_) {
         if (!upper_edge_faces.Contains(face))
             return reject(face, "has no edge on the upper side: a jet cannot reach it from there");
     }

@@ -42,8 +42,8 @@ class SolidOutline {
     const PlateFrame& frame_;
     Plate& plate_;
     OutlinePen pen_;
-    std::vector<TopoDS_Face> upper_, lower_, others_;  // of the body at hand
-    std::vector<double> depths_mm_;                    // of lower_, below the upper side
+    std::vector<TopoDS_Face> upper_, lower_, other_faces_;  // of the body at hand
+    std::vector<double> depths_mm_;                         // of lower_, below the upper side
 };
 
 }  // namespace gsim::solid

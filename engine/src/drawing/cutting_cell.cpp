@@ -26,7 +26,7 @@ std::string path_name(const cutting::Autopath& autopath_result, std::size_t path
     return fmt::format("{} ({})", name, autopath_result.cuts[path]);
 }
 
-std::string transit_message(const cutting::Autopath& autopath_result, const path::TargetError& error) {
+std::string linking_error_message(const cutting::Autopath& autopath_result, const path::TargetError& error) {
     return fmt::format("{}: {}", path_name(autopath_result, error.where.path), error.message);
 }
 
@@ -88,14 +88,14 @@ Result<void> CuttingCell::avoid_collisions(cutting::Autopath& autopath_result,
     const linking::RapidPlanner space(parts_->space, parts_->setup, parts_->bodies, parts_->origin,
                                       linking::has_orientations(autopath_result.program));
     const auto linking = linking::avoid_collisions(autopath_result.program, space, parts_->space.home());
-    if (!linking) return tl::unexpected(transit_message(autopath_result, linking.error()));
+    if (!linking) return tl::unexpected(linking_error_message(autopath_result, linking.error()));
     if (parts_->bodies.pair_count() > 0) metrics.ways = linking->ways;
     metrics.rerouted_moves = linking->changed;
     if (linking->errors.empty()) return {};
     std::string sentences;
     for (std::size_t i = 0; i < std::min(linking->errors.size(), kMaxErrors); ++i) {
         if (i > 0) sentences += "\n  ";
-        sentences += transit_message(autopath_result, linking->errors[i]);
+        sentences += linking_error_message(autopath_result, linking->errors[i]);
     }
     if (linking->errors.size() > kMaxErrors)
         sentences += fmt::format("\n  and {} more", linking->errors.size() - kMaxErrors);

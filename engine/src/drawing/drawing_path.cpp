@@ -90,7 +90,7 @@ class DrawingPath::State {
     }
     tl::expected<void, Error> resolve_cutting(double thickness_mm);
     waterjet::JobPrice price() const {
-        return waterjet::price_job(*cutting_.plan, materials_->prices,
+        return waterjet::price_job(*resolved_cutting_.plan, materials_->prices,
                                    {.cut_length_mm = metrics_.cut_mm,
                                     .pierces = metrics_.pierces,
                                     .dynamic_pierces = metrics_.dynamic_pierces,
@@ -104,7 +104,7 @@ class DrawingPath::State {
     std::optional<CuttingCell> cutting_cell_;       ///< None: the surroundings are not checked.
     drawing::Drawing drawing_;
     solid::WallContours contours_;  ///< Instead of a drawing, if a surface is requested.
-    ResolvedCutting cutting_;
+    ResolvedCutting resolved_cutting_;
     path::Program program_;
     CuttingMetrics metrics_;
 };
@@ -113,7 +113,7 @@ class DrawingPath::State {
 tl::expected<void, Error> DrawingPath::State::resolve_cutting(double thickness_mm) {
     auto resolved = resolve_cutting_options(request_.cutting, materials_, thickness_mm);
     if (!resolved) return tl::unexpected(make_error(DiagnosticKind::usage, resolved.error()));
-    cutting_ = *std::move(resolved);
+    resolved_cutting_ = *std::move(resolved);
     return {};
 }
 
@@ -147,9 +147,10 @@ tl::expected<void, Error> DrawingPath::State::read() {
 }
 
 tl::expected<void, Error> DrawingPath::State::make(const DiagnosticHandler& on_diagnostic) {
-    auto result = request_.surface
-                      ? surface::surface_path(contours_, cutting_.rules, surface_options(request_))
-                      : cutting::autopath(std::move(drawing_), cutting_.rules, make_options(request_));
+    auto result =
+        request_.surface
+            ? surface::surface_path(contours_, resolved_cutting_.rules, surface_options(request_))
+            : cutting::autopath(std::move(drawing_), resolved_cutting_.rules, make_options(request_));
     if (!result) return tl::unexpected(drawing_error(result.error().message));
     const auto note = [&](const std::string& message) {
         if (!on_diagnostic) return;
@@ -170,8 +171,8 @@ tl::expected<void, Error> DrawingPath::State::make(const DiagnosticHandler& on_d
 }
 
 std::optional<JobMetrics> DrawingPath::State::job() const {
-    if (!cutting_.plan) return std::nullopt;
-    const waterjet::CuttingPlan& plan = *cutting_.plan;
+    if (!resolved_cutting_.plan) return std::nullopt;
+    const waterjet::CuttingPlan& plan = *resolved_cutting_.plan;
     const waterjet::JobPrice price = this->price();
     return JobMetrics{.thickness_mm = plan.thickness_mm,
                       .quality = plan.quality,
@@ -187,13 +188,13 @@ std::optional<JobMetrics> DrawingPath::State::job() const {
 }
 
 std::string DrawingPath::State::job_report() const {
-    if (!cutting_.plan) return {};
+    if (!resolved_cutting_.plan) return {};
     const waterjet::AccuracyTimes times{
         .slowdown_s = metrics_.slowdown_s,
         .taper_compensation_s = request_.cutting.taper_compensation
                                     ? std::optional(metrics_.taper_compensation_s)
                                     : std::nullopt};
-    return waterjet::job_report_text({*cutting_.plan, price(), times, materials_->prices.currency});
+    return waterjet::job_report_text({*resolved_cutting_.plan, price(), times, materials_->prices.currency});
 }
 
 tl::expected<DrawingPath, Error> DrawingPath::open(DrawingRequest request) {

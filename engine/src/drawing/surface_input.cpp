@@ -50,14 +50,14 @@ std::array<double, 3> to_vec3(const surface::Vector& v) {
 
 }  // namespace
 
-script::ContourDescription contour_facts(const solid::WallContour& contour) {
+script::ContourDescription describe_contour(const solid::WallContour& contour) {
     script::ContourDescription facts{
         .face = contour.face, .is_hole = contour.is_hole, .is_open = contour.is_open};
     surface::Vector low = surface::Vector::Constant(std::numeric_limits<double>::infinity());
     surface::Vector high = -low;
     surface::Vector normal = surface::Vector::Zero();
     for (const solid::WallEdge& edge : contour.edges) {
-        script::ContourDescription::Edge edge_facts{edge.name, 0};
+        script::ContourDescription::Edge edge_description{edge.name, 0};
         for (std::size_t i = 0; i < edge.points.size(); ++i) {
             const solid::WallPoint& point = edge.points[i];
             const surface::Vector at = surface::to_vector(point.position_mm);
@@ -69,11 +69,11 @@ script::ContourDescription contour_facts(const solid::WallContour& contour) {
             if (wall.norm() > 0) facts.tilt_deg = std::max(facts.tilt_deg, angle_deg(wall, up));
             if (i == 0) continue;
             const double step_mm = (at - surface::to_vector(edge.points[i - 1].position_mm)).norm();
-            edge_facts.length_mm += step_mm;
+            edge_description.length_mm += step_mm;
             normal += step_mm * up;
         }
-        facts.length_mm += edge_facts.length_mm;
-        facts.edges.push_back(std::move(edge_facts));
+        facts.length_mm += edge_description.length_mm;
+        facts.edges.push_back(std::move(edge_description));
     }
     facts.low_mm = to_vec3(low);
     facts.high_mm = to_vec3(high);
@@ -123,7 +123,7 @@ Result<void> choose_contours(std::string_view script, const std::string& file_na
                              solid::WallContours& part) {
     std::vector<script::ContourDescription> facts;
     facts.reserve(part.contours.size());
-    for (const solid::WallContour& contour : part.contours) facts.push_back(contour_facts(contour));
+    for (const solid::WallContour& contour : part.contours) facts.push_back(describe_contour(contour));
     const auto selected = script::choose_contours(script, file_name, facts);
     if (!selected) return tl::unexpected(selected.error());
     std::vector<solid::WallContour> kept;

@@ -15,7 +15,7 @@ namespace gsim::engine {
 std::optional<gsim::Error> find_contour_option_error(const DrawingRequest& request);
 
 /// Returns the facts about a contour for scripts and lists.
-script::ContourDescription contour_facts(const solid::WallContour& contour);
+script::ContourDescription describe_contour(const solid::WallContour& contour);
 
 /// Reads contours of a part through the host.
 Result<solid::WallContours> read_part_contours(const Host& host, const std::string& file,

@@ -59,7 +59,7 @@ ordered_json key_json(const KeySchema& key) {
 
 ordered_json table_json(const TableSchema& table) {
     ordered_json json{{"at", table.at}, {"many", table.many}, {"meaning", table.meaning}};
-    if (!table.where_key.empty()) json["where"] = {{table.where_key, table.where_value}};
+    if (!table.condition_key.empty()) json["where"] = {{table.condition_key, table.condition_value}};
     json["keys"] = ordered_json::array();
     for (const KeySchema& key : table.keys) json["keys"].push_back(key_json(key));
     return json;

@@ -7,7 +7,7 @@
 
 #include "base/text/number.h"
 #include "base/units.h"
-#include "collision/monitor/touching.h"
+#include "collision/monitor/touching_pairs.h"
 #include "engine/src/conversions.h"
 #include "engine/src/guard_exceptions.h"
 #include "engine/src/machine/machine_parts.h"

@@ -57,7 +57,7 @@ Result<PathCheck::PathSummary> PathCheck::finish() {
             "the post '{}' has no word for machine coordinates ([offsets] machine)",
             retracts_, post_.name));
     }
-    note_feeds();
+    add_feed_notes();
     if (!keep_going_ && !unsupported_actions_.empty()) return tl::unexpected(error());
     for (const auto* list : {&message_actions_, &unsupported_actions_}) {
         for (const auto& [name, count] : *list) {
@@ -69,7 +69,7 @@ Result<PathCheck::PathSummary> PathCheck::finish() {
     return PathSummary{std::move(notes_), feed_modes_ > 0, accelerations_ > 0, retracts_ > 0};
 }
 
-void PathCheck::note_feeds() {
+void PathCheck::add_feed_notes() {
     if (mean_feeds_ > 0) {
         notes_.push_back(
             fmt::format("times of {} moves are written as feeds: the post '{}' has no inverse time feed",

@@ -18,7 +18,7 @@ namespace gsim::engine {
 
 namespace {
 
-constexpr std::size_t kMostGivenBytes = std::size_t{1} << 30U;
+constexpr std::size_t kMaxInputBytes = std::size_t{1} << 30U;
 
 using text::DiagnosticKind;
 using Read = tl::expected<path::PathFile, Error>;
@@ -68,7 +68,7 @@ Read read_path(const os::Files& files, const std::string& name, const script::Lu
     const bool is_script = std::filesystem::path(name).extension() == ".lua";
     if (!is_script && files.are_system_files()) return read_system_file(name);
     const auto text = is_script ? files.read_text(name, os::NameSource::command_line)
-                                : files.read(name, os::NameSource::command_line, kMostGivenBytes);
+                                : files.read(name, os::NameSource::command_line, kMaxInputBytes);
     if (!text) return unreadable_error(text.error());
     auto found = is_script ? script::run_path_script(*text, name, limits, cpu) : path::read_json(*text, name);
     return std::move(found).map_error(path_error);

@@ -51,9 +51,9 @@ const machine::AxisValues* find_point(const Points& points, const MachinePoint& 
     return found == points.values.end() ? nullptr : &found->second;
 }
 
-class Completer {
+class PointCompleter {
   public:
-    Completer(const PointTables& tables, const codegen::Post& post)
+    PointCompleter(const PointTables& tables, const codegen::Post& post)
         : tables_(tables),
           post_(post),
           homes_(machine::secondary_homes(tables.machine,
@@ -138,7 +138,7 @@ class Completer {
 
 Result<std::vector<std::string>> complete_points(path::PathFile& file, const PointTables& tables,
                                                  const codegen::Post& post) {
-    Completer completer(tables, post);
+    PointCompleter completer(tables, post);
     for (std::size_t i = 0; i < file.program.paths.size(); ++i) {
         std::vector<path::Target>& targets = file.program.paths[i].targets;
         for (std::size_t target = 0; target < targets.size(); ++target) {

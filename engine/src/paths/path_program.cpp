@@ -43,7 +43,7 @@ class PathProgram::Sink : public path::MoveSink {
           writer_(*program.post_, axes_, program.options_.words, std::move(text)) {
         values_.resize(axes_.size());
         origin_.resize(axes_.size());
-        for (const codegen::WrittenAxis& axis : axes_) {
+        for (const codegen::GcodeAxis& axis : axes_) {
             indices_.push_back(static_cast<Eigen::Index>(*program.space_.machine().find(axis.letter)));
         }
     }
@@ -88,8 +88,8 @@ class PathProgram::Sink : public path::MoveSink {
     void move(const path::AxisMove& move) override {
         const std::span<const double> values = written_values(move.axes);
         if (move.rapid) return writer_.move(values, std::nullopt);
-        const codegen::WrittenFeed feed{move.feed_per_min, move.feed_is_rotary, move.duration_s,
-                                        move.feed_mm_rev, program_.thread_lead(move)};
+        const codegen::GcodeFeed feed{move.feed_per_min, move.feed_is_rotary, move.duration_s,
+                                      move.feed_mm_rev, program_.thread_lead(move)};
         if (!move.arc) return writer_.move(values, feed);
         if (move.arc->via_mm)
             return writer_.arc_through(values, position_vector(*move.arc->via_mm), feed, move.arc->turn_rad);
@@ -158,7 +158,7 @@ class PathProgram::Sink : public path::MoveSink {
 
     const PathProgram& program_;
     const path::AxisMoves& moves_;
-    std::vector<codegen::WrittenAxis> axes_;
+    std::vector<codegen::GcodeAxis> axes_;
     GcodeWriter writer_;
     std::vector<double> values_;
     std::vector<double> origin_;  // of the numbers: machine coordinates of 0
@@ -171,7 +171,7 @@ Result<PathProgram> PathProgram::plan(const path::PathFile& file, const machine:
     auto space = path::MachineSpace::make(machine);
     if (!space) return tl::unexpected(space.error());
     PathProgram program(file, std::move(*space), post, options);
-    for (const codegen::WrittenAxis& axis : program.written_axes()) {
+    for (const codegen::GcodeAxis& axis : program.written_axes()) {
         if (post.blocks.axes.empty() || post.blocks.axes.find(axis.letter) != std::string::npos) continue;
         return Unexpected(
             fmt::format("the post '{}' is for the axes {}, but the machine '{}' has {}; give another machine "
@@ -321,8 +321,8 @@ tl::expected<void, path::TargetError> PathProgram::check_size() const {
                                       post_->name, size, kMaxTargets)});
 }
 
-std::vector<codegen::WrittenAxis> PathProgram::written_axes() const {
-    std::vector<codegen::WrittenAxis> axes{{'X', false}, {'Y', false}, {'Z', false}};
+std::vector<codegen::GcodeAxis> PathProgram::written_axes() const {
+    std::vector<codegen::GcodeAxis> axes{{'X', false}, {'Y', false}, {'Z', false}};
     for (std::size_t i = 0; i < space_.rotary_count(); ++i)
         axes.push_back({space_.rotary_axis(i).letter, true});
     return axes;

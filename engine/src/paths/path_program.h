@@ -69,7 +69,7 @@ class PathProgram {
     std::optional<double> thread_lead(const path::AxisMove& move) const;
     Result<void> check_moves();
     tl::expected<void, path::TargetError> check_size() const;
-    std::vector<codegen::WrittenAxis> written_axes() const;
+    std::vector<codegen::GcodeAxis> written_axes() const;
     codegen::PlaceholderValues make_placeholders(std::size_t order) const;
     std::string program_file_name(std::size_t order) const;
     void write_path(std::size_t order, Sink& sink) const;

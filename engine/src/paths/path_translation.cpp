@@ -70,14 +70,14 @@ class PathTranslation::State {
           file_(std::move(file)),
           post_(std::move(post)),
           machine_(std::move(machine)),
-          cpu_(request_.cpu_s) {
-        cpu_.cancel_when(request_.cancel.flag());
+          cpu_limit_(request_.cpu_s) {
+        cpu_limit_.set_cancel_flag(request_.cancel.flag());
     }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
     const std::string& file() const { return file_; }
-    const os::CpuLimit& cpu() const { return cpu_; }
+    const os::CpuLimit& cpu() const { return cpu_limit_; }
     const PathProgram& program() const { return *program_; }
     const std::vector<std::string>& notes() const { return notes_; }
 
@@ -85,7 +85,7 @@ class PathTranslation::State {
         const script::LuaState::Limits limits{.memory_bytes =
                                                   static_cast<std::size_t>(request_.memory_bytes)};
         auto path = request_.bytes ? read_path_bytes(request_.bytes, file_)
-                                   : read_path(request_.host.files.impl(), file_, limits, &cpu_);
+                                   : read_path(request_.host.files.impl(), file_, limits, &cpu_limit_);
         if (!path) return tl::unexpected(path.error());
         path_ = *std::move(path);
         return {};
@@ -117,7 +117,7 @@ class PathTranslation::State {
     std::string file_;
     codegen::Post post_;
     MachineInput machine_;
-    os::CpuLimit cpu_;
+    os::CpuLimit cpu_limit_;
     std::optional<path::PathFile> path_;
     std::optional<PathProgram> program_;
     std::vector<std::string> notes_;

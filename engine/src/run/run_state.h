@@ -23,9 +23,9 @@ class Run::State {
   public:
     State(ResolvedRequest found, DiagnosticHandler on_diagnostic)
         : found_(std::move(found)),
-          cpu_(found_.request.limits.cpu_s),
+          cpu_limit_(found_.request.limits.cpu_s),
           diagnostics_(std::move(on_diagnostic)) {
-        cpu_.cancel_when(found_.request.cancel.flag());
+        cpu_limit_.set_cancel_flag(found_.request.cancel.flag());
     }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
@@ -68,9 +68,9 @@ class Run::State {
     tl::expected<ProgramRun*, Error> kept();
 
     ResolvedRequest found_;
-    os::CpuLimit cpu_;
+    os::CpuLimit cpu_limit_;
     DiagnosticLog diagnostics_;
-    RunContext run_context_{cpu_, diagnostics_.handler()};
+    RunContext run_context_{cpu_limit_, diagnostics_.handler()};
     std::optional<MachineInput> machine_;
     std::shared_ptr<const cell::Cell> cell_;
     std::shared_ptr<const dynamics::Dynamics> dynamics_;

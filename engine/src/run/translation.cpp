@@ -18,9 +18,9 @@ using text::DiagnosticKind;
 class Translation::State {
   public:
     State(const TranslationRequest& request, Language language, lexer::Source source)
-        : cpu_(request.cpu_s), language_(std::move(language)), source_(std::move(source)) {
-        cpu_.cancel_when(request.cancel.flag());
-        language_.cpu = &cpu_;
+        : cpu_limit_(request.cpu_s), language_(std::move(language)), source_(std::move(source)) {
+        cpu_limit_.set_cancel_flag(request.cancel.flag());
+        language_.cpu = &cpu_limit_;
         options_.annotate = request.annotate;
         options_.max_errors = request.max_errors;
     }
@@ -45,7 +45,7 @@ class Translation::State {
     }
 
   private:
-    os::CpuLimit cpu_;
+    os::CpuLimit cpu_limit_;
     Language language_;
     lexer::Source source_;
     codegen::TranslateOptions options_;

@@ -192,11 +192,11 @@ int dwell(lua_State* state) {
 
 /// core.event(kind, detail, place, "at_standstill" | "in_passing" | "with_motion")
 int event(lua_State* state) {
-    static constexpr std::array<const char*, 4> kWhen{"at_rest", "in_passing", "with_motion", nullptr};
+    static constexpr std::array<const char*, 4> kTimings{"at_rest", "in_passing", "with_motion", nullptr};
     Interpreter& interpreter = bound_interpreter(state);
     interpreter.simulator().events().add(
         luaL_checkstring(state, 1), luaL_optstring(state, 2, ""), check_location(state, 3),
-        static_cast<simulation::EventTiming>(check_option(state, 4, "at_rest", kWhen)));
+        static_cast<simulation::EventTiming>(check_option(state, 4, "at_rest", kTimings)));
     return 0;
 }
 

@@ -75,11 +75,11 @@ int Engine::call_protected(void (*work)(Engine&)) {
     lua_pushlightuserdata(state, this);
     lua_pushcclosure(state, handle_error, 1);
     lua_pushlightuserdata(state, this);
-    lua_pushcclosure(state, trampoline<do_work>, 1);
+    lua_pushcclosure(state, trampoline<call_work_function>, 1);
     return lua_pcall(state, 0, 0, 1);
 }
 
-int Engine::do_work(lua_State* state) {
+int Engine::call_work_function(lua_State* state) {
     auto& engine = bound<Engine>(state);
     engine.work_(engine);
     return 0;
@@ -143,13 +143,15 @@ int Engine::next_script(lua_State* state) {
 }
 
 Result<std::map<int, double>> Engine::permanent_variables() {
-    permanent_.clear();
-    return read_retained([](Engine& engine) { engine.read_permanent(); }).map([this] { return permanent_; });
+    permanent_variables_.clear();
+    return read_retained([](Engine& engine) { engine.read_permanent(); }).map([this] {
+        return permanent_variables_;
+    });
 }
 
 Result<machine::MachineData> Engine::machine_data() {
-    stored_ = options_.data;
-    return read_retained([](Engine& engine) { engine.read_stored(); }).map([this] { return stored_; });
+    stored_data_ = options_.data;
+    return read_retained([](Engine& engine) { engine.read_stored(); }).map([this] { return stored_data_; });
 }
 
 /// Restarts the steps and ends the time limit, because a run that has used them up has none left for this.
@@ -168,7 +170,7 @@ void Engine::read_permanent() {
     lua_call(state, 0, 1);
     lua_pushnil(state);
     while (lua_next(state, -2) != 0) {
-        permanent_[static_cast<int>(luaL_checkinteger(state, -2))] = luaL_checknumber(state, -1);
+        permanent_variables_[static_cast<int>(luaL_checkinteger(state, -2))] = luaL_checknumber(state, -1);
         lua_pop(state, 1);
     }
     lua_pop(state, 1);
@@ -190,7 +192,7 @@ void Engine::read_stored() {
     lua_State* state = lua_.get();
     controllers_.front()->push_library(state, "stored_data");
     lua_call(state, 0, 1);
-    read_data_tables(state, stored_);
+    read_data_tables(state, stored_data_);
     lua_pop(state, 1);
 }
 

@@ -96,7 +96,7 @@ class Engine {
     void run_plain_lines(lua_State* state, LoadedScript& loaded_script, BodyExecution& execution,
                          const ScriptChunk& chunk);
 
-    static int do_work(lua_State* state);
+    static int call_work_function(lua_State* state);
     static int handle_error(lua_State* state);
     static int next_script(lua_State* state);
     static int register_functions(lua_State* state);
@@ -118,8 +118,8 @@ class Engine {
         programs_;                 ///< Files that were called.
     std::vector<Script> pending_;  ///< The last one is loaded first.
     std::optional<Processes::Outcome> outcome_;
-    std::map<int, double> permanent_;
-    machine::MachineData stored_;
+    std::map<int, double> permanent_variables_;
+    machine::MachineData stored_data_;
     std::string error_;
     simulation::SourceLocation error_location_;
     simulation::SourceLocation last_step_location_;  ///< Location at which a step limit was reached.

@@ -37,21 +37,21 @@ Interpreter::Interpreter(simulation::Simulator& simulator, SourceLocator& locati
       axis_by_letter_(index_axes(simulator.machine())),
       frame_(simulator.machine().axes.size(), {axis('X'), axis('Y'), axis('Z')}) {
     word_factors_.setOnes(static_cast<Eigen::Index>(simulator.machine().axes.size()));
-    count_words();
+    update_word_factors();
 }
 
 void Interpreter::set_unit_mm(double unit_mm) {
     unit_mm_ = unit_mm;
-    count_words();
+    update_word_factors();
 }
 
 void Interpreter::set_word_factor(int axis, double factor) {
     word_factors_[axis] = factor;
-    count_words();
+    update_word_factors();
 }
 
 /// Computes this at each change, because each word of each move is read by it.
-void Interpreter::count_words() {
+void Interpreter::update_word_factors() {
     word_mm_ = word_factors_;
     for (std::size_t i = 0; i < simulator_.machine().axes.size(); ++i) {
         const bool linear = simulator_.machine().axes[i].kind == machine::AxisKind::linear;

@@ -138,7 +138,7 @@ class Interpreter {
         std::string message;
     };
 
-    void count_words();
+    void update_word_factors();
     bool set_axis(char letter, double value, simulation::AxisVector& target, std::uint32_t& seen_axes);
     bool read_words(lua_State* state, int index, NonAxisWords* others, simulation::AxisVector& target,
                     std::uint32_t& seen_axes);

@@ -121,17 +121,17 @@ void LuaState::count_steps(lua_State* state) {
 }
 
 void LuaState::check_limits(lua_State* state) {
-    unchecked_ = 0;
+    unchecked_steps_ = 0;
     if (steps_ > limits_.steps) stop_for(StopReason::steps, state);
-    if (cpu_ != nullptr && cpu_->reached()) stop_for(StopReason::cpu, state);
+    if (cpu_limit_ != nullptr && cpu_limit_->reached()) stop_for(StopReason::cpu, state);
 }
 
 std::string LuaState::printed(std::string line) {
-    if (printed_bytes_ > kMostPrinted_bytes) return {};
+    if (printed_bytes_ > kMaxPrinted_bytes) return {};
     printed_bytes_ += line.size();
-    if (printed_bytes_ <= kMostPrinted_bytes) return line;
+    if (printed_bytes_ <= kMaxPrinted_bytes) return line;
     return fmt::format("the script has printed {} MB; further output is suppressed\n",
-                       kMostPrinted_bytes >> 20U);
+                       kMaxPrinted_bytes >> 20U);
 }
 
 void LuaState::stop_for(StopReason reason, lua_State* state) {

@@ -29,7 +29,7 @@ class LuaState {
     static constexpr std::uint64_t kBytesOfValue = 4;
 
     /// Maximum bytes that scripts may print: the remainder is left out, with one message.
-    static constexpr std::size_t kMostPrinted_bytes = std::size_t{4} << 20U;
+    static constexpr std::size_t kMaxPrinted_bytes = std::size_t{4} << 20U;
 
     explicit LuaState(Limits limits);
     ~LuaState();
@@ -39,7 +39,7 @@ class LuaState {
     lua_State* get() const { return state_; }
     StopReason ended() const { return memory_.is_rejected() ? StopReason::memory : stop_reason_; }
     /// Limits the processor time from here on; null: no limit. `cpu` must outlive the state.
-    void set_time_limit(os::CpuLimit* cpu) { cpu_ = cpu; }
+    void set_time_limit(os::CpuLimit* cpu) { cpu_limit_ = cpu; }
     /// Restarts the count of steps, because the machine has moved on.
     void restart_steps() { steps_ = 0; }
     /// Counts work inside one instruction, by the bytes that it touches. Long strings and tables take time in
@@ -50,8 +50,8 @@ class LuaState {
     /// Counts instructions that run without Lua counting them; ends the run if that is too much.
     void count_instructions(lua_State* state, std::uint64_t count) {
         steps_ += count * weight_;
-        unchecked_ += count;
-        if (unchecked_ >= kStepsBetweenCounts || steps_ > limits_.steps) check_limits(state);
+        unchecked_steps_ += count;
+        if (unchecked_steps_ >= kStepsBetweenCounts || steps_ > limits_.steps) check_limits(state);
     }
     /// Notes a string or a list of values of so many bytes, which any instruction may read. From here on each
     /// instruction counts as that much work.
@@ -97,13 +97,13 @@ class LuaState {
     static void set_hook(lua_State* thread, int steps);
 
     Limits limits_;
-    os::CpuLimit* cpu_ = nullptr;
+    os::CpuLimit* cpu_limit_ = nullptr;
     ScriptMemory memory_;
     TableSerials table_serials_;
     std::size_t printed_bytes_ = 0;
     std::uint64_t steps_ = 0;
-    std::uint64_t unchecked_ = 0;  ///< Instructions since the limits were last looked at.
-    std::uint64_t weight_ = 1;     ///< Weight of an instruction.
+    std::uint64_t unchecked_steps_ = 0;  ///< Instructions since the limits were last looked at.
+    std::uint64_t weight_ = 1;           ///< Weight of an instruction.
     StopReason stop_reason_ = StopReason::no;
     std::function<void(lua_State*)> on_last_step_;
     std::function<void(lua_State*, lua_Debug*)> on_line_;

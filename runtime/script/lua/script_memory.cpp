@@ -17,10 +17,11 @@ std::string megabytes(std::size_t bytes) {
 
 }  // namespace
 
-void ScriptMemory::reject(const char* what, std::size_t requested_bytes, bool by_system) {
+void ScriptMemory::reject(const char* what, std::size_t requested_bytes, bool is_system_failure) {
     is_rejected_ = true;
-    error_ = {what, requested_bytes, bytes_, by_system};
-    if (const char* max = largest_holder(); max != nullptr && requested_bytes < bytes_ / 2) error_.what = max;
+    error_ = {what, requested_bytes, bytes_, is_system_failure};
+    if (const char* max = largest_memory_user(); max != nullptr && requested_bytes < bytes_ / 2)
+        error_.what = max;
 }
 
 void ScriptMemory::add_external(std::size_t bytes, const char* what) {
@@ -42,7 +43,7 @@ std::size_t& ScriptMemory::external_bytes(const char* what) {
 
 /// Returns what holds more than half of the memory outside of Lua, or null. That is reported as the consumer
 /// that needs too much, even if another one requests the last part.
-const char* ScriptMemory::largest_holder() const {
+const char* ScriptMemory::largest_memory_user() const {
     for (const External& each : external_) {
         if (each.bytes > bytes_ / 2) return each.what;
     }
@@ -53,7 +54,7 @@ std::string ScriptMemory::error() const {
     const std::string amounts =
         fmt::format("{} are used, and {} more are requested", megabytes(error_.retained_bytes),
                     megabytes(error_.requested_bytes));
-    if (error_.by_system)
+    if (error_.is_system_failure)
         return fmt::format("{} needs more memory than the system provides: {}", error_.what, amounts);
     return fmt::format("{} needs more memory than the run may use, {} MB (--memory): {}", error_.what,
                        limit_bytes_ >> 20U, amounts);

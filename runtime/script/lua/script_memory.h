@@ -63,7 +63,7 @@ class ScriptMemory {
         const char* what = "the script";
         std::size_t requested_bytes = 0;
         std::size_t retained_bytes = 0;
-        bool by_system = false;
+        bool is_system_failure = false;
     };
     /// Memory outside of Lua, by its purpose.
     struct External {
@@ -90,9 +90,9 @@ class ScriptMemory {
             std::free(block);
         }
     }
-    void reject(const char* what, std::size_t requested_bytes, bool by_system);
+    void reject(const char* what, std::size_t requested_bytes, bool is_system_failure);
     std::size_t& external_bytes(const char* what);
-    const char* largest_holder() const;
+    const char* largest_memory_user() const;
 
     std::size_t limit_bytes_;
     std::size_t bytes_ = 0;

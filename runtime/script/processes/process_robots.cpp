@@ -81,7 +81,7 @@ void ProcessRobots::add_idle_time() const {
     const double idle_s = process.time_s - simulator.clock().planned_s();
     if (!(idle_s > 0) || lua_process.yield_reason == YieldReason::at_block) return;
     lua_process.idle_s += idle_s;
-    lua_process.controller->add_idle(idle_s);
+    lua_process.controller->add_idle_seconds(idle_s);
     simulator.dwells().enqueue(idle_s, process.location);
     process.time_s = std::max(process.time_s, simulator.clock().planned_s());
 }

@@ -22,7 +22,7 @@ double distance(const Vector2d& from, const Vector2d& to) {
 }
 
 /// Returns the centre: from the middle of the chord at a signed distance to the left of start -> end.
-Vector2d point_beside_chord(const ArcEnds& ends, double left_mm) {
+Vector2d center_left_of_chord(const ArcEnds& ends, double left_mm) {
     const double x = ends.end.x() - ends.start.x();
     const double y = ends.end.y() - ends.start.y();
     const double chord = distance(ends.start, ends.end);
@@ -67,7 +67,7 @@ Result<ArcSolution> arc_by_radius(const ArcEnds& ends, double radius_mm, const A
     if (half < kPointTolerance_mm / 2)
         return Unexpected("a full circle cannot be given by R; give its centre");
     const double radius = std::abs(radius_mm);
-    if (half - radius > rules.short_radius_mm) {
+    if (half - radius > rules.max_radius_shortfall_mm) {
         return Unexpected(fmt::format(
             "the arc is impossible: R is {:.6f} mm, but half the distance to the end is {:.6f} mm", radius,
             half));
@@ -75,7 +75,7 @@ Result<ArcSolution> arc_by_radius(const ArcEnds& ends, double radius_mm, const A
     const double height = std::sqrt(std::max(radius * radius - half * half, 0.0));
     const double angle = 2 * std::asin(std::min(half / radius, 1.0));
     const bool left = ends.ccw == (radius_mm > 0);
-    return ArcSolution{point_beside_chord(ends, left ? height : -height),
+    return ArcSolution{center_left_of_chord(ends, left ? height : -height),
                        radius_mm > 0 ? angle : kTurn_rad - angle};
 }
 
@@ -86,7 +86,7 @@ Result<ArcSolution> arc_by_angle(const ArcEnds& ends, double angle_rad) {
     }
     if (angle_rad >= kTurn_rad) return Unexpected("AR= of an arc with an end must be below 360 degrees");
     const double left = half / std::tan(angle_rad / 2);
-    return ArcSolution{point_beside_chord(ends, ends.ccw ? left : -left), angle_rad};
+    return ArcSolution{center_left_of_chord(ends, ends.ccw ? left : -left), angle_rad};
 }
 
 Vector2d end_by_angle(const ArcEnds& ends, const Vector2d& center, double angle_rad) {

@@ -13,7 +13,7 @@ struct ArcRules {
     double radii_tolerance_inch_mm = 0.05;  ///< if the program is in inches,
     double radii_tolerance_share = 0;       ///< or by this share of the greater radius, if that is more,
     double radii_tolerance_growth = 1;      ///< up to so many times the former.
-    double short_radius_mm = 0.05;          ///< R may be too short for the end by this much.
+    double max_radius_shortfall_mm = 0.05;  ///< R may be too short for the end by this much.
     double turns_tolerance = 0;             ///< Max deviation of turns from an integer.
 
     /// Returns the max difference of radii if the larger one is `radius_mm`.

@@ -123,7 +123,7 @@ int set_arc_rules(lua_State* state) {
     read_field(state, "radii_tolerance_inch_mm", rules.radii_tolerance_inch_mm);
     read_field(state, "radii_tolerance_share", rules.radii_tolerance_share);
     read_field(state, "radii_tolerance_growth", rules.radii_tolerance_growth);
-    read_field(state, "short_radius_mm", rules.short_radius_mm);
+    read_field(state, "max_radius_shortfall_mm", rules.max_radius_shortfall_mm);
     read_field(state, "turns_tolerance", rules.turns_tolerance);
     return 0;
 }

@@ -6,7 +6,7 @@ namespace gsim::simulation {
 
 bool MoveAcceptance::finish(const motion::EnqueueResult& enqueue, const SourceLocation& location) {
     settings_.end_exact_stop();
-    for (const std::string& remark : motion_.source().drain_remarks()) warnings_.add(remark);
+    for (const std::string& remark : motion_.source().drain_warnings()) warnings_.add(remark);
     if (!violations_.check()) return false;
     if (!enqueue) return outcome_.fail(enqueue.error(), location);
     violations_.ranges().add_last(location);

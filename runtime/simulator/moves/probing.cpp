@@ -25,7 +25,7 @@ void shorten(LineMove& move, const AxisVector& from, const AxisVector& stop) {
 }  // namespace
 
 /// Returns the machine coordinates of the tool's end.
-Eigen::Vector3d Probing::tool_end(const AxisVector& axes) const {
+Eigen::Vector3d Probing::tool_end_position(const AxisVector& axes) const {
     const Eigen::Vector3d point = position_.space_point(axes);
     return position_.tcp_frame() ? point : Eigen::Vector3d(point - program_.tool().offset_mm());
 }
@@ -34,7 +34,7 @@ Eigen::Vector3d Probing::tool_end(const AxisVector& axes) const {
 /// that the first probing move through the plane enters, or from which one moves away.
 std::unique_ptr<ProbeSignal> Probing::make_plane_signal(const ProbeMove& move) {
     const auto height = [this](const AxisVector& axes) {
-        return tool_end(axes)[static_cast<Eigen::Index>(surface_.axis)] - surface_.at_mm;
+        return tool_end_position(axes)[static_cast<Eigen::Index>(surface_.axis)] - surface_.at_mm;
     };
     if (!solid_side_) {
         const double start_mm = height(position_.axes());

@@ -52,7 +52,7 @@ class Probing {
   private:
     using SignalOrError = tl::expected<std::unique_ptr<ProbeSignal>, std::string>;
 
-    Eigen::Vector3d tool_end(const AxisVector& axes) const;
+    Eigen::Vector3d tool_end_position(const AxisVector& axes) const;
     bool ends_at_target(const ProbeMove& move) const;
     bool senses_cell(const ProbeMove& move) const;
     SignalOrError make_signal(const ProbeMove& move);

@@ -37,7 +37,7 @@ class ToolOffset {
     std::uint16_t tcp() const { return tcp_; }
     /// Returns the TCPs of the tools of the moves so far, by their number, in the frame of the kinematics'
     /// tool centre point (mm).
-    const std::vector<Eigen::Vector3d>& tcps_mm() const { return tcps_.list_mm(); }
+    const std::vector<Eigen::Vector3d>& tcps_mm() const { return tcps_.offsets_mm(); }
     /// Returns the coordinates under TCP control with a tool of this length offset; the error is a message.
     tl::expected<TcpFrame, std::string> make_tcp_frame(const Eigen::Vector3d& offset_mm) const;
 

@@ -100,38 +100,40 @@ TEST(AxisMotion, AMachineWithXAndYExchangedIsNotClean) {
 }
 
 TEST(AxisMotion, OneAxisTurnedRoundIsLeftHandedAndSoAreSlidesBehind) {
-    EXPECT_EQ(
-        find_left_handed(axis_motions(read(directed('X', "x") + directed('Y', "y") + directed('Z', "-z"))))
-            .size(),
-        1U);
-    EXPECT_THAT(
-        find_left_handed(axis_motions(read(directed('U', "x") + directed('V', "z") + directed('W', "y")))),
-        ElementsAre(testing::StartsWith("U V W are left-handed")));
+    EXPECT_EQ(find_left_handed_axes(
+                  axis_motions(read(directed('X', "x") + directed('Y', "y") + directed('Z', "-z"))))
+                  .size(),
+              1U);
+    EXPECT_THAT(find_left_handed_axes(
+                    axis_motions(read(directed('U', "x") + directed('V', "z") + directed('W', "y")))),
+                ElementsAre(testing::StartsWith("U V W are left-handed")));
     // A table that moves in the direction of its letter carries the work under the tool in the wrong
     // direction.
-    EXPECT_EQ(
-        find_left_handed(axis_motions(read(axis('X', "carries = \"work\"\nframe = { pitch_deg = 90.0 }") +
-                                           directed('Y', "y") + directed('Z', "z"))))
-            .size(),
-        1U);
-    EXPECT_THAT(find_left_handed(axis_motions(read(directed('X', "x") + directed('Z', "-z")))), IsEmpty());
+    EXPECT_EQ(find_left_handed_axes(
+                  axis_motions(read(axis('X', "carries = \"work\"\nframe = { pitch_deg = 90.0 }") +
+                                    directed('Y', "y") + directed('Z', "z"))))
+                  .size(),
+              1U);
+    EXPECT_THAT(find_left_handed_axes(axis_motions(read(directed('X', "x") + directed('Z', "-z")))),
+                IsEmpty());
 }
 
 TEST(AxisMotion, NoSampleIsLeftHanded) {
     for (const std::filesystem::path& file : tests::machine_files()) {
         const machine::Machine machine = machine::load_machine(file).value();
-        EXPECT_THAT(find_left_handed(axis_motions(machine)), IsEmpty()) << file;
+        EXPECT_THAT(find_left_handed_axes(axis_motions(machine)), IsEmpty()) << file;
     }
 }
 
 TEST(AxisMotion, RotaryAxesThatTurnTheOtherWayAreTold) {
     const std::string linear = directed('X', "x") + directed('Y', "y") + directed('Z', "z");
     EXPECT_THAT(
-        find_left_turns(axis_motions(read(linear + directed('A', "-x")))),
+        find_left_handed_rotations(axis_motions(read(linear + directed('A', "-x")))),
         ElementsAre(
             "+A turns against the right-hand rule about +X; ISO 841 requires the opposite direction"));
-    EXPECT_THAT(find_left_turns(axis_motions(read(linear + directed('A', "x") + directed('C', "y")))),
-                IsEmpty());
+    EXPECT_THAT(
+        find_left_handed_rotations(axis_motions(read(linear + directed('A', "x") + directed('C', "y")))),
+        IsEmpty());
 }
 
 TEST(AxisMotion, ThePictureHasAnArrowForEachAxis) {

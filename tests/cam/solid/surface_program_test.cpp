@@ -60,8 +60,8 @@ Points together(const std::vector<Points>& edges) {
 }
 
 // Returns true if a jet along the wall can pass a position of an edge without cutting into another position.
-bool has_room(const WheelStep& step, std::size_t n, const Points& edge, const Points& all, double kerf_mm,
-              double near_mm) {
+bool is_long_enough(const WheelStep& step, std::size_t n, const Points& edge, const Points& all,
+                    double kerf_mm, double near_mm) {
     const auto values = step.axis(static_cast<double>(n) / kStepsOfEdge);
     const Vector3d axis(values[0], values[1], values[2]);
     const Vector3d along = edge[std::min(n + 1, edge.size() - 1)] - edge[n == 0 ? 0 : n - 1];
@@ -186,7 +186,7 @@ TEST_F(SurfaceProgram, TheWheelFromItsModelIsTheThesissWheel) {
                 EXPECT_GE(off.min_mm, -kNear_mm) << what;
                 Points open;
                 for (std::size_t n = 0; n < edges[k].size(); ++n) {
-                    if (has_room(pockets[i][k], n, edges[k], all, kKerf_mm, kNear_mm))
+                    if (is_long_enough(pockets[i][k], n, edges[k], all, kKerf_mm, kNear_mm))
                         open.push_back(edges[k][n]);
                 }
                 unreachable_count += static_cast<int>(edges[k].size() - open.size());

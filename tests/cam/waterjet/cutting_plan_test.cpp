@@ -37,7 +37,7 @@ const ResolvedValue& settled_value(const CuttingPlan& plan, std::string_view nam
 TEST(CuttingPlan, SaysWhereEachValueIsFrom) {
     const CuttingPlan plan = plan_cutting(sample_materials(), make_request("aluminum", 12)).value();
     const JetRule& rule = sample_materials().jet;
-    EXPECT_EQ(settled_value(plan, "thickness").origin, Origin::record_input);
+    EXPECT_EQ(settled_value(plan, "thickness").origin, Origin::from_request);
     EXPECT_EQ(settled_value(plan, "pressure").origin, Origin::from_file);
     EXPECT_EQ(settled_value(plan, "machinability").origin, Origin::from_file);
     EXPECT_THAT(settled_value(plan, "machinability").basis, HasSubstr("Zeng"));
@@ -69,7 +69,7 @@ TEST(CuttingPlan, WhatIsGivenWins) {
     EXPECT_EQ(plan.pierce_s, 7);
     for (const std::string_view name :
          {"quality", "pressure", "orifice", "mixing tube", "abrasive", "cutting speed", "kerf", "pierce"})
-        EXPECT_EQ(settled_value(plan, name).origin, Origin::record_input) << name;
+        EXPECT_EQ(settled_value(plan, name).origin, Origin::from_request) << name;
 }
 
 TEST(CuttingPlan, MachinabilityOfAnotherMaterial) {

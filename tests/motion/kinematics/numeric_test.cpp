@@ -1,10 +1,9 @@
-#include "motion/kinematics/numeric.h"
-
 #include <cmath>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "motion/kinematics/numeric_kinematics.h"
 #include "tests/motion/kinematics/chains.h"
 #include "tests/motion/kinematics/random_pose.h"
 

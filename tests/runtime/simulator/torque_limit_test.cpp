@@ -261,7 +261,7 @@ machine::Machine heavy(std::mt19937& random, std::string_view model) {
     machine.dynamics->limit = machine::AccelerationLimit::torque;
     for (machine::Axis& axis : machine.axes) {
         const bool rotary = axis.kind == machine::AxisKind::rotary;
-        axis.drive = {.coulomb = around(random, rotary ? 2 : 40, 0.3),
+        axis.drive = {.coulomb_friction = around(random, rotary ? 2 : 40, 0.3),
                       .viscous = around(random, rotary ? 0.02 : 0.2, 0.3),
                       .rotor = around(random, rotary ? 0.1 : 10, 0.3),
                       .counterweight = between(random, -20, 20),
