@@ -97,9 +97,10 @@ std::string unknown(std::string_view name) {
     for (const ControllerEntry& controller : controllers()) known.push_back(controller.name);
     const auto nearest = text::nearest_name(name, known);
     return fmt::format("unknown dialect or controller '{}'; {}", name,
-                       nearest ? fmt::format("did you mean '{}'?", *nearest)
-                               : fmt::format("the dialects are {}, and docs/language.md lists the controls",
-                                             text::enumerated(dialect_names(), "and")));
+                       nearest
+                           ? fmt::format("did you mean '{}'?", *nearest)
+                           : fmt::format("the dialects are {}, and docs/language.md lists the controllers",
+                                         text::enumerated(dialect_names(), "and")));
 }
 
 }  // namespace

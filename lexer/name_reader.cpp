@@ -163,9 +163,10 @@ Token NameReader::reject(std::string_view text) {
 
 Token NameReader::power(Value& value) {
     if (!rules_.has_power_operator) {
-        errors_.fail(cursor_.column(), DiagnosticKind::syntax,
-                     fmt::format("'**' is no operator of {}; a power is EXP[#2*LN[#1]], or a product",
-                                 rules_.controller));
+        errors_.fail(
+            cursor_.column(), DiagnosticKind::syntax,
+            fmt::format("'**' is not an operator of {}; use EXP[#2*LN[#1]] for a power, or a product",
+                        rules_.controller));
         return kBad;
     }
     value.index = static_cast<std::uint32_t>(Operator::power);

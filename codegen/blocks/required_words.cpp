@@ -24,8 +24,8 @@ constexpr std::uint64_t kProgramBit = 8;
 
 /// Returns the error of a G4 without its time, for one or more letters that give it.
 std::string dwell_message(std::string_view letters) {
-    if (letters.size() == 1) return fmt::format("G4 needs {}, its seconds", letters);
-    return fmt::format("G4 takes one of {}, its seconds", text::enumerated(letters, "and"));
+    if (letters.size() == 1) return fmt::format("G4 requires {}, the time in seconds", letters);
+    return fmt::format("G4 requires one of {}, the time in seconds", text::enumerated(letters, "and"));
 }
 
 }  // namespace

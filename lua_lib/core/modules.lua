@@ -27,7 +27,7 @@ local function library(name)
     modules[i] = ("\"%s\""):format(properties.module)
   end
   local last = table.remove(modules)
-  error(("require \"%s\": of the library there are %s and %s alone"):format(name, table.concat(modules, ", "), last), 0)
+  error(("require \"%s\": the library has only %s and %s"):format(name, table.concat(modules, ", "), last), 0)
 end
 
 function env.require(name)

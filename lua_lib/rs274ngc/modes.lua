@@ -57,7 +57,7 @@ end
 local function set_speed()
   local rpm = surface and surface_rpm() or state.spindle_word
   if rpm == math.huge then   -- LinuxCNC leaves that to its spindle
-    core.warn("G96 at X0 has no maximum speed, and none is set; set it with D")
+    core.warn("G96 at X0: the speed has no maximum and is set to 0; program the maximum with D")
     rpm = 0
   end
   spindle.set_speed(rpm)

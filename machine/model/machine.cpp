@@ -161,7 +161,8 @@ std::optional<Error> find_controller_error(const Machine& machine) {
     if (machine.controller.coordination.orientation == rrs::OrientationRule::joints) return std::nullopt;
     if (!machine.controller.has_great_circles()) {
         return fmt::format(
-            "'orientation = \"great-circle\"' is not for the planners {} nor for arcs as chords: all of "
+            "'orientation = \"great-circle\"' cannot be combined with the planners {} or with arcs as "
+            "chords: all of "
             "these plan lines of axis values",
             rrs::planners_without(&rrs::PlannerCapabilities::plans_great_circles));
     }

@@ -1,5 +1,6 @@
-// Where are the axes at any time? Samples are exact: they come from the closed forms of the planned motion.
-// g++ -std=c++20 03_trajectory.cpp $(pkg-config --cflags --libs libgsim) -o example && ./example
+// Which positions do the axes have at any time? Samples are exact: they come from the closed forms of the
+// planned motion. g++ -std=c++20 03_trajectory.cpp $(pkg-config --cflags --libs libgsim) -o example &&
+// ./example
 #include <cstdio>
 
 #include <gsim/engine/run.h>

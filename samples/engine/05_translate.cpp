@@ -7,7 +7,8 @@
 int main() {
     using namespace gsim;
     engine::TranslationRequest request;
-    request.text = engine::Text("#1 = 10\nWHILE [#1 GT 0] DO1\nG1 X#1 F500\n#1 = [#1 - 2.5]\nEND1\nM2\n", "part.nc");
+    request.text =
+        engine::Text("#1 = 10\nWHILE [#1 GT 0] DO1\nG1 X#1 F500\n#1 = [#1 - 2.5]\nEND1\nM2\n", "part.nc");
     request.language.dialect = "ab9";
     request.annotate = true;
     auto translation = engine::Translation::open(request);

@@ -1,5 +1,6 @@
-// Does a program stay within the travel of a machine? The report lists every violation, and the run continues.
-// g++ -std=c++20 06_axis_limits.cpp $(pkg-config --cflags --libs libgsim) -o example && ./example MACHINE.toml
+// Does a program stay within the travel of a machine? The report lists every violation, and the run
+// continues. g++ -std=c++20 06_axis_limits.cpp $(pkg-config --cflags --libs libgsim) -o example && ./example
+// MACHINE.toml
 #include <cstdio>
 
 #include <gsim/engine/run.h>
@@ -19,9 +20,10 @@ int main(int argc, char** argv) {
     for (const engine::Violation& violation : report->violations)
         std::printf("line %u: %c reaches %g, the limit is %g\n", violation.location.line, violation.axis,
                     violation.value, violation.limit);
-    if (report->alarm) std::printf("alarm %s: %s\n", report->alarm->code.c_str(), report->alarm->message.c_str());
+    if (report->alarm)
+        std::printf("alarm %s: %s\n", report->alarm->code.c_str(), report->alarm->message.c_str());
     for (const engine::AxisRange& range : report->ranges)
-        std::printf("%c moves from %g to %g, of %g to %g\n", range.letter, range.min, range.max, range.limit_min,
-                    range.limit_max);
+        std::printf("%c moves from %g to %g, of %g to %g\n", range.letter, range.min, range.max,
+                    range.limit_min, range.limit_max);
     return 0;
 }

@@ -1,4 +1,4 @@
-// Which axis values bring the TCP to a point, and where is the TCP for given axis values?
+// Which axis values bring the TCP to a point, and which TCP position do axis values give?
 // g++ -std=c++20 07_pose.cpp $(pkg-config --cflags --libs libgsim) -o example && ./example MACHINE.toml
 #include <cstdio>
 

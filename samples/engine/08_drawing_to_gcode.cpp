@@ -1,5 +1,6 @@
-// How does a drawing become a part program? It becomes a path, and a post-processor writes the path as G-code.
-// g++ -std=c++20 08_drawing_to_gcode.cpp $(pkg-config --cflags --libs libgsim) -o example && ./example DRAWING
+// How does a drawing become a part program? It becomes a path, and a post-processor writes the path as
+// G-code. g++ -std=c++20 08_drawing_to_gcode.cpp $(pkg-config --cflags --libs libgsim) -o example &&
+// ./example DRAWING
 #include <cstdio>
 
 #include <gsim/engine/drawing_path.h>
@@ -12,10 +13,13 @@ int main(int argc, char** argv) {
     drawing.drawing = argv[1];
     drawing.cutting.speed_mm_min = 1200;
     drawing.cutting.kerf_mm = 1;
+    drawing.ways.origin_mm = {100, 100, 0};  // position of the origin of the drawing
     auto cuts = engine::DrawingPath::open(drawing);
     if (!cuts) return std::fprintf(stderr, "%s\n", cuts.error().message.c_str()), 2;
-    if (const auto read = cuts->read(); !read) return std::fprintf(stderr, "%s\n", read.error().message.c_str()), 1;
-    if (const auto made = cuts->make(); !made) return std::fprintf(stderr, "%s\n", made.error().message.c_str()), 1;
+    if (const auto read = cuts->read(); !read)
+        return std::fprintf(stderr, "%s\n", read.error().message.c_str()), 1;
+    if (const auto made = cuts->make(); !made)
+        return std::fprintf(stderr, "%s\n", made.error().message.c_str()), 1;
     std::string path_file;
     cuts->write([&](std::string_view part) { return path_file.append(part), true; });
 
@@ -26,7 +30,7 @@ int main(int argc, char** argv) {
         at += count;
         return count;
     };
-    path.post = "linuxcnc";
+    path.post = "rs274ngc";
     auto program = engine::PathTranslation::open(path);
     if (!program) return std::fprintf(stderr, "%s\n", program.error().message.c_str()), 2;
     if (const auto read = program->read(); !read)
@@ -34,7 +38,9 @@ int main(int argc, char** argv) {
     if (const auto planned = program->plan(); !planned)
         return std::fprintf(stderr, "%s\n", planned.error().message.c_str()), 1;
     const auto written = program->write([](const std::string&) -> engine::TextSink {
-        return [](std::string_view part) { return std::fwrite(part.data(), 1, part.size(), stdout) == part.size(); };
+        return [](std::string_view part) {
+            return std::fwrite(part.data(), 1, part.size(), stdout) == part.size();
+        };
     });
     return written ? 0 : 2;
 }

@@ -91,12 +91,12 @@ TEST_F(GsimData, RefusesWithASentence) {
     expect_refused({"set", "OFFSET", "54", "X=1e12"}, "d.txt: 1e12 must be between -1e9 and 1e9");
     expect_refused({"set", "OFFSET", "53", "X=1"},
                    "d.txt: '53' is not a frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
-    expect_refused({"set", "OFFSET", "54", "X"}, "'X' is no FIELD=VALUE");
+    expect_refused({"set", "OFFSET", "54", "X"}, "'X' must be FIELD=VALUE");
     expect_refused({"set", "OFSET", "54", "X=1"},
                    "'OFSET' is not a section; known sections: OFFSET, FIXED, REFERENCE, HOME, TOOL, "
                    "VARIABLE, ALIAS, SECURITY, WORKING");
     expect_refused({"set", "SECURITY", "1", "XMIN=3"},
-                   "d.txt: Xmin is 3 and Xmax is 1; the first must be less");
+                   "d.txt: Xmin is 3 and Xmax is 1; min must be less than max");
     expect_refused({"get", "OFFSET", "56"}, "OFFSET 56 does not exist in the file");
     expect_refused({"reset", "OFFSET", "56"}, "d.txt: OFFSET 56 does not exist in the file");
     expect_refused({"convert"}, "convert requires --inch, --metric, --json or --from-json FILE");
@@ -135,8 +135,9 @@ TEST_F(GsimData, WarnsOfWhatIsSuspect) {
     EXPECT_TRUE(contains(
         e.err, "d.txt:3:6: warning: Y of OFFSET 54 is 3000 mm, outside the machine's range of 0 to 2438.4\n"))
         << e.err;
-    EXPECT_TRUE(contains(e.err, "d.txt:6:6: warning: Turn stands for 'G777', which is no word of")) << e.err;
-    EXPECT_TRUE(contains(e.err, "d.txt:7:3: warning: 'X' is not a name for an alias")) << e.err;
+    EXPECT_TRUE(contains(e.err, "d.txt:6:6: warning: Turn is an alias of 'G777', which is not a word of"))
+        << e.err;
+    EXPECT_TRUE(contains(e.err, "d.txt:7:3: warning: 'X' is not a valid name of an alias")) << e.err;
     EXPECT_TRUE(contains(e.err, "d.txt:9:3: warning: XMIN of WORKING 1 is -1 mm")) << e.err;
     EXPECT_TRUE(contains(e.err, "d.txt:11:11: warning: zone 3 is off at the start")) << e.err;
     EXPECT_FALSE(contains(e.err, "d.txt:5:")) << e.err;
@@ -178,13 +179,13 @@ TEST_F(GsimData, JsonThatIsNoMachineData) {
     EXPECT_EQ(error(R"({"OFFSET":[{"X":1}]})"),
               "gsim-data: j.json: an entry of OFFSET must be an object with an \"id\"\n");
     EXPECT_EQ(error(R"({"OFFSET":[{"id":54,"X":"1","Y":1,"Z":1}]})"),
-              "gsim-data: j.json: OFFSET 54: X is no number\n");
+              "gsim-data: j.json: OFFSET 54: X is not a number\n");
     EXPECT_EQ(error(R"({"OFFSET":[{"id":54,"X":1,"Z":1}]})"),
               "gsim-data: j.json: OFFSET 54: Y is missing, but later values are given\n");
     EXPECT_EQ(error(R"({"VARIABLE":[{"id":1,"VALUE":1},{"id":"01","VALUE":1}]})"),
               "gsim-data: j.json: VARIABLE 01: it is given twice\n");
     EXPECT_EQ(error("{\"ALIAS\":[{\"id\":\"Jet\",\"CODE\":\"M8\\nENDFILE\"}]}"),
-              "gsim-data: j.json: ALIAS Jet: CODE: 'M8?ENDFILE' is not one word\n");
+              "gsim-data: j.json: ALIAS Jet: CODE: 'M8?ENDFILE' must be one word\n");
     EXPECT_EQ(error(std::string(100000, '[')), "gsim-data: j.json: byte 100001: this is not valid JSON\n");
 }
 

@@ -60,7 +60,7 @@ TEST_F(GsimRun, ExplainsWhereTheTimeGoes) {
     EXPECT_EQ(r["slowest"][0]["limited_by"], "feed");
     const std::string text = gsim_run({part, "--explain"}).out;
     EXPECT_TRUE(contains(text, "time by cause")) << text;
-    EXPECT_TRUE(contains(text, "(the program takes 1.00 times as long)")) << text;
+    EXPECT_TRUE(contains(text, "(the program takes 1.00 times this)")) << text;
     EXPECT_FALSE(contains(gsim_run({part}).out, "lower bound"));
     EXPECT_FALSE(report({part}).contains("time_by_limit"));
     EXPECT_FALSE(report({part}).contains("lower_bound_s"));
@@ -107,7 +107,7 @@ TEST_F(GsimRun, PassesOfAProgramThatRunsForEver) {
     const std::string part = write("part.nc", "G0 X100\nX0\nM99\n");
     EXPECT_TRUE(contains(gsim_run({part}).out,
                          "passes      1 of the main program, which jumps back to its start; --passes runs "
-                         "more\n  back at   part.nc:3\n"));
+                         "more\n  jump at   part.nc:3\n"));
     const json r = report({part, "--passes", "2"});
     EXPECT_EQ(r["passes"].dump(), R"({"count":2,"file":"part.nc","line":3,"to_block":null})");
     EXPECT_EQ(r["moves"], 4);

@@ -135,11 +135,11 @@ TEST_F(NamedFiles, StandardOutputTakesOne) {
                                                {"check", "--json", "--sarif", "-", "p.nc"}}) {
         const Ended ended = gsim(arguments);
         EXPECT_EQ(ended.status, 2);
-        EXPECT_TRUE(contains(ended.err + ended.out, "both want standard output")) << ended.err << ended.out;
+        EXPECT_TRUE(contains(ended.err + ended.out, "both use standard output")) << ended.err << ended.out;
     }
     const Ended check = gsim({"check", "--sarif", "-", "p.nc"});
     EXPECT_TRUE(check.out.starts_with("{")) << "text makes way";
-    EXPECT_TRUE(contains(check.err, "p.nc: nothing wrong"));
+    EXPECT_TRUE(contains(check.err, "p.nc: no errors"));
 }
 
 TEST_F(NamedFiles, WhatIsMeantStaysAllowed) {

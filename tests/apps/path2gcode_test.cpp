@@ -147,11 +147,12 @@ TEST_F(Path2Gcode, FilesOfSubPathsAreNeitherTheProgramNorWhatIsRead) {
     const std::string path{std::istreambuf_iterator<char>(file), {}};
     write("sub0002.nc", path);
     std::filesystem::create_hard_link(folder_ / "sub0002.nc", folder_ / "in.path.json");
-    EXPECT_TRUE(contains(rejected("wheel.nc", "in.path.json"), "which is the path;"));
+    EXPECT_TRUE(contains(rejected("wheel.nc", "in.path.json"), "'sub0002.nc' of the post is also the path;"));
     EXPECT_EQ(read("sub0002.nc"), path);
     std::filesystem::remove(folder_ / "sub0002.nc");
     std::filesystem::create_symlink("in.path.json", folder_ / "sub0002.nc");
-    EXPECT_TRUE(contains(rejected("wheel.nc", kWheel), "which is there and no regular file"));
+    EXPECT_TRUE(
+        contains(rejected("wheel.nc", kWheel), "'sub0002.nc' of the post exists and is not a regular file"));
     EXPECT_EQ(read("in.path.json"), path);
 }
 

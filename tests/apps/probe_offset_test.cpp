@@ -149,8 +149,8 @@ TEST_F(ProbeOffset, WhatTouchesNothingIsAnAlarm) {
     write("d.txt", "NCFILE\nOFFSET\n55 304 97 -66\nENDFILE\n");
     for (const auto& [dialect, message] :
          {std::pair<std::string, std::string>{"ab9", "THE PROBE TOUCHED NOTHING"},
-          {"rs274ngc", "the probe has not touched anything"},
-          {"grbl", "the probe has not touched anything"}}) {
+          {"rs274ngc", "the probe has not made contact"},
+          {"grbl", "the probe has not made contact"}}) {
         const Ended ran =
             run(written(dialect), dialect, {"--machine-data", "d.txt", "--save-machine-data", "s.txt"});
         EXPECT_EQ(ran.status, 1) << dialect;

@@ -107,7 +107,7 @@ TEST_F(Probe, WhatItDoesNotFeelItCollidesWith) {
 
 TEST_F(Probe, InTheCellNothingFoundIsAnAlarm) {
     const json r = report("G21 F600\nG0 X50 Y200\nG38.2 X100\nM2\n", {"--cell", cell(true)}, 1);
-    EXPECT_EQ(r["alarm"]["message"], "G38.2 has reached its end, but the probe has not touched anything");
+    EXPECT_EQ(r["alarm"]["message"], "G38.2 has reached its end, but the probe has not made contact");
     EXPECT_EQ(r["alarm"]["line"], 3);
 }
 
@@ -129,8 +129,8 @@ DEBUG("%.4f", v[5061])
 TEST_F(Probe, TheOptionSaysWhatItTakes) {
     const std::string program = "G21 F600\nG38.2 X30\nM2\n";
     const std::string accepts =
-        "--probe takes none, or where a plane lies that stops probes, as x=, y= or z= in mm of machine "
-        "coordinates (z=-3.2), not '";
+        "--probe must be none, or the position of a plane that stops probes, as x=, y= or z= in mm of "
+        "machine coordinates (z=-3.2), not '";
     for (const std::string value : {"z", "z=", "z=1mm", "a=1", "all", "z=nan", "z=inf", "=3"}) {
         const Ended e = gsim_run(arguments(program, {"--probe", value}));
         EXPECT_EQ(e.status, 2);
@@ -156,7 +156,7 @@ TEST_F(Probe, ACheckTakesTheOptionToo) {
     EXPECT_EQ(check("x=20").status, 0);
     const Ended nothing = check("none");
     EXPECT_EQ(nothing.status, 1);
-    EXPECT_TRUE(contains(nothing.out, "G38.2 has reached its end, but the probe has not touched anything"));
+    EXPECT_TRUE(contains(nothing.out, "G38.2 has reached its end, but the probe has not made contact"));
 }
 
 TEST_F(Probe, TheRecordedPathEndsWhereTheMachineStood) {

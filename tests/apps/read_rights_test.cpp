@@ -25,7 +25,7 @@ TEST_F(ReadRights, APipeThatAFileNamesIsAnError) {
     make_pipe("pipe.stl");
     make_pipe("pipe.txt");
     write("part.nc", "G0 X1\nM2\n");
-    const std::string message = "it is a pipe; a file or script may name regular files only";
+    const std::string message = "it is a pipe; a file or script may name only regular files";
     for (const std::string cell :
          {"[cell]\nname = \"c\"\nmachine = \"pipe.toml\"\n",
           "[cell]\nname = \"c\"\nmachine_data = \"pipe.txt\"\n",

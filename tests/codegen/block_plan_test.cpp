@@ -87,8 +87,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"G1 X5 P5", "7: error: P has no meaning in a block with G1"},
         Wrong{"L5", "1: error: L has no meaning in this block: no code of the block uses it"},
         Wrong{"E5", "1: error: E has no meaning in this block: no code of the block uses it"},
-        Wrong{"M98", "1: error: M98 needs P, the program to call"},
-        Wrong{"M98 L2", "1: error: M98 needs P, the program to call"},
+        Wrong{"M98", "1: error: M98 requires P, the program that it calls"},
+        Wrong{"M98 L2", "1: error: M98 requires P, the program that it calls"},
         Wrong{"M98 P1.5", "5: error: P of M98 must be an integer, not 1.5"},
         Wrong{"M98 P-1", "5: error: P of M98 must be an integer, not -1"},
         Wrong{"M98 P[1] L1.5", "10: error: L of M98 must be an integer, not 1.5"},
@@ -97,30 +97,30 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Codes, BlockErrors,
     testing::Values(
-        Wrong{"G777", "1: error: G777 is no code of Allen-Bradley 9/Series"},
-        Wrong{"M77", "1: error: M77 is no code of Allen-Bradley 9/Series"},
+        Wrong{"G777", "1: error: G777 is not a code of Allen-Bradley 9/Series"},
+        Wrong{"M77", "1: error: M77 is not a code of Allen-Bradley 9/Series"},
         Wrong{"G1.5 X1",
-              "1: error: G1.5 is no code of Allen-Bradley 9/Series; there is G1 (linear interpolation)"},
-        Wrong{"G-1 X1", "1: error: G-1 is no code of Allen-Bradley 9/Series"},
-        Wrong{"G1.55", "1: error: G1.55 is no code of Allen-Bradley 9/Series"},
-        Wrong{"G99999", "1: error: G99999 is no code of Allen-Bradley 9/Series"},
+              "1: error: G1.5 is not a code of Allen-Bradley 9/Series; G1 (linear interpolation) exists"},
+        Wrong{"G-1 X1", "1: error: G-1 is not a code of Allen-Bradley 9/Series"},
+        Wrong{"G1.55", "1: error: G1.55 is not a code of Allen-Bradley 9/Series"},
+        Wrong{"G99999", "1: error: G99999 is not a code of Allen-Bradley 9/Series"},
         Wrong{"G#1 X1",
               "1: error: the number of a G code must be a constant; a computed number is not supported"},
         Wrong{"M[5]",
               "1: error: the number of a M code must be a constant; a computed number is not supported"},
-        Wrong{"G64.1", "1: error: G64.1 is no code of Allen-Bradley 9/Series; there is G64 (cutting mode)"},
+        Wrong{"G64.1", "1: error: G64.1 is not a code of Allen-Bradley 9/Series; G64 (cutting mode) exists"},
         Wrong{"G7",
-              "1: error: G7 is no code of Allen-Bradley 9/Series; RS274/NGC supports it (lathe diameter "
+              "1: error: G7 is not a code of Allen-Bradley 9/Series; RS274/NGC supports it (lathe diameter "
               "mode), see --dialect rs274ngc"},
         Wrong{"X1 G38.2",
-              "4: error: G38.2 is no code of Allen-Bradley 9/Series; RS274/NGC supports it (probe toward, "
+              "4: error: G38.2 is not a code of Allen-Bradley 9/Series; RS274/NGC supports it (probe toward, "
               "alarm on failure), see --dialect rs274ngc"},
         Wrong{"M62 P1",
-              "1: error: M62 is no code of Allen-Bradley 9/Series; RS274/NGC supports it (output on, with "
+              "1: error: M62 is not a code of Allen-Bradley 9/Series; RS274/NGC supports it (output on, with "
               "the next move), see --dialect rs274ngc"},
         Wrong{"G12", "1: error: G12 (data setting) is not supported"},
         Wrong{"G12 X1", "1: error: G12 (data setting) is not supported"},
-        Wrong{"M1000", "1: error: M1000 is no code of Allen-Bradley 9/Series"},
+        Wrong{"M1000", "1: error: M1000 is not a code of Allen-Bradley 9/Series"},
         Wrong{"M101 F5 I1 I2", "12: error: I is given twice in the block"},
         Wrong{"G65 X1", "1: error: G65 requires P, the program that it calls"},
         Wrong{"G66.1 A1", "1: error: G66.1 requires P, the program that it calls"},

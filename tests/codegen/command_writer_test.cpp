@@ -82,20 +82,21 @@ TEST(CommandWriter, WhatHasNoEffectIsSaidOnceWithTheCount) {
     EXPECT_EQ(result.code(2), "");
     EXPECT_EQ(result.code(3), "");
     EXPECT_EQ(result.code(5), "G4()");
-    EXPECT_EQ(
-        result.messages,
-        "1:5: warning: Klipper reads one command per line: G90 after G21 has no effect (1 in all)\n1:9: "
-        "warning: Klipper reads one command per line: G94 after G21 has no effect (1 in all)\n2:1: warning: "
-        "M6 is not a motion or dwell command of Klipper: no effect (2 in all)\n3:1: warning: X40 is not a "
-        "motion or dwell command of Klipper: no effect (1 in all)\n5:4: warning: Klipper does not read S of "
-        "G4: no effect (1 in all)\n6:1: warning: G01 is not a motion or dwell command of Klipper: no effect "
-        "(1 in all)\n7:1: warning: G28 (homing) is not simulated: no effect (1 in all)\n");
+    EXPECT_EQ(result.messages,
+              "1:5: warning: Klipper reads one command per line: G90 after G21 has no effect (1 in total)\n"
+              "1:9: warning: Klipper reads one command per line: G94 after G21 has no effect (1 in total)\n"
+              "2:1: warning: M6 is not a motion or dwell command of Klipper: no effect (2 in total)\n"
+              "3:1: warning: X40 is not a motion or dwell command of Klipper: no effect (1 in total)\n"
+              "5:4: warning: Klipper does not read S of G4: no effect (1 in total)\n"
+              "6:1: warning: G01 is not a motion or dwell command of Klipper: no effect (1 in total)\n"
+              "7:1: warning: G28 (homing) is not simulated: no effect (1 in total)\n");
 }
 
 TEST(CommandWriter, TheLastOfTwoLikeParametersCounts) {
     const Translated result = klipper("G1 X5 X7\n");
     EXPECT_EQ(result.code(1), "G1{x=7}");
-    EXPECT_EQ(result.messages, "1:7: warning: X is given twice after G1: the last one is used (1 in all)\n");
+    EXPECT_EQ(result.messages,
+              "1:7: warning: X is given twice after G1: the last one is used (1 in total)\n");
 }
 
 TEST(CommandWriter, WhatIsNoNumberIsAnError) {

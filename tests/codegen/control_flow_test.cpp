@@ -146,7 +146,7 @@ TEST(Errors, StopAtTheNumberAllowed) {
     EXPECT_EQ(result.diagnostics,
               "t:1:1: error: unexpected character '@'\n  @\n  ^\n"
               "t:2:1: error: unexpected character '@'\n  @\n  ^\n"
-              "t: note: 2 errors, giving up\n");
+              "t: note: stopped after 2 errors\n");
 }
 
 }  // namespace

@@ -73,8 +73,8 @@ TEST(DerivedDialect, HasAddedAndChangedWords) {
 
 TEST(DerivedDialect, RejectsRemovedWords) {
     const Dialect x(grammar::dialect_ab9(), change);
-    EXPECT_NE(translated(x, "G68 X0 Y0 R30\n").diagnostics.find("G68 is no code of X"), std::string::npos);
-    EXPECT_NE(translated(x, "X[SQR[4]]\n").diagnostics.find("'SQR' is no function"), std::string::npos);
+    EXPECT_NE(translated(x, "G68 X0 Y0 R30\n").diagnostics.find("G68 is not a code of X"), std::string::npos);
+    EXPECT_NE(translated(x, "X[SQR[4]]\n").diagnostics.find("'SQR' is not a function"), std::string::npos);
     EXPECT_TRUE(translated(grammar::dialect_ab9(), "G68 X0 Y0 R30\nX[SQR[4]]\n").ok);
 }
 

@@ -222,7 +222,7 @@ TEST(PostFile, ErrorsNameThePlace) {
               "the point");
     EXPECT_EQ(error(head + numbers + blocks +
                     "[program]\nbegin = []\nend = []\n[offsets]\nset = \"G10 P{index} X{x} Y{y}\""),
-              "p:17:7: 'set' must hold {index}, {x}, {y}, {z}");
+              "p:17:7: 'set' must contain {index}, {x}, {y}, {z}");
     EXPECT_EQ(
         error(head + numbers + blocks + "[program]\nbegin = []\nend = []\n[tool_change]\nstops = [\"jet\"]"),
         "p:17:9: 'stops' must contain spindle and coolant, not \"jet\"");
@@ -235,7 +235,7 @@ TEST(PostFile, ErrorsNameThePlace) {
         error(full + "[reference_points]\ngo = [\"{axes}\", \"{axes}\", \"{axes}\", \"{axes}\", \"{axes}\"]"),
         "p:17:6: 'go' must have a line for each reference point, at most 4");
     EXPECT_EQ(error(full + "[probe]\ntouch = [\"G31 {axis}{to}\"]"),
-              "p:17:9: 'touch' must hold {axis}, {to}, {surface}");
+              "p:17:9: 'touch' must contain {axis}, {to}, {surface}");
 }
 
 }  // namespace

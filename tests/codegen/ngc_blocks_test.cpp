@@ -70,9 +70,10 @@ TEST(NgcBlocks, Errors) {
     error("M3 P5", "4: error: P has no meaning in this block: no code of the block uses it");
     error("H5", "1: error: H has no meaning in this block: no code of the block uses it");
     error("$1", "1: error: $ has no meaning in this block: no code of the block uses it");
-    error("G10 L2 P1 G92 X1",
-          "11: error: G10 and G92 are in one modal group (one action a block); a block may have only one of "
-          "them");
+    error(
+        "G10 L2 P1 G92 X1",
+        "11: error: G10 and G92 are in one modal group (one action per block); a block may have only one of "
+        "them");
     error("G43.1 Z1 G10 L1", "10: error: G43.1 and G10 both use the axis words of the block");
     error("G43.1 Z5 G0 X1", "10: error: G43.1 and G0 both use the axis words of the block");
     error("G1 G92 X1", "4: error: G1 and G92 both use the axis words of the block");
@@ -96,7 +97,7 @@ TEST(NgcBlocks, Errors) {
           "1: error: G65 is not a code of RS274/NGC; Allen-Bradley 9/Series supports it (macro call), see "
           "--dialect ab9");
     error("G38.9 X1", "1: error: G38.9 is not a code of RS274/NGC");
-    error("G1.5 X1", "1: error: G1.5 is not a code of RS274/NGC; there is G1 (linear move)");
+    error("G1.5 X1", "1: error: G1.5 is not a code of RS274/NGC; G1 (linear move) exists");
     error("M200", "1: error: M200 is not a code of RS274/NGC");
 }
 
@@ -172,7 +173,7 @@ TEST(UnknownCodes, WarnedOfOnceEachWithTheirCount) {
     const auto warning = [](const char* place, const char* code, int count) {
         return fmt::format(
             "{}: warning: {} is not a code of RS274/NGC; it is skipped, a G code with its complete block ({} "
-            "in all)\n",
+            "in total)\n",
             place, code, count);
     };
     EXPECT_EQ(result.messages, warning("4:1", "G65", 1) + warning("1:1", "G777", 3) +
@@ -199,9 +200,9 @@ TEST(UnknownCodes, PutOffInsideOfSubroutines) {
     EXPECT_EQ(result.code(6), "unknown_code(\"G1.5\")");
     EXPECT_EQ(result.messages,
               "6:1: warning: G1.5 is not a code of RS274/NGC; a call of the enclosing subroutine would end "
-              "in an alarm (1 in all)\n2:1: warning: G777 is not a code of RS274/NGC; a call of the "
-              "enclosing subroutine would end in an alarm (1 in all)\n4:1: warning: M428 is not a code of "
-              "RS274/NGC; a call of the enclosing subroutine would end in an alarm (1 in all)\n");
+              "in an alarm (1 in total)\n2:1: warning: G777 is not a code of RS274/NGC; a call of the "
+              "enclosing subroutine would end in an alarm (1 in total)\n4:1: warning: M428 is not a code of "
+              "RS274/NGC; a call of the enclosing subroutine would end in an alarm (1 in total)\n");
     EXPECT_EQ(translated_ngc("o1 sub\no1 endsub\nG777\n").messages,
               "3:1: error: G777 is not a code of RS274/NGC\n");
     EXPECT_EQ(translated_ngc("o1 if [1]\nG777\no1 endif\n").messages,

@@ -231,7 +231,7 @@ TEST(OWordFlow, NotLongerThanLuaJumps) {
     std::string loop = "o1 while [#1]\n";
     for (int i = 0; i < 650000; ++i) loop += "X1Y2Z3B4\n";
     EXPECT_EQ(messages(loop + "o1 endwhile\n"),
-              "1:1: error: o1 while up to line 650002 is too long for Lua; put its body into a subroutine\n");
+              "1:1: error: o1 while up to line 650002 is too long for Lua; move its body to a subroutine\n");
 }
 
 }  // namespace

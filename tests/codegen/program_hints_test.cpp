@@ -27,10 +27,10 @@ std::string as_ngc(const std::string& text) {
 
 TEST(DialectHint, SignsOfRs274ngc) {
     EXPECT_EQ(as_ab9("G21\n#<depth> = 3\n"),
-              "part.nc:2: note: #<name> is of RS274/NGC (LinuxCNC); try --dialect rs274ngc\n");
+              "part.nc:2: note: #<name> belongs to RS274/NGC (LinuxCNC); try --dialect rs274ngc\n");
     for (const char* line : {"o100 sub\n", "O<hole> CALL [1]\n", "N5 o1 if [#1 GT 2]\n", "o2 endwhile\n"}) {
         EXPECT_EQ(as_ab9(line),
-                  "part.nc:1: note: an O-word is of RS274/NGC (LinuxCNC); try --dialect rs274ngc\n")
+                  "part.nc:1: note: an O-word belongs to RS274/NGC (LinuxCNC); try --dialect rs274ngc\n")
             << line;
     }
     EXPECT_NE(as_ab9("#1 = [2 ** 3]\n"), "");
@@ -39,13 +39,15 @@ TEST(DialectHint, SignsOfRs274ngc) {
 
 TEST(DialectHint, SignsOfThe9SeriesAndItsRelatives) {
     EXPECT_EQ(as_ngc("%\nO0012\nIF [#1 EQ 2] GOTO 8\n"),
-              "part.nc:3: note: GOTO is of the 9/Series (and related controllers, such as Fanuc and Haas); "
-              "try --dialect ab9\n");
-    EXPECT_EQ(as_ngc("WHILE [#1 LT 2] DO1\n").find("part.nc:1: note: WHILE is of"), 0U);
-    EXPECT_EQ(as_ngc("G65 P9010 A1\n").find("part.nc:1: note: G65 is of"), 0U);
-    EXPECT_EQ(as_ngc("G1 X10 ,R2\n").find("part.nc:1: note: ,R is of"), 0U);
-    EXPECT_EQ(as_ngc("M98 P1000\n").find("part.nc:1: note: M98 P is of"), 0U);
-    EXPECT_EQ(as_ngc("%\nO1234 (PART)\nG0 X1\n").find("part.nc:2: note: O with a program number is of"), 0U);
+              "part.nc:3: note: GOTO belongs to the 9/Series (and related controllers, such as Fanuc and "
+              "Haas); try --dialect ab9\n");
+    EXPECT_EQ(as_ngc("WHILE [#1 LT 2] DO1\n").find("part.nc:1: note: WHILE belongs to the 9/Series"), 0U);
+    EXPECT_EQ(as_ngc("G65 P9010 A1\n").find("part.nc:1: note: G65 belongs to the 9/Series"), 0U);
+    EXPECT_EQ(as_ngc("G1 X10 ,R2\n").find("part.nc:1: note: ,R belongs to the 9/Series"), 0U);
+    EXPECT_EQ(as_ngc("M98 P1000\n").find("part.nc:1: note: M98 P belongs to the 9/Series"), 0U);
+    EXPECT_EQ(as_ngc("%\nO1234 (PART)\nG0 X1\n")
+                  .find("part.nc:2: note: O with a program number belongs to the 9/Series"),
+              0U);
 }
 
 TEST(DialectHint, WhatBothHaveSaysNothingBesideSignsOfTheOwnOne) {
@@ -58,9 +60,9 @@ TEST(DialectHint, WhatBothHaveSaysNothingBesideSignsOfTheOwnOne) {
 
 TEST(DialectHint, LanguagesThatNobodyReadsHere) {
     EXPECT_EQ(as_ab9("0 BEGIN PGM PLATE MM\n"),
-              "part.nc:1: note: BEGIN PGM is of Heidenhain's own language; gsim does not read it\n");
+              "part.nc:1: note: BEGIN PGM belongs to the language of Heidenhain; gsim does not support it\n");
     EXPECT_EQ(as_ab9("DEF REAL DEPTH\n"),
-              "part.nc:1: note: DEF REAL is of the language of Sinumerik; gsim does not read it\n");
+              "part.nc:1: note: DEF REAL belongs to the language of Sinumerik; gsim does not support it\n");
 }
 
 std::string inches(const std::string& text) {
@@ -103,8 +105,7 @@ TEST(ControllerName, NamesAsPeopleWriteThem) {
     EXPECT_EQ(linuxcnc->dialect, &grammar::dialect_rs274ngc());
     const auto haas = grammar::find_controller("haas");
     ASSERT_TRUE(haas);
-    EXPECT_EQ(haas->caution.find("programs of haas are read as ab9 (Allen-Bradley 9/Series): a relative"),
-              0U);
+    EXPECT_EQ(haas->caution.find("programs of haas are read as ab9 (Allen-Bradley 9/Series): similar"), 0U);
 }
 
 TEST(ControllerName, WhatIsNoneIsASentence) {
@@ -114,7 +115,7 @@ TEST(ControllerName, WhatIsNoneIsASentence) {
               "the language of Heidenhain (BEGIN PGM, L X+10 FMAX) is not supported");
     EXPECT_EQ(grammar::find_controller("").error(),
               "unknown dialect or controller ''; the dialects are ab9, rs274ngc and klipper, and "
-              "docs/language.md lists the controllers");
+              "docs/language.md lists the controls");
     for (const std::string& name : grammar::controller_names())
         EXPECT_TRUE(grammar::find_controller(name)) << name;
 }

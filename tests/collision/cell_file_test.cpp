@@ -89,9 +89,9 @@ TEST(CellFile, SaysWhereAndWhatIsWrong) {
     EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { sphere_mm = 0 }")),
                 HasSubstr("'sphere_mm' must be greater than 0"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { sphere_mm = 1, box_mm = [1, 1, 1] }")),
-                HasSubstr("'shape' must hold one of"));
+                HasSubstr("'shape' must contain one of box_mm, cylinder_mm, sphere_mm, capsule_mm and mesh"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = {}")),
-                HasSubstr("'shape' must hold one of"));
+                HasSubstr("'shape' must contain one of box_mm, cylinder_mm, sphere_mm, capsule_mm and mesh"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { cylinder_mm = [1, inf] }")),
                 HasSubstr("'cylinder_mm' must be [diameter, height]"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { mesh = \"no.stl\" }")),
@@ -101,11 +101,11 @@ TEST(CellFile, SaysWhereAndWhatIsWrong) {
     EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { mesh = \"a.stp\", tolerance_mm = 1e-4 }")),
                 HasSubstr("'tolerance_mm' must be from 0.001 to 100"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"a\"\nshape = { sphere_mm = 1, tolerance_mm = 1 }")),
-                HasSubstr("beside mesh there may be scale and tolerance_mm"));
+                HasSubstr("with mesh it may also contain scale and tolerance_mm"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"post\"\nshape = { sphere_mm = 1 }")),
-                HasSubstr("the name 'post' is taken"));
+                HasSubstr("the name 'post' is already used"));
     EXPECT_THAT(error_of(with("[[object]]\nname = \"X\"\nshape = { sphere_mm = 1 }")),
-                HasSubstr("the name 'X' is taken"));
+                HasSubstr("the name 'X' is already used"));
     EXPECT_THAT(
         error_of(with("[[object]]\nname = \"a\"\nattached_to = \"tabel\"\nshape = { sphere_mm = 1 }")),
         HasSubstr("'tabel' is not defined above; did you mean 'table'?"));
@@ -114,7 +114,7 @@ TEST(CellFile, SaysWhereAndWhatIsWrong) {
     EXPECT_THAT(error_of(fmt::format("{}{}", "ignore = [[\"head\", \"pots\"]]\n", kWhole)),
                 HasSubstr("no object or shape has the name 'pots'"));
     EXPECT_THAT(error_of(fmt::format("{}{}", "ignore = [\"head\"]\n", kWhole)),
-                HasSubstr("must hold pairs of names"));
+                HasSubstr("'ignore' must contain pairs of names"));
     EXPECT_THAT(error_of(fmt::format("{}{}", "ignore = 3\n", kWhole)), HasSubstr("must be a list of pairs"));
 }
 
@@ -194,7 +194,8 @@ TEST(CellFile, ManyObjectsAreWatchedAndTooManyAreAnError) {
     ASSERT_FALSE(too_many);
     EXPECT_THAT(
         too_many.error().message,
-        HasSubstr("40026 bodies are 1040000 pairs on parts that move against each other; up to 1000000"));
+        HasSubstr(
+            "40026 bodies form 1040000 pairs on parts that move relative to each other; at most 1000000"));
 }
 
 // For any change of a file, it is read, or rejected with a source location.

@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
         testing::Values(
             BadAnswer{"nan_answer", "responded to GetNextStep with the value nan for joint 2"},
             BadAnswer{"backwards", "responded to GetNextStep with a time that decreases by 0.01 s"},
-            BadAnswer{"fewer_joints", "answered GetNextStep with 1 joint values; the machine has 3"},
+            BadAnswer{"fewer_joints", "responded to GetNextStep with 1 joint values; the machine has 3"},
             BadAnswer{"no_status", "responded to GetNextStep with 77, which is not a status"},
             BadAnswer{"leaves_output", "responded to GetNextStep with a time of nan s"},
             BadAnswer{"breaks_down", "failed in GetNextStep: out of memory"}),

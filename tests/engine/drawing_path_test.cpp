@@ -280,7 +280,7 @@ TEST(DrawingPath, AChainOfEdgesStaysOpenAndKeepsOffTheOthersOfThePart) {
     };
     request.host.read_contours = one_side;
     EXPECT_THAT(rejection(request),
-                HasSubstr("edge #2 cannot be cut: at (0, 0, 0) the jet would go 0.5 mm into edge #5"));
+                HasSubstr("edge #2 cannot be cut: at (0, 0, 0) the jet would cut 0.5 mm into edge #5"));
     EXPECT_EQ(requested.edges, std::vector<std::string>{"#2"});
     request.host.read_contours = [&](const std::string& file, const ContourSelection& options) {
         Contours standalone = one_side(file, options);
@@ -298,19 +298,20 @@ TEST(DrawingPath, WhatIsForOtherPartsDoesNotGoWithContours) {
     EXPECT_THAT(rejection(drawing), HasSubstr("--contours applies to STEP and IGES files"));
     DrawingRequest flipped = request_of_contours();
     flipped.reading.flip = true;
-    EXPECT_THAT(rejection(flipped), HasSubstr("--up and --flip are for flat parts"));
+    EXPECT_THAT(rejection(flipped), HasSubstr("--up and --flip apply to flat parts, without --contours"));
     DrawingRequest bevelled = request_of_contours();
     bevelled.ways.bevel_deg = 10;
-    EXPECT_THAT(rejection(bevelled), HasSubstr("--bevel is for flat parts"));
+    EXPECT_THAT(rejection(bevelled), HasSubstr("--bevel applies to flat parts"));
     DrawingRequest leaned = request_of_contours();
     leaned.surface->tilt_deg = 10;
-    EXPECT_THAT(rejection(leaned), HasSubstr("--tilt-angle is from the face's normal"));
+    EXPECT_THAT(rejection(leaned), HasSubstr("--tilt-angle is relative to the face normal"));
     DrawingRequest edges = request_of_contours();
     edges.surface->contours.kind = "edges";
     EXPECT_THAT(rejection(edges), HasSubstr("--contours edges requires the numbers of edges (--edge)"));
     DrawingRequest standalone = request_of_contours();
     standalone.host.read_contours = {};
-    EXPECT_THAT(rejection(standalone), HasSubstr("STEP and IGES files are not read here"));
+    EXPECT_THAT(rejection(standalone),
+                HasSubstr("STEP and IGES files are not supported here, only DXF and SVG files"));
 }
 
 }  // namespace

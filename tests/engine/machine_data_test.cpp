@@ -137,7 +137,7 @@ TEST(MachineDataValues, WhatIsRefusedHasChangedNothing) {
     MachineData data = read_machine_data();
     const std::vector<std::string> far = {"X=1e12"}, no_value = {"X"};
     EXPECT_EQ(rejection(data.set("OFFSET", "54", far)), "d.txt: 1e12 must be between -1e9 and 1e9");
-    EXPECT_EQ(rejection(data.set("OFFSET", "54", no_value)), "'X' is no FIELD=VALUE");
+    EXPECT_EQ(rejection(data.set("OFFSET", "54", no_value)), "'X' must be FIELD=VALUE");
     EXPECT_EQ(rejection(data.set("OFFSET", "53", kX)),
               "d.txt: '53' is not a frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
     EXPECT_EQ(rejection(data.set("OFSET", "54", kX)),
@@ -148,7 +148,7 @@ TEST(MachineDataValues, WhatIsRefusedHasChangedNothing) {
     EXPECT_EQ(rejection(data.reset("OFFSET", "56")), "d.txt: OFFSET 56 does not exist in the file");
     EXPECT_EQ(rejection(data.get(Format::text, "OFFSET", "56")), "OFFSET 56 does not exist in the file");
     EXPECT_EQ(rejection(data.get(Format::json, "OFFSET", "54", "Q")), "OFFSET has no 'Q'");
-    EXPECT_EQ(rejection(data.list(Format::text, "here")).substr(0, 21), "'here' is no section;");
+    EXPECT_EQ(rejection(data.list(Format::text, "here")).substr(0, 24), "'here' is not a section;");
     EXPECT_EQ(data.text(), kData);
 }
 
@@ -205,7 +205,7 @@ TEST(MachineDataValues, NamesInJsonAreThoseOfOnePointEach) {
               "d.json: FIXED 2: its NAME is already used by another entry");
     EXPECT_EQ(error(R"({"id":1,"X":0,"Y":0,"Z":0,"NAME":"1"})"),
               "d.json: FIXED 1: '1' is not a valid name: a letter first, then letters, digits and '_'");
-    EXPECT_EQ(error(R"({"id":1,"X":0,"Y":0,"Z":0,"NAME":1})"), "d.json: FIXED 1: NAME is no text");
+    EXPECT_EQ(error(R"({"id":1,"X":0,"Y":0,"Z":0,"NAME":1})"), "d.json: FIXED 1: NAME is not a string");
 }
 
 TEST(MachineDataValues, WordsThatAreNotUtf8AreNoJson) {
@@ -224,7 +224,7 @@ TEST(MachineDataValues, AMachineNamesAxesAndHasRanges) {
     EXPECT_EQ(lint_warnings[0].line, 3U);
     EXPECT_EQ(lint_warnings[0].column, 8U);
     EXPECT_THAT(lint_warnings[0].text,
-                testing::StartsWith("Z of OFFSET 54 is 9000000 mm, beyond the machine's "));
+                testing::StartsWith("Z of OFFSET 54 is 9000000 mm, outside the machine's range of 0 to "));
     EXPECT_THAT(lint_warnings[1].text,
                 testing::StartsWith("Turn is an alias of 'G777', which is not a word of "));
     const std::vector<std::string> b = {"B=30"};

@@ -76,7 +76,7 @@ TEST(Run, NothingOutsideOfTheFolderOfTheProgramIsCalled) {
     const Report report = run_report(make_request(
         "jobs/part.lua", {{"jobs/part.lua", "require 'gsim'\nrequire '../secret'\n"}, {"secret.lua", ""}}));
     EXPECT_EQ(report.status, RunStatus::alarm);
-    EXPECT_THAT(report.alarm->message, HasSubstr("a module's name"));
+    EXPECT_THAT(report.alarm->message, HasSubstr("require \"../secret\": the name of a module may have"));
 }
 
 TEST(Run, WhatAHostDoesNotBringIsRefusedByName) {

@@ -97,13 +97,13 @@ TEST(OWords, ErrorsAroundThem) {
     EXPECT_EQ(block("o1 5"), "O15 words") << "blanks mean nothing: a program";
     EXPECT_EQ(messages("G1 X1 o1 call"),
               "1:7: error: an O-word must be at the start of a block, and only once\n");
-    EXPECT_EQ(messages("o1 call o2 call"), "1:9: error: 'o' is no keyword after an O-word\n");
+    EXPECT_EQ(messages("o1 call o2 call"), "1:9: error: 'o' is not a keyword after an O-word\n");
     EXPECT_EQ(messages("o1 call [1"), "1:11: error: ']' is missing at the end of the block\n");
     EXPECT_EQ(messages("o1 call []"), "1:10: error: ']' is not allowed here\n");
     EXPECT_EQ(messages("o1 else while"),
               "1:9: error: an O-word must be followed by one keyword, with its values in brackets\n");
     EXPECT_EQ(block("o1 else if [#1]"), block("o1 elseif [#1]"));
-    EXPECT_EQ(messages("o1 sub G1 X1"), "1:8: error: 'G' is no keyword after an O-word\n");
+    EXPECT_EQ(messages("o1 sub G1 X1"), "1:8: error: 'G' is not a keyword after an O-word\n");
     EXPECT_EQ(messages("o1 if #1 = 2"), "1:10: error: '=' is not allowed here\n");
     EXPECT_EQ(
         messages("IF[#1 EQ 2]GOTO5"),
@@ -120,7 +120,8 @@ TEST(NgcBlanks, MeanNothing) {
     EXPECT_EQ(block("X s i n [#1 m o d 2] Y[1 e q 2and3]"), "words X=(SIN (MOD #1 2)) Y=(AND (EQ~ 1 2) 3)");
     EXPECT_EQ(block("X[4modsin[90]]"), "words X=(MOD 4 (SIN 90))") << "names end without blanks too";
     EXPECT_EQ(block("o1 e n d i f"), block("o1 endif"));
-    EXPECT_EQ(messages("X[1 mod foo 2]"), "1:9: error: 'foo' is no function or operator of an expression\n");
+    EXPECT_EQ(messages("X[1 mod foo 2]"),
+              "1:9: error: 'foo' is not a function or operator of an expression\n");
     EXPECT_EQ(parse("X[1 2]\n").messages, "1:5: error: a number without its letter\n")
         << "but in the 9/Series";
 }

@@ -93,7 +93,7 @@ TEST(Blocks, WordsOfThe9Series) {
     EXPECT_EQ(block("PCLOS (c)"), "print 1 ");
     EXPECT_EQ(parse("X1 POPEN\n").messages,
               "1:4: error: POPEN, PCLOS and DPRNT[..] must be in a separate block\n");
-    EXPECT_EQ(parse("POPEN X1\n").messages, "1:7: error: X is out of place\n");
+    EXPECT_EQ(parse("POPEN X1\n").messages, "1:7: error: X is not allowed here\n");
 }
 
 TEST(Blocks, EachEndsAtItsLineOrSemicolon) {

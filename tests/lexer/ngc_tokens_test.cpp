@@ -64,7 +64,7 @@ TEST(NgcTokens, Expressions) {
     EXPECT_EQ(near.values[3].index, static_cast<std::uint32_t>(Operator::near_equal));
     EXPECT_EQ(near.values[5].index, static_cast<std::uint32_t>(Operator::not_near_equal));
     EXPECT_EQ(scan_ngc("X[BCD[1]]\n").messages,
-              "1:3: error: 'BCD' is no function or operator of an expression\n");
+              "1:3: error: 'BCD' is not a function or operator of an expression\n");
     EXPECT_THAT(scan_ngc("X[1]Y2\n").tokens, ElementsAre(kAxisLetter, '[', kNumber, ']', kAxis, kEob))
         << "behind the bracket words go on";
 }
@@ -100,8 +100,8 @@ TEST(NgcTokens, OWords) {
 
 TEST(NgcTokens, ErrorsOfOWords) {
     EXPECT_EQ(scan_ngc("o1 cal [1]\n").messages,
-              "1:4: error: 'cal' is no keyword after an O-word; did you mean CALL?\n");
-    EXPECT_EQ(scan_ngc("o1 goto\n").messages, "1:4: error: 'goto' is no keyword after an O-word\n");
+              "1:4: error: 'cal' is not a keyword after an O-word; did you mean CALL?\n");
+    EXPECT_EQ(scan_ngc("o1 goto\n").messages, "1:4: error: 'goto' is not a keyword after an O-word\n");
     EXPECT_EQ(scan_ngc("o<> call\n").messages, "1:1: error: the name of an O-word is empty\n");
     EXPECT_EQ(scan_ngc("o<" + std::string(101, 'n') + "> call\n").messages,
               "1:1: error: the name has no '>' after it, or more than 100 characters\n");

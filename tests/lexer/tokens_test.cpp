@@ -104,13 +104,12 @@ TEST(Tokens, StatementsThatPrint) {
 
 TEST(Tokens, WhatOnlyRs274NgcHas) {
     EXPECT_EQ(scan("#1=2**3\n").messages,
-              "1:5: error: '**' is not an operator of the 9/Series; use EXP[#2*LN[#1]] for a power, or a "
-              "product\n");
+              "1:5: error: '**' is no operator of the 9/Series; a power is EXP[#2*LN[#1]], or a product\n");
     EXPECT_EQ(scan("X[#<a>]\n").messages, "1:3: error: unexpected character '<'\n");
     EXPECT_EQ(scan("X#<a>\n").messages, "1:3: error: unexpected character '<'\n");
     EXPECT_EQ(scan("#1=#<\n").messages, "1:4: error: unexpected character '<'\n");
     EXPECT_EQ(scan("#1=EXISTS[#2]\n").messages,
-              "1:4: error: 'EXISTS' is no function or operator of an expression\n");
+              "1:4: error: 'EXISTS' is not a function or operator of an expression\n");
     EXPECT_EQ(scan("@5\n").messages, "1:1: error: unexpected character '@'\n");
     EXPECT_EQ(scan("$1\n").messages, "1:1: error: unexpected character '$'\n");
 }
@@ -144,7 +143,7 @@ TEST(Tokens, FunctionsAndOperatorsOfExpressions) {
     EXPECT_EQ(result.values[2].index, static_cast<std::uint32_t>(Operator::sin));
     EXPECT_EQ(result.values[15].index, static_cast<std::uint32_t>(Operator::modulo));
     EXPECT_EQ(scan("#1=SINN[1]\n").messages,
-              "1:4: error: 'SINN' is no function or operator of an expression; did you mean SIN?\n");
+              "1:4: error: 'SINN' is not a function or operator of an expression; did you mean SIN?\n");
     EXPECT_EQ(scan("#1=5 X1\n").messages,
               "1:6: error: the word X is in the same block as an assignment; move it to a separate block\n");
 }

@@ -134,7 +134,7 @@ TEST(CornerOverride, SaysWhatIsMissing) {
     EXPECT_NE(warning(conditions(50, 0, 0)).find("corner_override_before_mm"), std::string::npos);
     Conditions stopping = conditions();
     stopping.machine.controller.planner = rrs::PlannerKind::rest_to_rest;
-    EXPECT_NE(warning(stopping).find("brings each move to rest"), std::string::npos);
+    EXPECT_NE(warning(stopping).find("stops at each move"), std::string::npos);
     EXPECT_EQ(run(kG62 + kCorner, stopping).moves.size(), 4U);
 }
 

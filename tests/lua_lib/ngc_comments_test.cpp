@@ -30,9 +30,9 @@ TEST(NgcAbort, NeedsNoText) {
 
 TEST(NgcPython, IsRefusedByNameWhereItWouldRun) {
     expect_alarm(run_ngc("(py,this.x = 1)\nM2\n"), 1,
-                 {"(py,) runs Python of the control, which is not supported"});
+                 {"(py,) runs Python of the controller, which is not supported"});
     expect_alarm(run_ngc("(PYRUN,file.py)\nM2\n"), 1,
-                 {"(pyrun,) runs Python of the control, which is not supported"});
+                 {"(pyrun,) runs Python of the controller, which is not supported"});
     EXPECT_TRUE(run_ngc("o1 if [0]\n(py,this.x = 1)\no1 endif\nM2\n").completed());
 }
 

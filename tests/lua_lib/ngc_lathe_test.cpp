@@ -125,7 +125,7 @@ TEST(NgcLathe, CompensationGoesBesideTheHalvedPath) {
 }
 
 TEST(NgcLathe, OneOfThemStandsInABlock) {
-    EXPECT_NE(diagnostics_text("G7 G8\n", "rs274ngc").find("G7 and G8 are of one modal group"),
+    EXPECT_NE(diagnostics_text("G7 G8\n", "rs274ngc").find("G7 and G8 are in one modal group"),
               std::string::npos);
 }
 

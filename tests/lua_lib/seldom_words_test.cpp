@@ -84,7 +84,7 @@ TEST(SidesThatChange, AtTheMeetingPointOfTwoCircles) {
 TEST(OpenAngles, NeedTheLineThatEndsThem) {
     const std::string start = "F600\nG0 X0 Y0\nG1 ,A30\n";
     for (const char* next : {"G0 X10\n", "G2 X10 Y0 I5 J0\n", "M30\n"}) {
-        expect_alarm(run(start + next), 4, {",A without an end needs a next block with ,A"});
+        expect_alarm(run(start + next), 4, {"[corner]", ",A without an end", "a next block with ,A"});
     }
     expect_alarm(run("F600\nG2 X10 Y0 I5 J0\nX5 ,A30\n"), ",A applies to straight moves (G0, G1)");
     expect_alarm(run("F600\nG0 X10 Y0\nG16\nG1 X5 Y30 ,A30\n"), 4, {"polar programming (G16)"});

@@ -40,7 +40,7 @@ TEST_P(WordKeys, AreThoseOfTheDialect) {
         if (keys.empty() || code.support != grammar::Support::full || checks_words_itself(code)) continue;
         const Outcome r = run_lua(fmt::format("{}{{[\"%\"]=1}}", grammar::lua_name(code)), setup);
         EXPECT_EQ(r.message(),
-                  fmt::format("'%' is not a word of {}; it takes {}", grammar::code_name(code), keys));
+                  fmt::format("'%' is not a word of {}; it accepts {}", grammar::code_name(code), keys));
         ++checked_bodies;
     }
     EXPECT_GT(checked_bodies, 30U);
@@ -84,17 +84,16 @@ TEST(WordAdvice, SaysWhatToWrite) {
               "'f' is not a word of this motion; the feed is a separate word, F(100)");
     EXPECT_EQ(said("G0{x=10, S=2500}"),
               "'S' is not a word of this motion; the spindle speed is a separate word, S(2500)");
-    EXPECT_EQ(said("G0{q=1}"), "'q' is not a word of this motion; it takes x, y, z, b, c");
+    EXPECT_EQ(said("G0{q=1}"), "'q' is not a word of this motion; it accepts x, y, z, b, c");
     EXPECT_EQ(said("G28{radios=1}"), "'radios' is not a word of G28; did you mean radius?");
 }
 
 TEST(Choices, TellAllWordsAndTheNearest) {
     EXPECT_EQ(said("rrs.SelectMotionType(\"Linear\")"),
-              "bad argument #1 to 'SelectMotionType' ('Linear' is none of \"joint\", \"linear\", "
-              "\"circular\"; did you "
-              "mean \"linear\"?)");
+              "bad argument #1 to 'SelectMotionType' ('Linear' must be one of \"joint\", \"linear\", "
+              "\"circular\"; did you mean \"linear\"?)");
     EXPECT_EQ(said("rrs.SelectTargetType(\"xy\")"),
-              "bad argument #1 to 'SelectTargetType' ('xy' is none of \"cartesian\", \"joint\")");
+              "bad argument #1 to 'SelectTargetType' ('xy' must be one of \"cartesian\", \"joint\")");
 }
 
 TEST(Errors, NameTheFunctionHoweverItIsCalled) {

@@ -73,22 +73,23 @@ TEST(CalibrationSection, FiguresMayBeTimesOfWords) {
 
 TEST(CalibrationSection, SaysWhatIsWrong) {
     const std::string head = "[calibration]\nruns = 2\n";
-    EXPECT_NE(error_of(parameter_id("X", "max_acceleration_mm_s2", "[1]")).find("there is no [calibration]"),
+    EXPECT_NE(error_of(parameter_id("X", "max_acceleration_mm_s2", "[1]")).find("[calibration] is missing"),
               std::string::npos);
     EXPECT_NE(
         error_of(head + parameter_id("X", "max_acceleration_mm_s2", "[1, 2]")).find("covariance_percent2"),
         std::string::npos);
-    EXPECT_NE(error_of(head + parameter_id("X", "max_acceleration_mm_s2", "[-1]")).find("no covariance"),
+    EXPECT_NE(error_of(head + parameter_id("X", "max_acceleration_mm_s2", "[-1]"))
+                  .find("'covariance_percent2' are not a covariance"),
               std::string::npos);
     EXPECT_NE(error_of(head + parameter_id("X", "max_acceleration_mm_s2", "[1, 5]") +
                        parameter_id("controller", "speed_step_s", "[5, 1]"))
-                  .find("no covariance"),
+                  .find("'covariance_percent2' are not a covariance"),
               std::string::npos);
     for (const auto& [of, key] :
          {std::pair{"Q", "max_acceleration_mm_s2"}, std::pair{"X", "max_acceleration_deg_s2"},
           std::pair{"path", "speed_step_s"}, std::pair{"", "speed_step_s"},
           std::pair{"XB", "max_acceleration_mm_s2"}}) {
-        EXPECT_NE(error_of(head + parameter_id(of, key, "[1]")).find("no figure that can be calibrated"),
+        EXPECT_NE(error_of(head + parameter_id(of, key, "[1]")).find("cannot be calibrated"),
                   std::string::npos)
             << of << key;
     }

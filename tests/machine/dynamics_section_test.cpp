@@ -119,7 +119,7 @@ TEST(DynamicsSection, WithoutMoreItIsStandardGravityAndNothingElse) {
 
 TEST(DynamicsSection, MassesThatNoBodyHas) {
     EXPECT_EQ(error_of(with("[[mass]]\non = \"X\"\nmass_kg = -1")),
-              "m.toml:14:11: 'mass_kg' must be 0 or greater; it is -1");
+              "m.toml:14:11: 'mass_kg' must be 0 or greater, not -1");
     EXPECT_EQ(error_of(with("[[mass]]\non = \"X\"")), "m.toml:12:1: [[mass]] lacks the key 'mass_kg'");
     EXPECT_EQ(error_of(with("[[mass]]\non = \"X\"\nmass_kg = 1\ninertia_kg_m2 = [1, 2, 4]")),
               "m.toml:15:17: 'inertia_kg_m2' is not valid for a body: its principal moment 4 kg m2 is "

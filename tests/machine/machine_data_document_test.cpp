@@ -176,7 +176,7 @@ TEST(MachineDataDocument, ChangesThatAreRefused) {
                    set(DataSection::offset, "54", "X", "1 2"));
     expect_refused("'M8?ENDFILE' cannot be written: it must be a single word",
                    set(DataSection::alias, "WaterJetOn", "CODE", "M8\nENDFILE"));
-    expect_refused("Xmin is 20 and Xmax is 10; the first must be less",
+    expect_refused("Xmin is 20 and Xmax is 10; min must be less than max",
                    set(DataSection::security, "1", "XMIN", "20"));
     expect_refused("an alias needs its name and its code", set(DataSection::alias, "JetOff", "CODE", ""));
     expect_refused("a home position also needs a value for B: its values are positional",

@@ -137,12 +137,12 @@ TEST(MachineData, ZonesThatAreNone) {
         return error_of(fmt::format("NCFILE\nSECURITY\n{}\nENDFILE\n", line));
     };
     EXPECT_EQ(error_of_line("1 200 100 0 1"),
-              "m.txt:3:3: Xmin is 200 and Xmax is 100; the first must be less");
-    EXPECT_EQ(error_of_line("1 0 1 5 5"), "m.txt:3:7: Ymin is 5 and Ymax is 5; the first must be less");
+              "m.txt:3:3: Xmin is 200 and Xmax is 100; min must be less than max");
+    EXPECT_EQ(error_of_line("1 0 1 5 5"), "m.txt:3:7: Ymin is 5 and Ymax is 5; min must be less than max");
     EXPECT_EQ(error_of_line("1 0 1 - 5"),
-              "m.txt:3:1: Ymin and Ymax are both numbers, or both '-' (no walls there)");
+              "m.txt:3:1: Ymin and Ymax must both be numbers, or both '-' (no limits)");
     EXPECT_EQ(error_of_line("1 0 1 0 1 0"),
-              "m.txt:3:1: Zmin and Zmax are both numbers, or both '-' (no walls there)");
+              "m.txt:3:1: Zmin and Zmax must both be numbers, or both '-' (no limits)");
     EXPECT_EQ(error_of_line("1 - - - -"), "m.txt:3:1: a zone needs its two limits on at least one axis");
     EXPECT_EQ(error_of_line("1 0 1"),
               "m.txt:3:1: a zone needs its number and its limits: Xmin, Xmax, Ymin, Ymax, and optionally "
@@ -209,8 +209,8 @@ TEST(MachineData, Sections) {
     const std::string sections =
         "a section begins with OFFSET, FIXED, REFERENCE, HOME, TOOL, VARIABLE, ALIAS, SECURITY or WORKING";
     EXPECT_EQ(error_of("NCFILE\n OFSET\n"),
-              "m.txt:2:2: 'OFSET' is no keyword; " + sections + "; did you mean OFFSET?");
-    EXPECT_EQ(error_of("NCFILE\n54 1 2 3\n"), "m.txt:2:1: '54' is no keyword; " + sections);
+              "m.txt:2:2: 'OFSET' is not a keyword; " + sections + "; did you mean OFFSET?");
+    EXPECT_EQ(error_of("NCFILE\n54 1 2 3\n"), "m.txt:2:1: '54' is not a keyword; " + sections);
     EXPECT_EQ(error_of("NCFILE\nFIXED\nOFFSET\nFIXED\n"),
               "m.txt:4:1: the section FIXED is given twice; first in line 2");
     for (const char* dots : {"OFFSET\n....", "OFFSET\n... 599", "...\nOFFSET"}) {
@@ -237,7 +237,7 @@ TEST(MachineData, Offsets) {
     for (const char* code : {"53", "60", "59.4", "054", "504", "600", "54.0", "-54", "5O5"}) {
         EXPECT_EQ(error_of_line(std::string(code) + " 1 2 3"),
                   "m.txt:3:1: '" + std::string(code) +
-                      "' is no frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
+                      "' is not a frame; frames are 54 to 59, 59.1 to 59.3 and 505 to 599");
     }
 }
 

@@ -55,8 +55,8 @@ TEST(ProcessSection, Errors) {
     EXPECT_EQ(error_of_process("[\"G1\"]"),
               "m.toml:5:6: 'on' contains \"G1\", which is not an M code, such as \"M8\", or an M code with "
               "its required words, such as \"M62 P0\"");
-    EXPECT_EQ(error_of_process("[\"M62 0\"]").substr(0, 31), "m.toml:5:6: 'on' holds \"M62 0\",");
-    EXPECT_EQ(error_of_process("[\"M8.1\"]").substr(0, 30), "m.toml:5:6: 'on' holds \"M8.1\",");
+    EXPECT_EQ(error_of_process("[\"M62 0\"]").substr(0, 34), "m.toml:5:6: 'on' contains \"M62 0\",");
+    EXPECT_EQ(error_of_process("[\"M8.1\"]").substr(0, 33), "m.toml:5:6: 'on' contains \"M8.1\",");
     EXPECT_EQ(error_of_process("[]"), "m.toml:5:6: 'on' must be a list of M codes, such as [\"M8\"]");
     EXPECT_EQ(error_of_process("[8]"), "m.toml:5:6: 'on' must be a list of M codes, such as [\"M8\"]");
     EXPECT_EQ(error_of_process("[\"M9\"]", "[\"M5\", \"M9\"]"),
@@ -68,9 +68,8 @@ TEST(ProcessSection, Errors) {
     EXPECT_EQ(error_with("[checks]\ndwell_s = 3"),
               "m.toml:3:1: [checks] checks the machine's process, but there is no [process] that defines it");
     EXPECT_EQ(error_with("[process]\nkind = \"jet\"\non = [\"M8\"]\noff = [\"M9\"]\n[checks]\nrapid = false"),
-              "m.toml:8:1: unknown key 'rapid' in [checks]; it may hold: rapid_with_process_on, "
-              "dwell_with_process_on, "
-              "end_with_process_on, feed_with_process_off, dwell_s");
+              "m.toml:8:1: unknown key 'rapid' in [checks]; known keys: rapid_with_process_on, "
+              "dwell_with_process_on, end_with_process_on, feed_with_process_off, dwell_s");
 }
 
 }  // namespace

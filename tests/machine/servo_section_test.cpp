@@ -59,7 +59,7 @@ TEST(ServoSection, WhatIsRefused) {
     EXPECT_EQ(error_of(with("position_gain_1_s = 30\ncommand_delay_s = 2")),
               "m.toml:8:19: 'command_delay_s' must be from 0 to 1; it is 2");
     EXPECT_EQ(error_of(with("position_gain_1_s = 30\nvelocity_lag_s = -1")),
-              "m.toml:8:18: 'velocity_lag_s' must be 0, or 1e-6 or greater; it is -1");
+              "m.toml:8:18: 'velocity_lag_s' must be 0, or 1e-6 or greater, not -1");
 }
 
 TEST(ServoSection, LoopNeedsAGain) {

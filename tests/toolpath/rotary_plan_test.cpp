@@ -179,7 +179,7 @@ TEST(RotaryPlan, AnOrientationHandedOverDifferently) {
         "n",
         {{"root", {turned(0, 10, 0), SubPath{1, 1}, turned(0, 20, 0), SubPath{1, 1}}}, {"sub", {bare}}},
         0};
-    expect_fault(Planned(program), 0, "hand over different ones");
+    expect_fault(Planned(program), 0, "the uses of the sub-path have different ones");
     std::get<Point>(program.paths[0].targets[2]).orientation = RotaryAxes{{'B', 10}, {'C', 0}};
     EXPECT_TRUE(Planned(program).turns);
 }

@@ -110,7 +110,7 @@ TEST(SetUp, ASubPathGoesBackToItsOwnFrame) {
         path(R"("job", "work_offset": "G54")",
              R"({"path": "outer"}, {"path": "outer", "work_offset": "G57"})") +
         "," + path(R"("outer")", std::string(kRapid) + R"(, {"path": "inner"}, )" + kRapid) + "," + inner);
-    EXPECT_NE(reported(differs, 1).find("the path needs its own 'work_offset'"), std::string::npos);
+    EXPECT_NE(reported(differs, 1).find("the path needs a separate 'work_offset'"), std::string::npos);
 }
 
 TEST(SetUp, AJetIsOffMeanwhile) {
@@ -174,15 +174,16 @@ TEST(SetUp, WhatIsNoneIsTold) {
     EXPECT_EQ(error(R"("a", "set_offset_mm": [1, 2, 3])", kRapid),
               "f:1:12: 'set_offset_mm' requires 'work_offset', which names the offset to set");
     EXPECT_NE(error(R"("a")", R"({"position_mm": [1, 2, 3], "work_offset": "G55"})")
-                  .find("'work_offset' of a point is for paths that were recorded"),
+                  .find("'work_offset' of a point is only for paths that were recorded"),
               std::string::npos);
     EXPECT_NE(error(R"("a", "tool": 3)", R"({"position_mm": [1, 2, 3], "actions": ["tool_change T4"]})")
-                  .find("the action 'tool_change T4' stands beside paths that name their 'tool'"),
+                  .find("the action 'tool_change T4' cannot be combined with paths that have a 'tool'"),
               std::string::npos);
-    EXPECT_NE(error(R"("a", "tool": 3)", kRapid, true).find("has its tools in the actions"),
+    EXPECT_NE(error(R"("a", "tool": 3)", kRapid, true).find("must have its tools in the actions"),
               std::string::npos);
-    EXPECT_NE(error(R"("a", "work_offset": "55")", kRapid, true).find("has its work offsets at its points"),
-              std::string::npos);
+    EXPECT_NE(
+        error(R"("a", "work_offset": "55")", kRapid, true).find("must have its work offsets at its points"),
+        std::string::npos);
     const auto file =
         read_json(R"({"paths": [)" +
                       path(R"("a", "work_offset": "G55", "set_offset_mm": [1, 2, 3])",

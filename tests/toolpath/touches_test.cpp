@@ -67,18 +67,20 @@ TEST(Touches, WhatIsIllFormedIsTold) {
             R"("axis": "Z", "from_mm": [0, 0, 9], "to_mm": 1, "surface_mm": 0, "feed_mm_min": 60)"),
         "f:1:12: along Z the touch moves from 9 to 1 and expects the surface at 0, which must be in between");
     EXPECT_NE(error_of_touch(R"("axis": "Z", "probe_radius_mm": 1, )" + kWay)
-                  .find("'probe_radius_mm' is of touches"),
+                  .find("'probe_radius_mm' is only for touches along X and Y"),
               std::string::npos);
-    EXPECT_NE(error_of(R"("work_offset": "G55", "probe_offset": [])").find("must hold one touch at least"),
+    EXPECT_NE(error_of(R"("work_offset": "G55", "probe_offset": [])")
+                  .find("'probe_offset' must contain at least one touch"),
               std::string::npos);
-    EXPECT_NE(error_of(R"("probe_offset": [{"axis": "Z", )" + kWay + "}]").find("goes with 'work_offset'"),
+    EXPECT_NE(error_of(R"("probe_offset": [{"axis": "Z", )" + kWay + "}]")
+                  .find("'probe_offset' requires 'work_offset'"),
               std::string::npos);
     EXPECT_NE(error_of(R"("work_offset": "G55", "probe_offset": 1)")
                   .find("must be an array of touches, not a number"),
               std::string::npos);
-    EXPECT_NE(
-        error_of(R"("work_offset": "G55", "probe_offset": [1])").find("must hold objects, each a touch"),
-        std::string::npos);
+    EXPECT_NE(error_of(R"("work_offset": "G55", "probe_offset": [1])")
+                  .find("'probe_offset' must contain objects, each a touch"),
+              std::string::npos);
     EXPECT_EQ(error_of(R"("work_offset": "G55", "probe_offset": [{"axis": "Z", )" + kWay + "}]",
                        R"({"position_mm": [1, 2, 3], "feed_mm_min": 1})")
                   .substr(9),

@@ -69,7 +69,7 @@ std::optional<gsim::Error> find_override_error(const Kind& kind, double percent,
                                                const rrs::ControllerRules& controller) {
     const rrs::PlannerCapabilities& planner = controller.capabilities();
     if (!planner.speed_factor_word.empty() && percent != 100)
-        return fmt::format("the planner \"{}\" follows no override; {} in the program sets its speed factor",
+        return fmt::format("the planner \"{}\" supports no override; {} in the program sets its speed factor",
                            planner.name, planner.speed_factor_word);
     const PercentRange allowed = kind.allowed(controller.overrides);
     if (!allowed.accepts(percent))

@@ -45,7 +45,7 @@ std::optional<gsim::Error> find_word_error(const SwitchWord& word) {
     std::vector<std::string> names;
     names.reserve(dialects.size());
     for (const grammar::Dialect* dialect : dialects) names.push_back(dialect->name());
-    return fmt::format("[process]: M{} is no code of {}; user codes are M100 to M199, of ab9 to M999",
+    return fmt::format("[process]: M{} is not a code of {}; user codes are M100 to M199, in ab9 to M999",
                        word.code, text::enumerated(names, "or"));
 }
 

@@ -27,7 +27,7 @@ bool has_extension(const std::string& path, std::string_view extension) {
 }
 
 /// Distinguishes Lua from G-code by the first significant line: no block of G-code begins like these.
-bool looks_like_lua(const lexer::Source& source) {
+bool seems_to_be_lua(const lexer::Source& source) {
     std::uint64_t offset = 0;
     while (offset < source.size() && offset < kInspectedBytes) {
         const std::string line = source.line_at(offset, kInspectedBytes);
@@ -194,7 +194,7 @@ tl::expected<OpenedScript, Error> open_script(const os::Files& files, const std:
 }
 
 OpenedScript open_text_script(lexer::Source text) {
-    const bool lua = has_extension(text.name(), ".lua") || looks_like_lua(text);
+    const bool lua = has_extension(text.name(), ".lua") || seems_to_be_lua(text);
     return make_opened_script(std::move(text), lua);
 }
 

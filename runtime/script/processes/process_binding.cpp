@@ -66,10 +66,10 @@ double check_seconds(lua_State* state, int index) {
 }
 
 template <typename Names>
-std::string hint(std::string_view name, const Names& names) {
+std::string hint(std::string_view kind, std::string_view name, const Names& names) {
     if (const auto nearest = text::nearest_name(name, names))
         return fmt::format("did you mean '{}'?", *nearest);
-    return names.empty() ? "they are defined in a robots file (--robots)"
+    return names.empty() ? fmt::format("{}s are defined in a robots file (--robots)", kind)
                          : fmt::format("available: {}", text::joined(names, ", "));
 }
 
@@ -145,7 +145,7 @@ int robot(lua_State* state) {
     const RobotController* found = bound_processes(state).robots().find(name);
     if (found == nullptr) {
         alarm(state, fmt::format("unknown robot '{}'; {}", name,
-                                 hint(name, bound_processes(state).robots().names())));
+                                 hint("robot", name, bound_processes(state).robots().names())));
     }
     found->push_environment(state);
     return 1;
@@ -161,7 +161,7 @@ std::size_t check_zone(lua_State* state, int index) {
     const std::string name = check_name(state, index, "zone");
     const process::SharedZones& zones = bound_processes(state).zones().shared_zones();
     if (const auto found = zones.find(name)) return *found;
-    alarm(state, fmt::format("unknown zone '{}'; {}", name, hint(name, zones.names())));
+    alarm(state, fmt::format("unknown zone '{}'; {}", name, hint("zone", name, zones.names())));
 }
 
 /// Implements enter_zone(name): continues when the process has the zone.
@@ -189,7 +189,7 @@ process::Conveyor& check_conveyor(lua_State* state, int index) {
     process::Conveyor* found = bound_processes(state).conveyors().find(name);
     if (found != nullptr) return *found;
     alarm(state, fmt::format("unknown conveyor '{}'; {}", name,
-                             hint(name, bound_processes(state).conveyors().names())));
+                             hint("conveyor", name, bound_processes(state).conveyors().names())));
 }
 
 /// Implements conveyor(name): raises an alarm if the conveyor does not exist.

@@ -20,9 +20,9 @@ void RampSettings::warn_about_jerk() {
     const rrs::ControllerRules& rules = machine_.controller;
     const rrs::PlannerCapabilities& planner = rules.capabilities();
     if (!rules.has_s_curves()) {
-        warnings_.add(fmt::format("limit_jerk makes no difference: the planner \"{}\"{} has straight ramps",
-                                  planner.name,
-                                  planner.s_curves == rrs::SCurves::release_2_10 ? " of release 2.9" : ""));
+        warnings_.add(fmt::format(
+            "limit_jerk has no effect: the planner \"{}\"{} has ramps with constant acceleration",
+            planner.name, planner.s_curves == rrs::SCurves::release_2_10 ? " of release 2.9" : ""));
     } else if (has_no_jerk_limit()) {
         warnings_.add("limit_jerk has no effect: no axis of the machine has a jerk limit");
     }

@@ -93,7 +93,7 @@ TEST(AxisMotion, AMachineWithXAndYExchangedIsNotClean) {
     EXPECT_FALSE(check.is_clean());
     const std::string text = to_text(check);
     EXPECT_THAT(text,
-                HasSubstr("wrong      X Y Z are left-handed: turning +X to +Y advances a right-hand screw "
+                HasSubstr("error      X Y Z are left-handed: turning +X to +Y advances a right-hand screw "
                           "against +Z, so parts are mirrored; reverse one axis, or exchange two letters\n"));
     EXPECT_THAT(text, HasSubstr("found: 1 left-handed sets of axes\n"));
     EXPECT_THAT(to_json(check), HasSubstr("\"left_handed\": [\n    \"X Y Z are left-handed"));

@@ -66,9 +66,9 @@ TEST_F(MachineImport, ImportWritesAMachineFileThatRunsAsTheIniDoes) {
     write("gantry.tbl", "T1 P1 Z20 D6\n");
     const Ended e = gsim_data({"import", "gantry.ini", "-o", "gantry.toml", "--data", "gantry.txt"});
     EXPECT_EQ(e.status, 0) << e.err;
-    EXPECT_EQ(e.err, "gantry.ini: note: not taken over: [HAL] HALFILE\n");
+    EXPECT_EQ(e.err, "gantry.ini: note: not imported: [HAL] HALFILE\n");
     EXPECT_TRUE(
-        contains(read("gantry.toml"), "# Made from gantry.ini.\n#\n# Not taken over:\n#   [HAL] HALFILE\n"));
+        contains(read("gantry.toml"), "# Made from gantry.ini.\n#\n# Not imported:\n#   [HAL] HALFILE\n"));
     write("part.ngc", "G21 T1 M6\nG43 H1\nG1 X10 Y5 Z0 F3000\nG28\nM2\n");
     json direct = report({"--machine", "gantry.ini", "part.ngc"});
     json imported = report({"--machine", "gantry.toml", "--machine-data", "gantry.txt", "part.ngc"});
@@ -84,7 +84,7 @@ TEST_F(MachineImport, TablesAloneBecomeMachineData) {
     write("mill.var", "5241 12.5\n5245 90\n");
     const Ended offsets = gsim_data({"import", "mill.var", "-o", "offsets.txt"});
     EXPECT_EQ(offsets.status, 0) << offsets.err;
-    EXPECT_EQ(offsets.err, "mill.var: note: not taken over: B of G55: the machine does not have this axis\n");
+    EXPECT_EQ(offsets.err, "mill.var: note: not imported: B of G55: the machine does not have this axis\n");
     EXPECT_EQ(gsim_data({"offsets.txt", "get", "OFFSET", "55", "X"}).out, "12.5\n");
 }
 

@@ -180,9 +180,9 @@ TEST_F(MachinePoints, WhatNobodyKnowsOrHasAWordForIsRefused) {
         return rejected(options);
     };
     path(std::string(kStart) + R"({"fixed": "CLAMP7"})");
-    EXPECT_EQ(
-        of_router({"--machine-data", data}),
-        "p.path.json:1:88: error: the fixed point 'CLAMP7' is not defined in d.txt; there are 1 (PARK), 7\n");
+    EXPECT_EQ(of_router({"--machine-data", data}),
+              "p.path.json:1:88: error: the fixed point 'CLAMP7' is not defined in d.txt; available: 1 "
+              "(PARK), 7\n");
     EXPECT_EQ(of_router({}),
               "p.path.json:1:88: error: the position of the fixed point 'CLAMP7' is not defined; give the "
               "machine data with --machine-data\n");
@@ -222,7 +222,7 @@ TEST_F(MachinePoints, ReferencePointsOfTheMachineDataByTheirNames) {
     }
     path(std::string(kStart) + R"({"reference": "PIER"})");
     EXPECT_EQ(rejected({"p.path.json", "--machine", kRouter, "--machine-data", data}),
-              "p.path.json:1:88: error: the reference point 'PIER' is not defined in d.txt; there are 2 "
+              "p.path.json:1:88: error: the reference point 'PIER' is not defined in d.txt; available: 2 "
               "(Dock), 3\n");
 }
 
@@ -254,11 +254,11 @@ TEST_F(MachinePoints, TheJetIsOffOnTheWayAndTheToolSaidAgainBehindATurn) {
     path(R"({"fixed": 2})");
     EXPECT_TRUE(
         contains(rejected({"p.path.json", "--machine-data", data}),
-                 "the fixed point 2 says of some rotary axes where they stand there, and nothing before it "
-                 "does of the others"));
+                 "the fixed point 2 defines the positions of only some rotary axes, and the others are "
+                 "undefined"));
     path(start + off + R"({"fixed": 1}, {"position_mm": [10, 20, 30]})");
     EXPECT_TRUE(contains(rejected({"p.path.json", "--machine-data", data}),
-                         "the first motion behind a fixed or reference point must be a rapid"));
+                         "the first motion after a fixed or reference point must be a rapid"));
 }
 
 // A path may begin while the axes' orientation is not known yet; it is known from its first point on.
@@ -295,7 +295,8 @@ TEST_F(MachinePoints, ScriptsBuildThem) {
                          "rapid; it cannot have 'motion'"));
     EXPECT_TRUE(contains(error("{reference = 5}"), "'reference' must be an integer from 1 to 4; it is 5"));
     EXPECT_TRUE(contains(error("{fixed = {}}"), "'fixed' must be a name or a number"));
-    EXPECT_TRUE(contains(error("{fixed = '2nd'}"), "'fixed' takes the number of a fixed point, or its name"));
+    EXPECT_TRUE(
+        contains(error("{fixed = '2nd'}"), "'fixed' must be the number of a fixed point, or its name"));
 }
 
 }  // namespace

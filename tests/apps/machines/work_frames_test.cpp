@@ -162,7 +162,7 @@ TEST_F(WorkFrames, ARecordingSaysWhatItHasInItsNumbers) {
             return ran.out + ran.err;
         };
         const std::string moved = "the program has moved the work offset G";
-        const std::string length = "offsets of tools (G43) are in its positions";
+        const std::string length = "tool offsets (G43) are included in its positions";
         const std::string none = notes({"--work-offset", "G55", "--tool", "3"}, "3 0 6");
         EXPECT_FALSE(contains(none, moved) || contains(none, length)) << none;
         EXPECT_TRUE(contains(notes({"--work-offset", "G55", "--tool", "3"}, "3 4 6"), length));
@@ -193,7 +193,7 @@ TEST_F(WorkFrames, WhatCannotBeIsRefusedWithWhatThereIs) {
     EXPECT_EQ(rejected({"--work-offset", "G55", "--offsets", "none"}),
               "error: --offsets applies to recorded paths; this path names its work offsets\n");
     EXPECT_TRUE(contains(rejected({"--tool", "3", "--dialect", "rs274ngc", "--offsets", "G53"}),
-                         "--offsets G53 is for paths without tools of their own"));
+                         "--offsets G53 applies to paths that name no tools"));
     const Ended other =
         path2gcode({write("own.path.json", R"({"paths": [{"name": "part", "work_offset": "G54", "targets": [
             {"motion": "rapid", "position_mm": [10, 20, -10]}]}]})"),

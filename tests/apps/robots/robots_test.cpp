@@ -155,7 +155,8 @@ TEST_F(Robots, AnAlarmOfOneEndsTheRun) {
     EXPECT_EQ(report["alarm"]["line"], 2);
     EXPECT_TRUE(report["robots"][1]["alarm"].is_null());
     EXPECT_TRUE(contains(run("robot 'lefd'\n")["alarm"]["message"], "did you mean 'left'?"));
-    EXPECT_TRUE(contains(run("robot('left').run 'none.nc'\n")["alarm"]["message"], "no file 'none.nc'"));
+    EXPECT_TRUE(
+        contains(run("robot('left').run 'none.nc'\n")["alarm"]["message"], "file 'none.nc' not found"));
     EXPECT_TRUE(contains(
         run("process('l', function() track 'belt' conveyor('belt').speed(3) end)\n")["alarm"]["message"],
         "cannot change"));

@@ -36,7 +36,7 @@ TEST_F(FileLockTest, OneHasItAtATime) {
     ASSERT_FALSE(second);
     EXPECT_EQ(second.error().message,
               "cannot change '" + file_.string() +
-                  "': another program is changing it, and has not ended within 0 s (its lock is '" +
+                  "': another program is changing it, and has not finished within 0 s (its lock is '" +
                   (folder_ / ".d.txt.lock").string() + "')");
     EXPECT_TRUE(FileLock::get(folder_ / "other", 0ms)) << "another file's";
     first.reset();

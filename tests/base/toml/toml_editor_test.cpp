@@ -266,13 +266,14 @@ TEST(TomlEditor, WhatCannotBeDoneIsRefusedAndChangesNothing) {
     EXPECT_EQ(removed(kMachine, {"axis", std::size_t{2}}), "'axis[2]' does not exist and cannot be removed");
     EXPECT_EQ(removed(kMachine, {"tool"}), "'tool' does not exist and cannot be removed");
     EXPECT_EQ(removed(kMachine, {}), "the document itself cannot be removed");
-    EXPECT_EQ(moved(kMachine, {"axis", kFirst}, 2), "'axis' has 2 elements, from 0 on; there is no place 2");
+    EXPECT_EQ(moved(kMachine, {"axis", kFirst}, 2),
+              "'axis' has 2 elements, from 0 on; index 2 does not exist");
     EXPECT_EQ(moved(kMachine, {"machine"}, 0), "'machine' is not an element of a list");
     EXPECT_EQ(moved(kMachine, {"shape", kFirst}, 0), "'shape[0]' does not exist and cannot be moved");
     EXPECT_EQ(set(kMachine, {"machine"}, 3),
               "'machine' is a table on separate lines; a number cannot replace it");
     EXPECT_EQ(set(kMachine, {"machine", "name", "first"}, 3),
-              "'machine.name' is a text, and has no key 'first'");
+              "'machine.name' is a string, and has no key 'first'");
     EXPECT_EQ(set(kMachine, {"axis", "letter"}, "X"), "'axis' is a list, and has no key 'letter'");
     EXPECT_EQ(set(kMachine, {"machine", kFirst}, "X"), "'machine' is a table, and has no elements");
     EXPECT_EQ(set(kMachine, {"axis", std::size_t{5}, "letter"}, "Z"),

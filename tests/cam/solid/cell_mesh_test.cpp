@@ -30,10 +30,11 @@ TEST(CellMesh, IsRefusedWhereItIsTooLargeOrDamaged) {
     const solid::SolidFolder folder;
     const auto large = load_mesh(folder.step("far.step", solid::box({0, 0, 0}, {2e6, 1, 1})), 1);
     ASSERT_FALSE(large);
-    EXPECT_THAT(large.error().message, testing::HasSubstr("is at 2e+06 mm; coordinates go up to 1000000 mm"));
+    EXPECT_THAT(large.error().message,
+                testing::HasSubstr("is at 2e+06 mm; coordinates must be within 1000000 mm"));
     const auto damaged = load_mesh(folder.write("bad.igs", "0"), 1);
     ASSERT_FALSE(damaged);
-    EXPECT_THAT(damaged.error().message, testing::HasSubstr("bad.igs: this is no IGES file"));
+    EXPECT_THAT(damaged.error().message, testing::HasSubstr("bad.igs: this is not an IGES file"));
 }
 
 }  // namespace

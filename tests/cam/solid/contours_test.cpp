@@ -82,24 +82,25 @@ TEST_F(Contours, AnEdgeThatChoosesNothingIsRefusedByItsNumber) {
     EXPECT_THAT(rejection({.edges = {""}}), HasSubstr("it has no edge with the number ''"));
     const std::string hole = edge_at(60);
     EXPECT_EQ(rejection({.kind = "outlines", .edges = {hole}}),
-              file_.string() + ": edge " + hole + " is of no contour that is chosen");
+              file_.string() + ": edge " + hole + " does not belong to a selected contour");
     EXPECT_THAT(rejection({.edges = {hole}, .side = "-z"}),
-                HasSubstr("edge " + hole + " is of no contour that is chosen"));
+                HasSubstr("edge " + hole + " does not belong to a selected contour"));
     const std::string below = read({.side = "-z"}).contours.front().edges.front().label;
     EXPECT_THAT(rejection({.edges = {hole, below}}),
                 HasSubstr("edge " + below +
-                          " is of no contour that is chosen: it belongs to one that does not face z"));
+                          " does not belong to a selected contour: it belongs to one that does not face z"));
 }
 
 TEST_F(Contours, AnEdgeOfWhatIsNoContourSaysWhy) {
     // The blind hole's contour is reported if all are cut, with no number of an edge.
     const WallContours all = read({.kind = "holes"});
     ASSERT_EQ(all.notes.size(), 2U);
-    EXPECT_THAT(all.notes.front(), HasSubstr("does not go through: below edge #"));
+    EXPECT_THAT(all.notes.front(), HasSubstr("is not a through cut: below edge #"));
     const std::size_t begin = all.notes.front().find("edge #") + 5;
     const std::string blind = all.notes.front().substr(begin, all.notes.front().find(' ', begin) - begin);
-    EXPECT_THAT(rejection({.kind = "holes", .edges = {blind}}),
-                HasSubstr("edge " + blind + " is of no contour that is chosen: a hole of the plane face #"));
+    EXPECT_THAT(
+        rejection({.kind = "holes", .edges = {blind}}),
+        HasSubstr("edge " + blind + " does not belong to a selected contour: a hole of the plane face #"));
 }
 
 TEST_F(Contours, EdgesMakeChainsWithMaterialToTheirLeft) {

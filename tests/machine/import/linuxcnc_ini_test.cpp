@@ -151,7 +151,7 @@ TEST(LinuxcncIni, ThePlannersOf210) {
 
     const ImportResult silent = of_traj("PLANNER_TYPE = 1\n");
     EXPECT_EQ(silent.machine.path.max_jerk_mm_s3, 1e9);
-    EXPECT_THAT(silent.warnings, Contains(HasSubstr("no S-curves of moves of X, Y, Z")));
+    EXPECT_THAT(silent.warnings, Contains(HasSubstr("does not use S-curves for moves of X, Y, Z")));
     EXPECT_EQ(of_traj("").machine.controller.model, "linuxcnc-2.9");
     const ImportResult pecks = of_traj("PLANNER_TYPE = 1\n[RS274NGC]\nG83_PECK_CLEARANCE = 0.05\n");
     EXPECT_NEAR(pecks.machine.controller.drilling.peck_clearance_mm, 0.05 * 25.4, 1e-9);
@@ -202,7 +202,7 @@ TEST(LinuxcncIni, OtherKinematicsAreRefusedByName) {
 
 TEST(LinuxcncIni, FaultsHaveTheirPlace) {
     EXPECT_EQ(error_of("[TRAJ]\nCOORDINATES = XYZ\nLINEAR_UNITS = furlong\n"),
-              "mill.ini:3: LINEAR_UNITS is 'furlong'; there are mm, metric, inch, in, imperial, cm");
+              "mill.ini:3: LINEAR_UNITS is 'furlong'; allowed values are mm, metric, inch, in, imperial, cm");
     EXPECT_EQ(error_of("[TRAJ]\nfast\n"), "mill.ini:2: a line must be [SECTION], KEY = VALUE or a comment");
     EXPECT_EQ(error_of("[TRAJ\n"), "mill.ini:1: the section name has no ']'");
     EXPECT_EQ(error_of("[TRAJ]\nCOORDINATES = X\n[AXIS_X]\nMAX_VELOCITY = fast\nMAX_ACCELERATION = 1\n"),
@@ -276,8 +276,7 @@ TEST_F(LinuxcncFiles, TheMachineFileIsTheMachine) {
     const auto toml = machine_toml(*imported, path);
     ASSERT_TRUE(toml) << toml.error().message;
     EXPECT_EQ(machine::read_machine(*toml, "mill.toml").value(), imported->machine);
-    EXPECT_THAT(*toml,
-                testing::StartsWith("# Made from mill.ini.\n#\n# Not taken over:\n#   [HAL] HALFILE\n"));
+    EXPECT_THAT(*toml, testing::StartsWith("# Made from mill.ini.\n#\n# Not imported:\n#   [HAL] HALFILE\n"));
     EXPECT_THAT(*toml, HasSubstr("units = \"inch\"\n"));
 }
 

@@ -56,16 +56,17 @@ void expect_error(const std::string& text, const std::string& part) {
 
 TEST(RobotsFile, FaultsAreToldWithTheirPlace) {
     expect_error("", "lacks the key 'robot'");
-    expect_error("robot = []", "holds a [[robot]]");
+    expect_error("robot = []", "at least one [[robot]]");
     expect_error("[[robot]]\nname = \"a b\"", "letters, digits");
-    expect_error("[[robot]]\nname = \"a\"\n[[robot]]\nname = \"a\"", "taken above");
+    expect_error("[[robot]]\nname = \"a\"\n[[robot]]\nname = \"a\"",
+                 "r.toml:4:8: the name 'a' is already used");
     expect_error("[[robot]]\nname = \"a\"\nmashine = \"x\"", "did you mean 'machine'?");
     expect_error("[[robot]]\nname = \"a\"\n[[conveyor]]\nname = \"b\"\ndirection = {}", "must not be zero");
     expect_error("[[robot]]\nname = \"a\"\n[[conveyor]]\nname = \"b\"\ndirection = { x = nan }",
                  "'x' must be");
     const std::string zone = "[[robot]]\nname = \"a\"\n[[zone]]\nname = \"z\"\n";
     expect_error(zone, "lacks the key 'shape'");
-    expect_error(zone + "shape = { mesh = \"m.stl\" }", "a zone is a box");
+    expect_error(zone + "shape = { mesh = \"m.stl\" }", "r.toml:5:9: a zone must be a box");
     expect_error("[[robot", "");
 }
 

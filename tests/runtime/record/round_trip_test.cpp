@@ -225,7 +225,7 @@ TEST_F(Record, AnObliqueArcIsLinesOrRefusedWhereThePostSaysSo) {
     };
     const Ended lines = written("");
     EXPECT_EQ(lines.status, 0) << lines.err;
-    EXPECT_TRUE(contains(lines.out, "(an arc outside the planes of the axes by lines within 0.01 mm)"))
+    EXPECT_TRUE(contains(lines.out, "(an arc outside the planes of the axes as lines within 0.01 mm)"))
         << lines.out;
     const Ended rejected = written("oblique = \"refuse\"\n");
     EXPECT_EQ(rejected.status, 1);

@@ -132,7 +132,7 @@ TEST(Neutral, AnArmGoesToItsPosesAndNamesThoseItCannotReach) {
     ASSERT_TRUE(r.completed()) << r.message();
     expect_pose(pose_after(r, 0), {500, 100, 300, 0, 150, 0});
     EXPECT_TRUE(r.report.warnings.empty());
-    expect_alarm(run_lua("\nMoveJoint{x=3000}", arm), 2, {"The pose is out of reach", " mm and ", "line up"});
+    expect_alarm(run_lua("\nMoveJoint{x=3000}", arm), 2, {"The pose is out of reach", " mm and ", "aligned"});
 }
 
 // The wrist of the arm straight.

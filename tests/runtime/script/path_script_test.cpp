@@ -93,8 +93,7 @@ TEST(PathScript, ErrorsNameTheLine) {
         {"return path{name = 'a', tol = 1}",
          "f.lua:1: path{..} needs 'name', 'work_offset', 'set_offset_mm', 'probe_offset', 'tool', "
          "'length_offset', 'diameter_offset' and, in their order, points and sub-paths"},
-        {"return repeated(1, path{name = 'a'}, {tool = 1})",
-         "f.lua:1: unknown key 'tool' in a use of a path"},
+        {"return repeated(1, path{name = 'a'}, {tool = 1})", "f.lua:1: unknown key 'tool' in a sub-path"},
         {"return path{name = 'a', probe_offset = 1}",
          "f.lua:1: 'probe_offset' must be a table of touches, each a table"},
         {"return path{name = 'a', probe_offset = {}}",

@@ -69,7 +69,7 @@ TEST(ConfidenceIntervalMonitor, IsInTheReport) {
 TEST(ConfidenceIntervalMonitor, SaysWhyThereIsNone) {
     const Report report = run(machine_text(100, 0), 0, true);
     EXPECT_FALSE(report.interval);
-    EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("without an interval: overrides are changed")));
+    EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("no interval: overrides are changed")));
 }
 
 TEST(ConfidenceIntervalMonitor, AMachineThatIsNotCalibratedHasNone) {

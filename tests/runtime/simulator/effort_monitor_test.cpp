@@ -164,7 +164,7 @@ TEST(EffortMonitor, JumpsOfSpeedAreImpulsesAndWork) {
     EXPECT_NEAR(x.peak, 30, 1e-9);
     EXPECT_NEAR(x.drive_j, 12.5 + 15, 1e-7);
     EXPECT_NEAR(x.regenerated_j, 12.5, 1e-7);
-    EXPECT_THAT(to_text(report), HasSubstr("jumps       2 of speeds"));
+    EXPECT_THAT(to_text(report), HasSubstr("jumps       2 in speed"));
 }
 
 TEST(EffortMonitor, EnergyOfEachProgram) {

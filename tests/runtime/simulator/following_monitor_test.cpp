@@ -278,7 +278,7 @@ TEST(FollowingMonitor, ReportTellsOfIt) {
     EXPECT_THAT(to_json(report), HasSubstr(R"("contour": {
       "error_mm": 1.226)"));
     const std::string text = to_text(report);
-    EXPECT_THAT(text, HasSubstr("following             peak         rms   behind (ms)   peak at\n"
+    EXPECT_THAT(text, HasSubstr("following             peak         rms    delay (ms)   peak at\n"
                                 "X mm                3.3333      2.3373        33.333   part.nc:1\n"));
     EXPECT_THAT(text, HasSubstr("contour     1.2263 mm at part.nc:2\n            1.2263 mm at part.nc:2, "
                                 "from the programmed path\nin position 0.1936 s after the end\n"));

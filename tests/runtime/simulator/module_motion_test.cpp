@@ -123,7 +123,7 @@ TEST_P(SmallModule, PathModesItLacksAreAWarning) {
     simulator.moves().enqueue(line_to(10, 0));
     const Report report = simulator.finish("p");
     EXPECT_EQ(report.status, RunStatus::completed);
-    EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("has no path modes")));
+    EXPECT_THAT(report.warnings, testing::Contains(HasSubstr("does not support path modes (G61, G64)")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Places, SmallModule, rrs::both_places(), rrs::place_name);
@@ -145,11 +145,14 @@ std::string to_alarm(rrs::RcsModule module, RunLimits limits = {}) {
 }
 
 TEST_P(Modules, FaultsEndTheRunAndNameModuleAndService) {
-    EXPECT_THAT(to_alarm(test_module("nan_answer")),
-                StartsWith("The controller module nan_answer.so answered GetNextStep with the value nan"));
-    EXPECT_THAT(to_alarm(test_module("backwards")), HasSubstr("a time that runs backwards"));
-    EXPECT_EQ(to_alarm(test_module("jump")),
-              "The controller module jump.so answered GetNextStep with a jump: a joint moved in no time.");
+    EXPECT_THAT(
+        to_alarm(test_module("nan_answer")),
+        StartsWith("The controller module nan_answer.so responded to GetNextStep with the value nan"));
+    EXPECT_THAT(to_alarm(test_module("backwards")),
+                HasSubstr("GetNextStep with a time that decreases by 0.001 s"));
+    EXPECT_EQ(
+        to_alarm(test_module("jump")),
+        "The controller module jump.so responded to GetNextStep with a jump: a joint moved in no time.");
     EXPECT_THAT(to_alarm(test_module("never_arrives")),
                 StartsWith("The controller module never_arrives.so has not moved for 600"));
     EXPECT_EQ(to_alarm(test_module("small_module")), "");

@@ -179,7 +179,7 @@ TEST(ChildProcess, ErrorsAreSentences) {
     EXPECT_EQ(os::run_child({"sh", "-c", "echo; echo why >&2; exit 3"}, null, null).error().message,
               "sh failed: why");
     EXPECT_EQ(os::run_child({"sh", "-c", "kill -9 $$"}, null, null).error().message,
-              "sh was ended by signal 9");
+              "sh was terminated by signal 9");
     std::fclose(null);
 }
 

@@ -56,7 +56,7 @@ TEST(ReportText, TellsWhereTheTimeGoes) {
     Report report = sample();
     report.explanation = Explanation{{{"feed", 2794.125}, {"dwell", 931.375}}, 2980.4};
     EXPECT_THAT(to_text(report),
-                HasSubstr("where the time goes         time (s)     share\nfeed                        "
+                HasSubstr("time by cause               time (s)     share\nfeed                        "
                           "2794.125    75.0 %\ndwell                        931.375    25.0 %\nlower bound  "
                           "2980.400 s  (the program takes 1.25 times this)\n"));
     report.explanation = Explanation{};

@@ -360,7 +360,7 @@ TEST_P(Arm, AWayOutOfReachIsNamed) {
     rrs::CartPos end = start;
     end.translation() += Vector3d(2000, 0, 0);
     EXPECT_EQ(to(end), Status::RRS_NO_SOLUTION);
-    EXPECT_THAT(run.message(), HasSubstr("The tool cannot follow its way at X"));
+    EXPECT_THAT(run.message(), HasSubstr("The tool cannot follow its path at X"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, Arm, testing::Values(PlannerKind::rest_to_rest, PlannerKind::look_ahead));

@@ -153,7 +153,7 @@ TEST(TorqueLimit, MotorThatCannotHoldItsWeightIsRefused) {
     const auto simulator = simulator_of(read(text));
     EXPECT_FALSE(rapid(*simulator, at(0, 300)));
     EXPECT_THAT(simulator->outcome().alarm()->message,
-                HasSubstr("axis Z: The motor has not enough for this move"));
+                HasSubstr("axis Z: The motor is too weak for this move"));
 }
 
 TEST(TorqueLimit, RefusesByName) {

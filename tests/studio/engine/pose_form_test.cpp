@@ -128,11 +128,11 @@ TEST(PoseForm, WhatCannotBeFailsInASentence) {
         return make_error(pose_request(request_json), files_of_poses());
     };
     EXPECT_EQ(error(json::object()), "a pose must have either 'joints' or 'tip_mm'");
-    EXPECT_EQ(error({{"joints", {1, "2"}}}), "'joints' should be numbers; one is of the kind string");
+    EXPECT_EQ(error({{"joints", {1, "2"}}}), "'joints' must be numbers; one is of type string");
     EXPECT_EQ(error({{"joints", {1, 2}}}),
               "'joints' must have 5 values, one for each axis of the machine, not 2");
     EXPECT_EQ(error({{"tip_mm", {1, 2}}}), "'tip_mm' must be three numbers, not 2");
-    EXPECT_EQ(error({{"tip", {1, 2, 3}}}), "there is no key 'tip' of a pose");
+    EXPECT_EQ(error({{"tip", {1, 2, 3}}}), "unknown key 'tip' of a pose");
     EXPECT_THAT(error({{"machine", "none.toml"}, {"joints", {1}}}), HasSubstr("none.toml"));
 }
 

@@ -32,12 +32,12 @@ TEST(RunRequest, TakesWhatAPageMayAskFor) {
 
 TEST(RunRequest, NamesTheKeyThatItDoesNotTake) {
     EXPECT_EQ(error_message({{"programme", "part.nc"}}), "unknown key 'programme' of a run");
-    EXPECT_EQ(error_message({{"program", 3}}), "'program' should be a text, not 3");
-    EXPECT_EQ(error_message({{"blocks", "many"}}), "'blocks' should be a number, not of the kind string");
-    EXPECT_EQ(error_message({{"blocks", 0}}), "'blocks' should be from 1 to 1000000000000000, not 0");
+    EXPECT_EQ(error_message({{"program", 3}}), "'program' must be a string, not 3");
+    EXPECT_EQ(error_message({{"blocks", "many"}}), "'blocks' must be a number, not of type string");
+    EXPECT_EQ(error_message({{"blocks", 0}}), "'blocks' must be from 1 to 1000000000000000, not 0");
     EXPECT_EQ(error_message({{"feed_override_percent", 2000}}),
-              "'feed_override_percent' should be from 0 to 1000, not 2000");
-    EXPECT_EQ(error_message({{"collisions", 1}}), "'collisions' should be true or false, not 1");
+              "'feed_override_percent' must be from 0 to 1000, not 2000");
+    EXPECT_EQ(error_message({{"collisions", 1}}), "'collisions' must be true or false, not 1");
     EXPECT_EQ(error_message(json::array()), "a request must be an object");
 }
 

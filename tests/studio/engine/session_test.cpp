@@ -189,7 +189,7 @@ TEST(Session, WhatCannotBeDoneFailsInASentence) {
     EXPECT_EQ(last(request_frames(R"({"do": "run", "program": )" + std::string(100, '[') +
                                   std::string(100, ']') + "}"))
                   .header["message"],
-              "'program' should be a text, not of the kind array");
+              "'program' must be a string, not of type array");
     EXPECT_EQ(last(request_frames(R"({"do": "\nfly"})")).header["message"], "unknown request '\\x0afly'");
     EXPECT_EQ(last(request_frames(R"({"do": "fly"})")).header["message"], "unknown request 'fly'");
     EXPECT_EQ(last(request_frames(kRun)).is(), "failed");

@@ -80,7 +80,7 @@ TEST(TomlForm, WhatCannotBeChangedFailsInASentence) {
               "'object[1]' does not exist and cannot be removed");
     EXPECT_EQ(
         change_error(R"({"op": "remove", "at": ["cell"]}, {"op": "move", "at": ["object", 0], "to": 1})"),
-        "change 2: 'object' has 1 elements, from 0 on; there is no place 1");
+        "change 2: 'object' has 1 elements, from 0 on; index 1 does not exist");
     EXPECT_EQ(change_error("3"), "a change must be an object");
     EXPECT_EQ(change_error(R"({"op": "paint"})"), "'op' must be one of set, add, remove, move");
     EXPECT_EQ(change_error(R"({"op": "set", "at": "cell", "value": 1})"),
