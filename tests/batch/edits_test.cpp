@@ -47,14 +47,15 @@ TEST(EditedToml, FindsElementsByWhatTheyAreCalled) {
 TEST(EditedToml, SaysWhatIsNotThere) {
     EXPECT_THAT(edited("axis.Q.max_speed_mm_s", 75),
                 HasSubstr("m.toml: 'axis.Q.max_speed_mm_s': 'Q' does not exist"));
-    EXPECT_THAT(edited("axis.7.max_speed_mm_s", 75), HasSubstr("there is no '7'"));
-    EXPECT_THAT(edited("machine.name.of", 75), HasSubstr("nothing is below"));
+    EXPECT_THAT(edited("axis.7.max_speed_mm_s", 75),
+                HasSubstr("'axis.7.max_speed_mm_s': '7' does not exist"));
+    EXPECT_THAT(edited("machine.name.of", 75), HasSubstr("'machine.name' is a value without keys"));
     EXPECT_THAT(edited("axis.X.max_jerk_mm_s3", 2, SettingUse::factor),
-                HasSubstr("a factor needs a number in the file"));
+                HasSubstr("a factor requires a number in the file"));
     EXPECT_THAT(edited("machine.name", 2, SettingUse::shift),
-                HasSubstr("what is added needs a number in the file"));
+                HasSubstr("an added value requires a number in the file"));
     EXPECT_THAT(edited("machine.name", 2, SettingUse::factor),
-                HasSubstr("a factor needs a number in the file"));
+                HasSubstr("a factor requires a number in the file"));
 }
 
 TEST(EditedData, ChangesAnEntry) {
@@ -72,10 +73,10 @@ TEST(SettingKey, IsOfAFileOrOfTheRun) {
     EXPECT_FALSE(find_key_name_error("machine.axis.X.max_mm"));
     EXPECT_FALSE(find_key_name_error("data.OFFSET.54.X"));
     EXPECT_THAT(find_key_name_error("axis.X.max_mm").value().message,
-                HasSubstr("should begin with 'machine.'"));
+                HasSubstr("must begin with 'machine.'"));
     EXPECT_THAT(find_key_name_error("machine.axis..max_mm").value().message, HasSubstr("empty name"));
     EXPECT_THAT(find_key_name_error("data.OFFSET.54").value().message, HasSubstr("data.SECTION.ID.FIELD"));
-    EXPECT_THAT(find_key_name_error("option.a.b").value().message, HasSubstr("no option"));
+    EXPECT_THAT(find_key_name_error("option.a.b").value().message, HasSubstr("is not an option"));
 }
 
 }  // namespace

@@ -217,7 +217,7 @@ to = 2000
     const Ended ended = optimise({"plan.toml", "--best", "there/best", "--json", "found.json"});
     ASSERT_EQ(ended.status, 0) << ended.err;
     EXPECT_THAT(read("there/best/p.ngc.machine.toml"), HasSubstr("kind = \"linear\""));
-    EXPECT_THAT(ended.out, HasSubstr("# without variables, which it has no word for"));
+    EXPECT_THAT(ended.out, HasSubstr("# without variables, for which it has no option"));
     const Ended repeated =
         apps::run_program(tests::program_path("gsim-run"),
                           {"p.ngc", "--machine", "there/best/p.ngc.machine.toml", "--json"}, folder_);
@@ -251,7 +251,7 @@ TEST_F(OptimiseProgram, SaysThatNothingIsAllowed) {
     write("plan.toml", std::string(kOverride) + "[[limit]]\nfigure = \"cycle_time_s\"\nmost = 0.1\n");
     const Ended ended = optimise({"plan.toml", "--variants", "10"});
     EXPECT_EQ(ended.status, 1);
-    EXPECT_THAT(ended.out, HasSubstr("no variant is without a fault"));
+    EXPECT_THAT(ended.out, HasSubstr("no variant is without errors"));
     write("p.ngc", "G21 F600\nG1 X[\n");
     EXPECT_THAT(optimise({"plan.toml", "--variants", "10"}).err, HasSubstr("p.ngc: "));
 }
@@ -273,7 +273,7 @@ TEST_F(OptimiseProgram, RefusesWhatItIsToldWrongly) {
         "programs = \"slots.path.json\"\nmachines = [\"router3\"]\n[options]\npost = \"rs274ngc\"\ndialect = "
         "\"rs274ngc\"\n[objective]\ncycle_time_s = 1\n[[setting]]\nkey = \"path.order\"\norders = 5\n");
     EXPECT_THAT(optimise({"order.toml", "--best", ".", "--variants", "5"}).err,
-                HasSubstr("'./slots.nc' is there already"));
+                HasSubstr("'./slots.nc' already exists"));
     EXPECT_EQ(read("slots.nc"), "mine\n");
     EXPECT_EQ(optimise({"order.toml", "--best", ".", "--variants", "5", "--overwrite"}).status, 0);
     EXPECT_THAT(read("slots.nc"), HasSubstr("M2"));
@@ -287,14 +287,15 @@ TEST_F(OptimiseProgram, RefusesWhatItIsToldWrongly) {
     std::string own = kOverride;
     own.replace(own.find("\"m.toml\""), 8, "\"p.ngc.machine.toml\"");
     write("own.toml", own);
-    EXPECT_THAT(optimise({"own.toml", "--best", ".", "--overwrite"}).err, HasSubstr("is read by the search"));
+    EXPECT_THAT(optimise({"own.toml", "--best", ".", "--overwrite"}).err,
+                HasSubstr("p.ngc.machine.toml' is an input of the search"));
     EXPECT_EQ(read("p.ngc.machine.toml"), read("m.toml"));
     std::string nowhere = kOverride;
     nowhere.replace(nowhere.find("option.feed_override_percent"), 28, "machine.axis.Q.max_speed_mm_s");
     write("nowhere.toml", nowhere);
     const Ended reported = optimise({"nowhere.toml"});
     EXPECT_EQ(reported.status, 2);
-    EXPECT_THAT(reported.err, HasSubstr("there is no 'Q'"));
+    EXPECT_THAT(reported.err, HasSubstr("'axis.Q.max_speed_mm_s': 'Q' does not exist"));
     write("bare.toml", "programs = \"p.ngc\"\n");
     EXPECT_THAT(optimise({"bare.toml"}).err, HasSubstr("[objective]"));
     EXPECT_THAT(batch({"plan.toml"}).err, HasSubstr("no list of values"))

@@ -54,7 +54,7 @@ TEST_F(Pages, AreNotWrittenOverFilesOfOthers) {
     std::ofstream(site_ / "index.html") << "my front page";
     const auto written = write();
     ASSERT_FALSE(written);
-    EXPECT_THAT(written.error().message, HasSubstr("index.html' is no page that was written here before"));
+    EXPECT_THAT(written.error().message, HasSubstr("index.html' is not a page written by --pages"));
     EXPECT_EQ(text_in(site_ / "index.html"), "my front page");
     fs::remove(site_ / "index.html");
     fs::create_directory(site_ / "index.html");
@@ -65,7 +65,7 @@ TEST_F(Pages, NeedAFolderAndABatch) {
     auto results = Results::open(file_);
     auto empty = Database::open(file_, true);
     EXPECT_THAT(write_pages(*empty, {.folder = site_.string()}).error().message,
-                HasSubstr("there is no batch"));
+                HasSubstr("contains no batch"));
     EXPECT_FALSE(fs::exists(site_));
     batch({{.program = "a.nc"}});
     const auto written = write_pages(*empty, {.folder = file_ + "/site"});

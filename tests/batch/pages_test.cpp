@@ -35,16 +35,16 @@ TEST_F(Pages, TellWhatHasChanged) {
     EXPECT_THAT(rows_below("newly-failing"),
                 ElementsAre(ElementsAre("breaks.nc", "m.toml", "violations : collision",
                                         "the nozzle meets the clamp  breaks.nc:7", "unknown")));
-    EXPECT_THAT(rows_below("mended"), ElementsAre(ElementsAre("mended.nc", "m.toml", "violations : feed",
-                                                              "too far  mended.nc:7", "the program")));
+    EXPECT_THAT(rows_below("fixed"), ElementsAre(ElementsAre("mended.nc", "m.toml", "violations : feed",
+                                                             "too far  mended.nc:7", "the program")));
     EXPECT_THAT(
         rows_below("times"),
         ElementsAre(ElementsAre("faster.nc", "m.toml", "8.000", "4.000", "-4 s (-50 %)", "the program"),
                     ElementsAre("slower.nc", "m.toml", "100.000", "101.000", "+1 s (+1 %)", "the machine")));
     EXPECT_THAT(rows_below("findings"), ElementsAre(testing::Contains("violations : zone")));
     EXPECT_THAT(rows_below("new"), ElementsAre(testing::Contains("new.nc")));
-    EXPECT_THAT(rows_below("gone"), ElementsAre(testing::Contains("gone.nc")));
-    EXPECT_THAT(page_words(front().select_node("//ul").node()), HasSubstr("2 as before"));
+    EXPECT_THAT(rows_below("removed"), ElementsAre(testing::Contains("gone.nc")));
+    EXPECT_THAT(page_words(front().select_node("//ul").node()), HasSubstr("2 unchanged"));
     EXPECT_EQ(pages_.size(), 9U) << "the front page and eight programs";
     EXPECT_FALSE(pages_.contains(page_name("gone.nc")));
 }
@@ -56,13 +56,13 @@ TEST_F(Pages, TellWhatFailsByItsCause) {
            {.program = "d.nc"}});
     write_and_read();
     std::vector<std::string> causes;
-    for (const auto& each : front().select_nodes("//h2[.='What fails']/following-sibling::h3"))
+    for (const auto& each : front().select_nodes("//h2[.='Failures']/following-sibling::h3"))
         causes.push_back(page_words(each.node()));
     EXPECT_THAT(causes, ElementsAre("violations : axis-limit, 2 runs of 2 programs",
                                     "violations : feed, 1 run of 1 program"));
     const std::string all = page_words(front());
-    EXPECT_THAT(all, HasSubstr("There is no batch before this one."));
-    EXPECT_THAT(page_words(front().select_node("//dl").node()), HasSubstr("Without a fault 1 Failed 3"));
+    EXPECT_THAT(all, HasSubstr("There is no earlier batch."));
+    EXPECT_THAT(page_words(front().select_node("//dl").node()), HasSubstr("Without errors 1 Failed 3"));
     EXPECT_THAT(words_of_page("b.nc"), HasSubstr("b.nc:7 error : too far  [axis-limit]"));
 }
 
@@ -88,10 +88,10 @@ TEST_F(Pages, SayWhyARunIsAnotherOne) {
             .version = "v2"}});
     write_and_read();
     const std::string reason =
-        "the program, the machine, 'old.stl' is there no more, 'sub.nc', 'tools.txt' is there now, gsim "
-        "itself";
+        "the program, the machine, 'old.stl' no longer exists, 'sub.nc', 'tools.txt' now exists, "
+        "the version of gsim";
     EXPECT_THAT(rows_below("times"), ElementsAre(testing::Contains(reason)));
-    EXPECT_THAT(words_of_page("a.nc"), HasSubstr("Run anew for: " + reason));
+    EXPECT_THAT(words_of_page("a.nc"), HasSubstr("Reason for the new run: " + reason));
     EXPECT_THAT(words_of_page("a.nc"), HasSubstr("old.stl not found by the run"));
 }
 
@@ -125,7 +125,7 @@ TEST_F(Pages, HaveTheHistoryOfAProgram) {
     batch({{.program = "a.nc", .time_s = 12, .cause = "feed"}});
     write_and_read();
     const std::string words = words_of_page("a.nc");
-    EXPECT_THAT(words, HasSubstr("It was last without a fault in batch 2"));
+    EXPECT_THAT(words, HasSubstr("It was last without errors in batch 2"));
     const pugi::xml_node svg = pages_.at(page_name("a.nc")).select_node("//svg").node();
     EXPECT_EQ(svg.select_nodes("circle/title").size(), 2U);
     EXPECT_THAT(page_words(svg.select_node("path/title").node()), HasSubstr("violations 12.000 s"));
@@ -142,9 +142,9 @@ TEST_F(Pages, SayThatABatchIsNotWhole) {
     batch({{.program = "a.nc"}}, false, "other.toml");
     write_and_read();
     const std::string words = page_words(front());
-    EXPECT_THAT(words, HasSubstr("the batch was cut off, or is under way"));
+    EXPECT_THAT(words, HasSubstr("the batch was interrupted, or is running"));
     EXPECT_THAT(words, HasSubstr("Removed, or not run yet"));
-    EXPECT_THAT(words, HasSubstr("That batch was of another plan: plan.toml."));
+    EXPECT_THAT(words, HasSubstr("That batch used another plan: plan.toml."));
 }
 
 TEST_F(Pages, TakeNamesOfAnyKind) {
@@ -198,7 +198,7 @@ TEST_F(Pages, OfManyRunsAreInParts) {
     batch({runs.front()});
     write_and_read();
     EXPECT_FALSE(pages_.contains("runs-2.html"));
-    EXPECT_THAT(page_words(front()), HasSubstr("1899 more are left out here.")) << "of 2,099 that are gone";
+    EXPECT_THAT(page_words(front()), HasSubstr("1899 more are not shown here.")) << "of 2,099 that are gone";
 }
 
 // The failed ones of 60 variants have their details, at any position.
@@ -215,7 +215,7 @@ TEST_F(Pages, OfManyVariantsHaveDetailsOfThoseThatFail) {
     EXPECT_EQ(page.select_nodes("//section").size(), 40U);
     EXPECT_EQ(page.select_nodes("//table[1]/tbody/tr[th/a]").size(), 40U);
     EXPECT_THAT(words_of_page("a.nc"), HasSubstr("option.feed_override_percent = 60"));
-    EXPECT_THAT(words_of_page("a.nc"), HasSubstr("20 more have no more room"));
+    EXPECT_THAT(words_of_page("a.nc"), HasSubstr("20 more are shown only as a row above."));
 }
 
 }  // namespace

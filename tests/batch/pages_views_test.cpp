@@ -63,7 +63,7 @@ TEST_F(Views, AreNotOfOtherRunsThanTheOneThatIsTold) {
            {.program = "refused.nc", .cause = "syntax", .status = "refused"}});
     write_and_read();
     EXPECT_EQ(view_count(), 0U);
-    EXPECT_THAT(words_of_page("changed.nc"), HasSubstr("changed.nc' is another one by now."));
+    EXPECT_THAT(words_of_page("changed.nc"), HasSubstr("changed.nc' has changed since the run."));
     EXPECT_THAT(words_of_page("old.nc"), HasSubstr("it was run by another version of gsim."));
     EXPECT_THAT(words_of_page("edited.nc"), HasSubstr("gsim run has no option for machine.axis.X.max_mm."));
     EXPECT_THAT(words_of_page("refused.nc"), HasSubstr("the program was not run."));
@@ -87,7 +87,8 @@ TEST_F(Views, ThatCannotBeMadeSayWhy) {
     views_->program = (folder_ / "none").string();
     batch({{.program = "a.nc", .cause = "feed"}});
     write_and_read();
-    EXPECT_THAT(words_of_page("a.nc"), HasSubstr("There is no page of the finished run: cannot run"));
+    EXPECT_THAT(words_of_page("a.nc"),
+                HasSubstr("The page of the finished run is not available: cannot run"));
 }
 
 }  // namespace

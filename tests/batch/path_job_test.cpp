@@ -112,19 +112,20 @@ TEST(PathJob, WhatGoesTogetherWronglyIsSaid) {
     job.options["path_frame"] = "wheel center";
     EXPECT_THAT(runner.run(job).outcome.message, HasSubstr("did you mean 'wheel centre'?"));
     job.options["path_frame"] = "X";
-    EXPECT_THAT(runner.run(job).outcome.message, HasSubstr("does not go along with the work"));
+    EXPECT_THAT(runner.run(job).outcome.message, HasSubstr("'X' does not move with the workpiece"));
     Job plain = wheel_job({{"path.place.x_mm", 1}});
     plain.program = tests::source_path("samples/wheel.nc");
-    EXPECT_THAT(runner.run(plain).outcome.message, HasSubstr("is of paths"));
+    EXPECT_THAT(runner.run(plain).outcome.message, HasSubstr("'path.place.x_mm' applies to paths"));
     EXPECT_THAT(runner.run(wheel_job({{"path.place.x_mm", 5000}})).outcome.message,
                 HasSubstr("out of reach"));
     EXPECT_THAT(runner.run(wheel_job({{"path.rin.feed_mm_min", 5000}})).outcome.message, HasSubstr("'rim'"));
-    EXPECT_THAT(runner.run(wheel_job({{"path.feed_mm_min", 0}})).outcome.message, HasSubstr("above 0"));
+    EXPECT_THAT(runner.run(wheel_job({{"path.feed_mm_min", 0}})).outcome.message,
+                HasSubstr("'path.feed_mm_min' must be greater than 0"));
     EXPECT_THAT(runner.run(wheel_job({{"path.order", nlohmann::json::array({0U, 1U})}})).outcome.message,
                 HasSubstr("each of 0 to 2"));
     Job program = job_in_cell({{"cell.frame.wheel centre.frame.x_mm", 250, SettingUse::shift}});
     program.program = tests::source_path("samples/wheel.nc");
-    EXPECT_THAT(runner.run(program).outcome.message, HasSubstr("would not go along with 'wheel centre'"));
+    EXPECT_THAT(runner.run(program).outcome.message, HasSubstr("would not move with 'wheel centre'"));
     Job klipper = wheel_job({});
     klipper.options["dialect"] = "klipper";
     EXPECT_THAT(runner.run(klipper).outcome.message, HasSubstr("option 'post'"));

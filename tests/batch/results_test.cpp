@@ -333,7 +333,7 @@ TEST_F(ResultsFile, OfAnotherKindIsRefused) {
     EXPECT_THAT(text.error().message, HasSubstr("not a database"));
     fs::remove(file_);
     ASSERT_TRUE(Database::open(file_)->execute("CREATE TABLE mine (a)"));
-    EXPECT_THAT(Results::open(file_).error().message, HasSubstr("no file of results"));
+    EXPECT_THAT(Results::open(file_).error().message, HasSubstr("is not a results file"));
 }
 
 }  // namespace

@@ -325,8 +325,8 @@ TEST_F(SearchFile, SaysWhatIsWrong) {
         std::string less = text;
         return less.erase(less.find(part), part.size());
     };
-    EXPECT_THAT(rejection(without("[objective]\ncycle_time_s = 1\n")), HasSubstr("needs [objective]"));
-    EXPECT_THAT(rejection(text.substr(0, text.find("[[setting]]"))), HasSubstr("needs [[setting]]"));
+    EXPECT_THAT(rejection(without("[objective]\ncycle_time_s = 1\n")), HasSubstr("requires [objective]"));
+    EXPECT_THAT(rejection(text.substr(0, text.find("[[setting]]"))), HasSubstr("requires [[setting]]"));
     const auto with = [&](const std::string& more) { return rejection(text + more); };
     EXPECT_THAT(with("[[limit]]\nmost = 1\n"), HasSubstr("lacks the key 'figure'"));
     EXPECT_THAT(with("[[limit]]\nfigure = \"cycle_time_s\"\n"), HasSubstr("'least', 'most' or both"));
@@ -335,7 +335,8 @@ TEST_F(SearchFile, SaysWhatIsWrong) {
     EXPECT_THAT(with("[[limit]]\nfigure = \"cycle\"\nmost = 1\n"), HasSubstr("'figure' must be"));
     EXPECT_THAT(
         with("[[setting]]\nkey = \"machine.c\"\ndistribution = \"normal\"\nmean = 1\ndeviation = 1\n"),
-        HasSubstr("no distribution"));
+        HasSubstr(
+            "'machine.c': a search supports 'from' and 'to', 'values' or 'orders', not a distribution"));
     std::string wrong = text;
     EXPECT_THAT(rejection(wrong.replace(wrong.find("cycle_time_s"), 12, "cycle_tims_s")),
                 HasSubstr("did you mean 'cycle_time_s'?"));
@@ -343,10 +344,10 @@ TEST_F(SearchFile, SaysWhatIsWrong) {
     EXPECT_THAT(rejection(wrong.replace(wrong.find("= 1\n"), 3, "= 0")), HasSubstr("a weight of 0"));
     wrong = text;
     EXPECT_THAT(rejection(wrong.replace(wrong.find("variants = 150"), 14, "variants = 1.5")),
-                HasSubstr("whole number"));
+                HasSubstr("'variants' must be an integer from 1"));
     EXPECT_THAT(rejection("objective = 1\n"), HasSubstr("programs"));
-    EXPECT_THAT(with("[sampling]\nkind = \"random\"\nruns = 3\n"), HasSubstr("draws its variants itself"));
-    EXPECT_THAT(rejection("controllers = [\"ab9\", \"blend\"]\n" + text), HasSubstr("takes one control"));
+    EXPECT_THAT(with("[sampling]\nkind = \"random\"\nruns = 3\n"), HasSubstr("selects its variants itself"));
+    EXPECT_THAT(rejection("controllers = [\"ab9\", \"blend\"]\n" + text), HasSubstr("supports one control"));
     std::string many = text;
     for (int i = 0; i < 7; ++i)
         many += "[[setting]]\nkey = \"machine.s" + std::to_string(i) + "\"\nfrom = 1\nto = 2\nsteps = 31\n";

@@ -95,7 +95,7 @@ TEST(GeometryClosedForm, AGantryThatIsNotSquare) {
     EXPECT_NEAR(square[0].value_um_m, 1e6 * std::sin(tilt_rad), 1e-2);
     EXPECT_NEAR(square[1].value_um_m, 0, 1e-2);
     EXPECT_NEAR(square[2].value_um_m, -1e6 * std::sin(back) * std::cos(tilt_rad), 1e-2);
-    EXPECT_EQ(fixed_reason(fit, "tool x_mm"), "does what -X zero_mm does");
+    EXPECT_EQ(fixed_reason(fit, "tool x_mm"), "is redundant: -X zero_mm has the same effect");
     EXPECT_EQ(fixed_reason(fit, "tool turn_x_deg"), "moves no measured TCP position");
 }
 
@@ -207,7 +207,7 @@ TEST(GeometryClosedForm, WhatIsNotLookedForIsSeen) {
     EXPECT_FALSE(straight.noise_is_estimated);
     EXPECT_NEAR(straight.noise.deg, 0.002, 0.0005);
     EXPECT_NEAR(straight.residual_noise_ratio, 1, 0.2);
-    EXPECT_THAT(geometry_table(straight, {}), Not(HasSubstr("more is left than noise")));
+    EXPECT_THAT(geometry_table(straight, {}), Not(HasSubstr("the residual exceeds the noise")));
     for (MeasuredTcp& tcp : tcps) {
         const double x = tcp.readings[0] / 250;
         const Vector3d bent(0, 0.1 * x * x, 0);
@@ -215,7 +215,7 @@ TEST(GeometryClosedForm, WhatIsNotLookedForIsSeen) {
     }
     const GeometryFit bent = fitted(machine, tcps, options);
     EXPECT_GT(bent.residual_noise_ratio, 1.5);
-    EXPECT_THAT(geometry_table(bent, {}), HasSubstr("more is left than noise"));
+    EXPECT_THAT(geometry_table(bent, {}), HasSubstr("the residual exceeds the noise"));
 }
 
 TEST(GeometryClosedForm, AnInstrumentMayStandAnywhere) {
@@ -340,12 +340,12 @@ TEST(GeometryClosedForm, OutcomesTellBothWays) {
     const auto square = compute_squareness(machine, fit);
     EXPECT_THAT(geometry_table(fit, square),
                 testing::AllOf(HasSubstr("C shift_x_mm"), HasSubstr("square X Y"), HasSubstr("noise found"),
-                               HasSubstr("30 tips: ")));
+                               HasSubstr("30 TCP positions: ")));
     EXPECT_THAT(geometry_json(fit, square),
                 testing::AllOf(HasSubstr("\"covariance\""), HasSubstr("\"held\"")));
     EXPECT_THAT(tcps_svg(fit),
-                testing::AllOf(HasSubstr("<svg"), HasSubstr("tip 30<"), HasSubstr("before, um")));
-    EXPECT_THAT(geometry_text(fit).value(), HasSubstr("which a machine file cannot say"));
+                testing::AllOf(HasSubstr("<svg"), HasSubstr("TCP 30<"), HasSubstr("before, um")));
+    EXPECT_THAT(geometry_text(fit).value(), HasSubstr("which a machine file cannot contain"));
 }
 
 }  // namespace

@@ -79,9 +79,10 @@ TEST(MotionRecord, MayBeMtconnect) {
 TEST(MotionRecord, SaysWhatIsWrong) {
     EXPECT_EQ(read_motion_record(" \n", {}).error().message, "it is empty");
     EXPECT_THAT(read_motion_record("a,b\n1,2\n", {}).error().message,
-                HasSubstr("line 1 should name the columns"));
+                HasSubstr("line 1 must name the columns"));
     EXPECT_THAT(read_motion_record("t_s,x_mm\n1,soon\n", {}).error().message, HasSubstr("line 2"));
-    EXPECT_THAT(read_motion_record("t_s,x_mm\n1,1\n", {}).error().message, HasSubstr("less than two"));
+    EXPECT_THAT(read_motion_record("t_s,x_mm\n1,1\n", {}).error().message,
+                HasSubstr("fewer than two samples"));
     EXPECT_FALSE(read_motion_record(std::string("\0\0<Pos:|\xff", 9), {}));
 }
 

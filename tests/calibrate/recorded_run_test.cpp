@@ -46,7 +46,7 @@ TEST(RecordedRuns, SayWhichLineLacksWhat) {
               "line 3: the name of the program is missing");
     for (const char* time : {"soon", "", "0", "-1", "nan", "1e999", "1 s"}) {
         EXPECT_EQ(read_recorded_runs(std::string("program,time_s\na.nc,") + time + "\n", "").error().message,
-                  std::string("line 2: '") + time + "' should be a time above 0 s");
+                  std::string("line 2: '") + time + "' must be a time greater than 0 s");
     }
 }
 

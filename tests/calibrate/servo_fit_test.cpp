@@ -119,7 +119,8 @@ TEST(ServoFit, SaysWhatTellsNothing) {
     EXPECT_THAT(fit_servo(still).error().message, testing::HasSubstr("does not move"));
     AxisRecord perfect = strokes();
     perfect.positions = perfect.set_points;
-    EXPECT_THAT(fit_servo(perfect).error().message, testing::HasSubstr("without an error"));
+    EXPECT_THAT(fit_servo(perfect).error().message,
+                testing::HasSubstr("no following error that can be fitted"));
 }
 
 }  // namespace

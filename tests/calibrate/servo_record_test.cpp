@@ -61,12 +61,12 @@ TEST(ServoRecord, OfHalsamplerHasTheColumnsThatAreTold) {
 TEST(ServoRecord, SaysWhatIsMissing) {
     EXPECT_EQ(error_of(""), "it is empty");
     EXPECT_THAT(error_of("t_s,x_mm\n0,1\n"), HasSubstr("x_at_mm"));
-    EXPECT_THAT(error_of("x_mm,x_at_mm\n0,1\n"), HasSubstr("should be t_s"));
+    EXPECT_THAT(error_of("x_mm,x_at_mm\n0,1\n"), HasSubstr("the columns must be t_s"));
     EXPECT_THAT(error_of("t_s,x_mm,x_at_mm\n0,1,1\n1,2\n"), HasSubstr("a number is missing"));
-    EXPECT_THAT(error_of("t_s,x_mm,x_at_mm\n0,1,1\n"), HasSubstr("less than 20 samples"));
+    EXPECT_THAT(error_of("t_s,x_mm,x_at_mm\n0,1,1\n"), HasSubstr("fewer than 20 samples"));
     EXPECT_THAT(error_of("1 2\n1 2\n"), HasSubstr("--sample-period"));
     EXPECT_THAT(error_of("1 2\n1 2\n", {0.001, "Xy"}), HasSubstr("has no axis"));
-    EXPECT_THAT(error_of("1 2\n1 2 3 4\n", {0.001, "Xx"}), HasSubstr("line 2: not the 2 numbers"));
+    EXPECT_THAT(error_of("1 2\n1 2 3 4\n", {0.001, "Xx"}), HasSubstr("line 2: it must have the 2 numbers"));
     EXPECT_THAT(error_of("1 2\n1 nan\n", {0.001, "Xx"}), HasSubstr("line 2"));
 }
 

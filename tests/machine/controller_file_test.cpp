@@ -186,9 +186,10 @@ TEST(ControllerFile, OrientationAlongGreatCirclesNeedsAHeadAndAPlannerThatCan) {
     EXPECT_EQ(read_rules("orientation = \"joints\""), ControllerRules{});
     EXPECT_EQ(great_circle("", five), "no error");
     EXPECT_EQ(great_circle("planner = \"look-ahead\"", five), "no error");
-    EXPECT_THAT(great_circle("planner = \"linuxcnc\"", five), testing::HasSubstr("is not for the planner"));
+    EXPECT_THAT(great_circle("planner = \"linuxcnc\"", five),
+                testing::HasSubstr("cannot be combined with the planners \"linuxcnc\""));
     EXPECT_THAT(great_circle("arc_chord_tolerance_mm = 0.01", five),
-                testing::HasSubstr("is not for the planner"));
+                testing::HasSubstr("or with arcs as chords"));
     EXPECT_THAT(error_of("orientation = \"great-circle\""),
                 testing::AllOf(testing::HasSubstr("m.toml:3:"), testing::HasSubstr("two rotary axes")));
     EXPECT_THAT(error_of("orientation = \"slerp\""), testing::HasSubstr("great-circle"));

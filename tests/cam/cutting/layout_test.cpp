@@ -47,8 +47,8 @@ TEST(Layout, MessagesNameEntityAndPlace) {
     EXPECT_THAT(error_message({geometry::circle({}, 20), geometry::circle({}, 0.4)}),
                 HasSubstr("narrower than the kerf"));
     EXPECT_THAT(error_message({geometry::circle({}, 5), geometry::circle({10.5, 0}, 5)}),
-                HasSubstr("nearer to each other than the kerf"));
-    EXPECT_THAT(error_message({geometry::polygon({{0, 0}, {5, 5}})}), HasSubstr("encloses nothing"));
+                HasSubstr("closer to each other than the kerf of 1 mm"));
+    EXPECT_THAT(error_message({geometry::polygon({{0, 0}, {5, 5}})}), HasSubstr("encloses no area"));
     EXPECT_THAT(error_message({}), HasSubstr("no contour"));
 }
 

@@ -235,7 +235,7 @@ TEST(Dxf, ABlockThatHoldsItselfEnds) {
                                                          {71, "100"},
                                                          {0, "ENDBLK"}}));
     const std::string text = dxf_of(groups({{0, "INSERT"}, {2, "a"}, {10, "0"}, {20, "0"}}), blocks);
-    EXPECT_THAT(dxf_fault(text), HasSubstr("does one hold itself?"));
+    EXPECT_THAT(dxf_fault(text), HasSubstr("does one contain itself?"));
 }
 
 TEST(Dxf, ATruncatedFileIsSeen) {

@@ -41,7 +41,7 @@ TEST(RareDxf, UnitsAreTheirLengths) {
         ASSERT_EQ(drawing.drawn_contours.size(), 1U) << code;
         EXPECT_NEAR(bounding_box(drawing.drawn_contours[0]).high.x, mm, 1e-9) << code;
     }
-    EXPECT_THAT(dxf_fault(with_unit(20)), HasSubstr("the unit $INSUNITS 20 is none that parts are drawn in"));
+    EXPECT_THAT(dxf_fault(with_unit(20)), HasSubstr("the unit $INSUNITS 20 is not supported for parts"));
 }
 
 // A half disc of radius 2 below a block that is three times as wide as high.
@@ -85,7 +85,8 @@ std::string fault_with(const std::function<void(Nurbs&)>& spoil) {
 
 TEST(RareDxf, CurvesThatAreNoneSayWhy) {
     EXPECT_EQ(find_curve_error(parabola()), std::nullopt);
-    EXPECT_THAT(fault_with([](Nurbs& curve) { curve.degree = 0; }), HasSubstr("has degree 0; 1 to "));
+    EXPECT_THAT(fault_with([](Nurbs& curve) { curve.degree = 0; }),
+                HasSubstr("has degree 0; supported are 1 to "));
     EXPECT_EQ(fault_with([](Nurbs& curve) { curve.points.pop_back(); }),
               "has 2 control points; degree 2 requires at least 3");
     EXPECT_EQ(fault_with([](Nurbs& curve) { curve.knots.pop_back(); }),

@@ -68,7 +68,7 @@ TEST(SvgPages, APageOfOneSideKeepsItsShape) {
 
 TEST(SvgPages, WhatIsWrongWithAPageNamesItsLine) {
     EXPECT_THAT(error("<svg viewBox='0 0 10'/>"),
-                HasSubstr("line 2: svg has viewBox=\"0 0 10\"; it takes four"));
+                HasSubstr("line 2: svg has viewBox=\"0 0 10\"; it must have four"));
     EXPECT_THAT(error("<svg viewBox='0 0 10 0'/>"), HasSubstr("line 2: svg has a viewBox without a size"));
     EXPECT_THAT(error("<svg id='a' x='wide'/>"),
                 HasSubstr("line 2: svg a has x=\"wide\", which is not a length"));

@@ -224,7 +224,7 @@ TEST_F(ClearWays, APlaceThatIsWalledInIsNotReached) {
     const LinkingResult linking = lead(program, walls);
     ASSERT_FALSE(linking.errors.empty());
     EXPECT_EQ(program.paths[linking.errors[0].where.path].name, "contour 2");
-    EXPECT_NE(linking.errors[0].message.find("no way was found"), std::string::npos);
+    EXPECT_NE(linking.errors[0].message.find("no collision-free path"), std::string::npos);
 }
 
 // The end of the last path leads up into a body, but no move needs to reach it.

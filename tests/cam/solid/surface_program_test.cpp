@@ -157,7 +157,7 @@ TEST_F(SurfaceProgram, TheWheelFromItsModelIsTheThesissWheel) {
                                sample("cell/wheel.toml"), "af5");
     EXPECT_TRUE(contains(told_, "6 contours, 6 pierces")) << told_;
     // The machine's home is below the table, with clamps between.
-    EXPECT_TRUE(contains(told_, "1 of 7 ways lead round something")) << told_;
+    EXPECT_TRUE(contains(told_, "1 of 7 linking moves were rerouted")) << told_;
     // The control that was measured rounds the corners of B and C; its time is of interest.
     const Ended measured =
         gsim_run({"part.nc", "--machine", "af5-measured", "--cell", sample("cell/wheel.toml")});
@@ -205,11 +205,11 @@ TEST_F(SurfaceProgram, WhatCannotBeCutIsRefusedWithEdgeAndReason) {
     const Ended tilt = autopath(sample("parts/wheel.step"), {"--contours", "all"});
     EXPECT_EQ(tilt.status, 1);
     EXPECT_TRUE(contains(tilt.err, "edge #")) << tilt.err;
-    EXPECT_TRUE(contains(tilt.err, "deg from the face's normal, more than 60 deg (--max-tilt)")) << tilt.err;
+    EXPECT_TRUE(contains(tilt.err, "deg from the face normal, more than 60 deg (--max-tilt)")) << tilt.err;
     const Ended wide = autopath(bracket, {"--contours", "holes", "--box-low", "-45", "0", "0"}, "19");
     EXPECT_TRUE(contains(wide.err, "cannot be cut")) << wide.err;
     const Ended standalone = autopath(bracket, {"--side", "y"});
-    EXPECT_TRUE(contains(standalone.err, "--side needs --contours")) << standalone.err;
+    EXPECT_TRUE(contains(standalone.err, "--side requires --contours")) << standalone.err;
     const Ended nameless = autopath(bracket, {"--contours", "holes", "--face", "sheet"});
     EXPECT_TRUE(contains(nameless.err, "it has no face with the number, name, layer or colour 'sheet'"))
         << nameless.err;
@@ -242,7 +242,7 @@ TEST_F(SurfaceProgram, AScriptChoosesContours) {
     EXPECT_FALSE(exists("part.path.json"));
     const Ended lonely = run_program(tests::program_path("autopath"),
                                      {sample("plate.svg"), "--choose", "choose.lua"}, folder_);
-    EXPECT_TRUE(contains(lonely.err, "--choose needs --contours")) << lonely.err;
+    EXPECT_TRUE(contains(lonely.err, "--choose requires --contours")) << lonely.err;
 }
 
 TEST_F(SurfaceProgram, FacesGoByTheirNamesInTheFile) {

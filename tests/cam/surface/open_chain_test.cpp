@@ -101,7 +101,7 @@ TEST(OpenChain, AnEdgeAheadTakesTheLeadOfThatEndAlone) {
     ASSERT_TRUE(path) << path.error().message;
     EXPECT_EQ(path->summary.without_leads, 1U);
     EXPECT_EQ(xs_with_jet(*path), (std::vector<double>{-kLead_mm, 0, 30}));
-    EXPECT_THAT(path->notes, testing::Contains(HasSubstr("1 contours have no room for leads")));
+    EXPECT_THAT(path->notes, testing::Contains(HasSubstr("1 contours have no room for lead-ins")));
     // An edge next to the path, half of the kerf off the jet, is no obstacle.
     const auto adjacent = make_autopath({{0, 0, 0}, {30, 0, 0}}, {{"edge #9", {{31, 0, 0}, {50, 0, 0}}}});
     EXPECT_EQ(adjacent->summary.without_leads, 0U);
@@ -111,7 +111,7 @@ TEST(OpenChain, AJetIntoAnotherEdgeOfThePartIsRefused) {
     const auto path = make_autopath({{0, 0, 0}, {30, 0, 0}}, {{"edge #9", {{30, -20, 0}, {30, 0, 0}}}});
     ASSERT_FALSE(path);
     EXPECT_THAT(path.error().message,
-                HasSubstr("edge #1 cannot be cut: at (30, 0, 0) the jet would go 0.5 mm into edge #9"));
+                HasSubstr("edge #1 cannot be cut: at (30, 0, 0) the jet would cut 0.5 mm into edge #9"));
 }
 
 TEST(OpenChain, BridgesAreNotAtItsEnds) {

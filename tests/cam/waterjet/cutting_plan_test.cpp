@@ -138,7 +138,7 @@ TEST(CuttingPlan, WarnsOfASpeedThatDoesNotComeThrough) {
     request.speed_mm_min = 5000;
     const CuttingPlan plan = plan_cutting(sample_materials(), request).value();
     ASSERT_EQ(plan.warnings.size(), 1U);
-    EXPECT_THAT(plan.warnings[0], HasSubstr("does not come through"));
+    EXPECT_THAT(plan.warnings[0], HasSubstr("at 5000.0 mm/min the jet does not cut through"));
     EXPECT_GE(plan.exit_kerf_mm, 0);
 }
 

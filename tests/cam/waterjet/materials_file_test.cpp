@@ -52,7 +52,7 @@ TEST(MaterialsFile, ErrorsSayWhereWhatAndWhatWouldBeRight) {
     EXPECT_THAT(error_with("orifice_mm = 0.35", "orifice_mm = 0.35\nmixing_tube_mm = 0.3"),
                 HasSubstr("f:8:18: 'mixing_tube_mm' must be greater than 'orifice_mm'"));
     EXPECT_THAT(error_with("[0.4, 0.25", "[0.25"), HasSubstr("must be 5 numbers"));
-    EXPECT_THAT(error_with("[0.4, 0.25", "[0.4, -0.25"), HasSubstr("must hold numbers between"));
+    EXPECT_THAT(error_with("[0.4, 0.25", "[0.4, -0.25"), HasSubstr("must contain numbers between"));
     EXPECT_THAT(error_with("[kerf]", "[kerb]"), HasSubstr("did you mean 'kerf'?"));
     EXPECT_THAT(error_with("currency = \"EUR\"", "currency = \"\\u0007\""), HasSubstr("control characters"));
 }
@@ -80,7 +80,7 @@ TEST(MaterialsFile, MeasuredCut) {
     other.replace(other.find("345"), 3, "1");
     other.replace(other.find("120"), 3, "1e6");
     EXPECT_THAT(error_with("machinability = 213.0", other),
-                HasSubstr("such a cut cannot be: 'machinability'"));
+                HasSubstr("this cut is not possible: 'machinability'"));
     EXPECT_THAT(error_with("machinability = 213.0", "measured = 3"), HasSubstr("must be a table"));
 }
 
