@@ -160,8 +160,8 @@ TEST_F(LeaningJet, WhatIsNotKnownIsAskedFor) {
         EXPECT_EQ(ended.status, 2);
         EXPECT_TRUE(contains(ended.err, reason)) << ended.err;
     };
-    rejected("--taper-compensation", "--taper-compensation needs --material");
-    rejected("--dynamic-pierce", "--dynamic-pierce needs --material, or how long it takes");
+    rejected("--taper-compensation", "--taper-compensation requires --material");
+    rejected("--dynamic-pierce", "--dynamic-pierce requires --material, or its time (--pierce)");
 }
 
 }  // namespace
