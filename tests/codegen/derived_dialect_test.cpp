@@ -59,7 +59,7 @@ TEST(DerivedDialect, InheritsUnsetProperties) {
 TEST(DerivedDialect, HasChangedProperty) {
     const Dialect x(grammar::dialect_ab9(), change);
     EXPECT_EQ(lua_of(x, "#1=#2**3"), "v[1] = POW(v[2], 3.0)");
-    EXPECT_NE(translated(grammar::dialect_ab9(), "#1=#2**3\n").diagnostics.find("'**' is no operator"),
+    EXPECT_NE(translated(grammar::dialect_ab9(), "#1=#2**3\n").diagnostics.find("'**' is not an operator"),
               std::string::npos);
 }
 

@@ -115,7 +115,7 @@ TEST(ControllerName, WhatIsNoneIsASentence) {
               "the language of Heidenhain (BEGIN PGM, L X+10 FMAX) is not supported");
     EXPECT_EQ(grammar::find_controller("").error(),
               "unknown dialect or controller ''; the dialects are ab9, rs274ngc and klipper, and "
-              "docs/language.md lists the controls");
+              "docs/language.md lists the controllers");
     for (const std::string& name : grammar::controller_names())
         EXPECT_TRUE(grammar::find_controller(name)) << name;
 }

@@ -53,7 +53,7 @@ TEST_P(EachPlanner, LimitJerkWithoutEffectIsTold) {
     Simulator without_jerks(with, {});
     const bool straight = GetParam() == PlannerKind::linuxcnc || GetParam() == PlannerKind::klipper;
     EXPECT_THAT(without_jerks.finish("p").warnings,
-                Contains(HasSubstr(straight ? "limit_jerk makes no difference: the planner"
+                Contains(HasSubstr(straight ? "limit_jerk has no effect: the planner"
                                             : "limit_jerk has no effect: no axis")));
     for (machine::Axis& axis : with.axes) axis.max_jerk = 1000;
     Simulator with_jerks(with, {});
