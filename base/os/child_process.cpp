@@ -41,7 +41,8 @@ Result<void> run_child(const std::vector<std::string>& command, std::FILE* input
     const auto child = spawn(command, actions);
     if (!child) return Unexpected(fmt::format("cannot run {}: {}", command[0], message(child.error())));
     const auto status = wait_for(*child);
-    if (!status) return Unexpected(fmt::format("cannot wait for {}: {}", command[0], message(status.error())));
+    if (!status)
+        return Unexpected(fmt::format("cannot wait for {}: {}", command[0], message(status.error())));
     if (WIFEXITED(*status) && WEXITSTATUS(*status) == 0) return {};
     if (WIFSIGNALED(*status))
         return Unexpected(fmt::format("{} was terminated by signal {}", command[0], WTERMSIG(*status)));

@@ -67,8 +67,8 @@ std::string cases_text(const NightlyReport& report, std::size_t part) {
     const bool with_settings = has_settings(report);
     std::vector<std::string_view> columns{"Program", "Machine"};
     if (with_settings) columns.emplace_back("Settings");
-    columns.insert(columns.end(), {"Outcome", "Time, s", "Previous batch, s", "Difference", "Limit violations",
-                                   "Collisions", "Process errors", "Run"});
+    columns.insert(columns.end(), {"Outcome", "Time, s", "Previous batch, s", "Difference",
+                                   "Limit violations", "Collisions", "Process errors", "Run"});
     HtmlTable table("All runs", columns);
     std::size_t row = 0;
     for (const ProgramCases& program : report.programs) {

@@ -14,8 +14,8 @@ namespace {
 constexpr std::size_t kMaxCases = 1000;  // of the table
 
 std::string cases_table(const NightlyReport& report, const ProgramCases& program) {
-    HtmlTable table("Machines and settings", {"Machine", "Settings", "Outcome", "Time, s", "Previous batch, s",
-                                              "Findings", "First error"});
+    HtmlTable table("Machines and settings", {"Machine", "Settings", "Outcome", "Time, s",
+                                              "Previous batch, s", "Findings", "First error"});
     const std::size_t count = std::min(program.cases.size(), kMaxCases);
     for (std::size_t i = 0; i < count; ++i) {
         const Case& of = report.cases[program.cases[i]];

@@ -151,8 +151,8 @@ std::string to_text(const Study& study) {
     text += fmt::format("  by regression, which explains {:.3g} % of the variance:\n",
                         100 * study.sensitivity.explained);
     for (const Sensitivity::SettingEffect& part : study.sensitivity.effects)
-        text +=
-            fmt::format("    {:+.3f}  {}  ({:+.4g} s per unit)\n", part.coefficient, part.setting, part.slope);
+        text += fmt::format("    {:+.3f}  {}  ({:+.4g} s per unit)\n", part.coefficient, part.setting,
+                            part.slope);
     return text;
 }
 

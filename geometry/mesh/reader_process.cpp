@@ -79,7 +79,8 @@ Result<std::string> query_reader(const std::string& request, const std::filesyst
     const auto program = reader_program();
     if (!program) return Unexpected(program.error());
     std::array<int, 2> ends{};
-    if (::pipe2(ends.data(), O_CLOEXEC) != 0) return Unexpected(fmt::format("cannot create a pipe: {}", message(errno)));
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+        return Unexpected(fmt::format("cannot create a pipe: {}", message(errno)));
     const os::Descriptor input(ends[0]);
     os::Descriptor output(ends[1]);
     std::vector<std::string> command{program->string(), request, std::filesystem::absolute(file).string()};
@@ -92,7 +93,8 @@ Result<std::string> query_reader(const std::string& request, const std::filesyst
     output.close();
     std::string response = read_to_end(input.number());
     const auto status = os::wait_for(*child);
-    if (!status) return Unexpected(fmt::format("cannot wait for {}: {}", command[0], message(status.error())));
+    if (!status)
+        return Unexpected(fmt::format("cannot wait for {}: {}", command[0], message(status.error())));
     if (!WIFEXITED(*status) || WEXITSTATUS(*status) != 0 || response.empty())
         return Unexpected(fmt::format("'{}' cannot be read: {}", file.string(), exit_reason(*status)));
     PacketReader packet(response);

@@ -58,8 +58,9 @@ Status PlannerShell::to_status(PlanError error) {
 }
 
 Status PlannerShell::not_supported(std::string_view service) {
-    return to_status({.status = Status::RRS_SERVICE_NOT_SUPPORTED,
-                      .message = fmt::format("The default planner does not support the service {}.", service)});
+    return to_status(
+        {.status = Status::RRS_SERVICE_NOT_SUPPORTED,
+         .message = fmt::format("The default planner does not support the service {}.", service)});
 }
 
 // The frames of the cell are selected after the selections have their defaults.
