@@ -33,10 +33,11 @@ LEFT_OUT_SAMPLES = {
     "batch/wheel-study.toml": "is a plan of gsim-batch",
     "engine/plot_wheel.py": "loads libgsim into Python",
     "engine/run.c": "is compiled and linked with libgsim",
-    "engine/run.cpp": "is compiled and linked with libgsim",
     "parts/bracket.step": "starts gsim-solid",
     "parts/frustum.step": "starts gsim-solid",
     "parts/wheel.step": "starts gsim-solid",
+    **{f"engine/{file.name}": "is compiled and linked with libgsim" for file in (SAMPLES / "engine").glob("[0-9]*.cpp")},
+    **{f"engine/{file.name}": "is the output of an example" for file in (SAMPLES / "engine").glob("*.out")},
 }
 
 # What takes a process or a loaded module, which a guest has not.
