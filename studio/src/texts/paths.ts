@@ -131,7 +131,7 @@ export const paths = {
     kind: "Kind",
     kinds: { fixed: "fixed point", reference: "reference point" },
     which: "Point",
-    ident: "Number or name",
+    ident: "Identifier",
     named: (name: string, number: number) => `${name} (${number})`,
     home: (number: number) => `${number}, ${number === 1 ? "the machine's home (G28)" : "home position (G30)"}`,
     another: "another one, by number or name",

@@ -61,9 +61,9 @@ export default {
       assert.deepEqual(options, ["CLAMP1 (1)", "7", "another one, by number or name"]);
       await field(page, "Point").selectOption("7");
       assert.deepEqual(await chosenTarget(page), { fixed: 7 });
-      await put(page, "Number or name", "PARK");
+      await put(page, "Identifier", "PARK");
       assert.match(await form(page).locator(".form .note:visible").textContent(), /^shop\.txt has no fixed point 'PARK'\.$/);
-      await put(page, "Number or name", "2nd");
+      await put(page, "Identifier", "2nd");
       assert.match(await said(page), /Not changed: 'fixed' must be the number of a fixed point, or its name/);
       assert.deepEqual(await chosenTarget(page), { fixed: "PARK" });
       await field(page, "Kind").selectOption("reference");
