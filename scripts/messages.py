@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares the messages of the product with tests/messages/messages.txt, the one place in tests that has their wording.
 
-All other tests ask for codes and values, so a change of wording changes this table alone, where it is reviewed as text.
+All other tests ask for codes and values, so a change of wording changes this table alone, and is reviewed there as text.
 
 Usage: messages.py           prints what differs from the table, and fails if something does
        messages.py --renew   writes the table"""
