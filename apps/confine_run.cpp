@@ -18,9 +18,9 @@ namespace {
 
 /// The leak search at the end of a program that is built with sanitizers reads from its own process.
 #ifdef GSIM_SANITIZED
-constexpr bool kReadsProcSelf = true;
+constexpr bool kReadsOwnProcess = true;
 #else
-constexpr bool kReadsProcSelf = false;
+constexpr bool kReadsOwnProcess = false;
 #endif
 
 /// Folder in which a program that is built for measuring coverage adds up its counts, when it ends.
@@ -56,11 +56,11 @@ void add_system_programs(os::SandboxPolicy& policy) {
     }
 }
 
-Result<void> restrict_access(os::SandboxPolicy policy) {
-    if (kReadsProcSelf) policy.read.emplace_back("/proc/self");
+tl::expected<void, std::string> restrict_access(os::SandboxPolicy policy) {
+    if (kReadsOwnProcess) policy.read.emplace_back("/proc/self");
     if (kCoverageFolder != nullptr) policy.changed.emplace_back(kCoverageFolder);
-    return os::confine(policy).map([](bool) {}).map_error([](const Error& error) {
-        return Error(error.message + "; --no-confine runs without confinement");
+    return os::confine(policy).map([](bool) {}).map_error([](const std::string& message) {
+        return message + "; --no-confine runs without";
     });
 }
 
@@ -83,14 +83,15 @@ os::SandboxPolicy run_sandbox_policy(const RunArguments& arguments, const engine
     return policy;
 }
 
-Result<void> confine_run(const RunArguments& arguments, const engine::Request& request,
-                         std::span<const std::string> programs) {
+tl::expected<void, std::string> confine_run(const RunArguments& arguments, const engine::Request& request,
+                                            std::span<const std::string> programs) {
     // A module in a separate process was started before this, and is not confined.
     if (arguments.no_confine || (arguments.module_in_process && !request.module.empty())) return {};
     return restrict_access(run_sandbox_policy(arguments, request, programs));
 }
 
-Result<void> confine_to(std::span<const std::string> files, std::span<const std::string> outputs) {
+tl::expected<void, std::string> confine_to(std::span<const std::string> files,
+                                           std::span<const std::string> outputs) {
     os::SandboxPolicy policy;
     for (const std::string& file : files) {
         if (!file.empty() && file != os::kStandardStream) policy.read.emplace_back(file);
@@ -99,7 +100,7 @@ Result<void> confine_to(std::span<const std::string> files, std::span<const std:
     return restrict_access(std::move(policy));
 }
 
-Result<void> confine_to_folders(std::span<const fs::path> folders) {
+tl::expected<void, std::string> confine_to_folders(std::span<const fs::path> folders) {
     os::SandboxPolicy policy;
     policy.read.assign(folders.begin(), folders.end());
     add_system_programs(policy);
@@ -112,9 +113,10 @@ Result<void> confine_to_folders(std::span<const fs::path> folders) {
 }
 
 void add_confine_option(CommandLine& line, bool& no_confine) {
-    line.add("--no-confine", &no_confine,
-             "do not confine the program before it reads its input; confinement blocks files outside the "
-             "folders of its outputs, other programs and the network (Linux, landlock)");
+    line.add(
+        "--no-confine", &no_confine,
+        "do not take from the program, before it reads its input, what it does not need: all other files but "
+        "those in the folders of its outputs, other programs, the network (Linux, landlock)");
 }
 
 }  // namespace gsim::apps

@@ -13,7 +13,7 @@ constexpr std::array<ProgramEntry, 2> kFirstPrograms{{
 
 }  // namespace
 
-ProgramSet first_programs() {
+FrontPrograms first_programs() {
     return {.programs = kFirstPrograms};
 }
 

@@ -5,23 +5,24 @@
 namespace gsim::apps {
 
 void add_cpu_option(CommandLine& line, double& seconds) {
-    line.add("--max-cpu-seconds", &seconds, "exit after this many seconds of processor time")
+    line.add("--max-cpu-seconds", &seconds, "end after this many seconds of processor time, wherever it is")
         .with_value_name("SECONDS")
         .make_positive()
         .show_default();
 }
 
-CpuLimitGuard::CpuLimitGuard(double seconds)
-    : limit_(seconds, "error: the processor time exceeds --max-cpu-seconds\n", kProgramError) {}
+CpuBackstop::CpuBackstop(double seconds)
+    : limit_(seconds, "error: the processor time that --max-cpu-seconds allows is used up\n", kProgramError) {
+}
 
-double guard_limit_s(double seconds) {
+double backstop_limit_s(double seconds) {
     constexpr double kTimeFactor = 1.25;
     constexpr double kMinMargin_s = 2;
     return kTimeFactor * seconds + kMinMargin_s;
 }
 
 void add_memory_option(CommandLine& line, std::uint64_t& megabytes) {
-    line.add("--memory", &megabytes, "max memory of scripts, including their source and data")
+    line.add("--memory", &megabytes, "memory that scripts may use, with their texts and what they make")
         .with_value_name("MB")
         .within(16, 1 << 20U)
         .show_default();

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "cli/command_line.h"
 #include "engine/machine.h"
 
@@ -28,6 +29,7 @@ struct StudyOutput {
 
 /// Runs the requested studies: prints the check and writes the envelopes. Returns the exit status; the error
 /// is a message about files.
-Result<int> run_studies(const MachineStudies& studies, engine::Machine& machine, const StudyOutput& output);
+tl::expected<int, std::string> run_studies(const MachineStudies& studies, engine::Machine& machine,
+                                           const StudyOutput& output);
 
 }  // namespace gsim::apps

@@ -20,7 +20,7 @@ constexpr std::array<ProgramEntry, 7> kPrograms{{
 
 }  // namespace
 
-ProgramSet all_programs() {
+FrontPrograms all_programs() {
     return {.programs = kPrograms, .studio_handler = handle_studio_request};
 }
 

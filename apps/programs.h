@@ -26,16 +26,16 @@ struct ProgramEntry {
 };
 
 /// Programs that one executable offers.
-struct ProgramSet {
+struct FrontPrograms {
     std::span<const ProgramEntry> programs;  ///< Those that people begin with first.
     /// Handles requests of gsim-serve, its only caller; null if this executable does not.
     int (*studio_handler)(std::span<const std::string> arguments) = nullptr;
 };
 
 /// Returns all programs of gsim.
-ProgramSet all_programs();
+FrontPrograms all_programs();
 
 /// Returns the programs for translation and simulation, which `make run` builds first.
-ProgramSet first_programs();
+FrontPrograms first_programs();
 
 }  // namespace gsim::apps

@@ -3,13 +3,17 @@
 #include <functional>
 #include <string>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "cli/command_line.h"
 
 namespace gsim::calibrate {
 
+/// Result of a command; the error is a message.
+using VoidResult = tl::expected<void, std::string>;
+
 /// Command that the parsed words of a line selected.
-using SelectedCommand = std::function<Result<void>()>;
+using SelectedCommand = std::function<VoidResult()>;
 
 /// Adds a command to the line and returns it, so that options can be added; if it is selected, `chosen`
 /// becomes `does`.
@@ -17,8 +21,8 @@ apps::CommandLine& add_command(apps::CommandLine& line, SelectedCommand& selecte
                                const char* description, SelectedCommand action);
 
 /// Writes a file, unless its name is empty.
-Result<void> write_if_named(const std::string& file, const std::string& text);
+VoidResult write_if_named(const std::string& file, const std::string& text);
 /// Writes a file, or to standard output if its name is empty.
-Result<void> write_or_print(const std::string& file, const std::string& text);
+VoidResult write_or_print(const std::string& file, const std::string& text);
 
 }  // namespace gsim::calibrate

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
-#include "motion/kinematics/symmetric_solver.h"
+#include "motion/kinematics/dense.h"
 
 namespace gsim::envelope {
 

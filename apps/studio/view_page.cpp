@@ -28,7 +28,7 @@ constexpr std::string_view kRunPlaceholder = "<!-- run -->";
 constexpr std::string_view kRunPrefix = "<script type=\"application/octet-stream\" id=\"run\">";
 constexpr std::string_view kRunSuffix = "</script>";
 
-Result<void> with_message(const tl::expected<void, engine::Error>& done) {
+tl::expected<void, std::string> with_message(const tl::expected<void, engine::Error>& done) {
     if (done) return {};
     return tl::unexpected(done.error().message);
 }
@@ -42,7 +42,7 @@ class ViewPage::State {
     const studio::Post& post() const { return post_; }
     studio::RunSeries& series() { return series_; }
 
-    Result<void> begin() {
+    tl::expected<void, std::string> begin() {
         return os::OutputFile::open(name_).map([this](os::OutputFile file) {
             file_.emplace(std::move(file));
             file_->write(std::string_view(page_).substr(0, page_.find(kRunPlaceholder)));
@@ -50,7 +50,7 @@ class ViewPage::State {
         });
     }
 
-    Result<void> end() {
+    tl::expected<void, std::string> end() {
         text_.clear();
         compressed_.clear();
         gzip_.end(compressed_);
@@ -61,7 +61,7 @@ class ViewPage::State {
         file_->write(std::string_view(page_).substr(page_.find(kRunPlaceholder) + kRunPlaceholder.size()));
         return file_->prepare_commit();
     }
-    Result<void> commit() { return file_->commit(); }
+    tl::expected<void, std::string> commit() { return file_->commit(); }
 
   private:
     void write_compressed(const std::string& bytes) {
@@ -85,27 +85,27 @@ class ViewPage::State {
 ViewPage::ViewPage(std::unique_ptr<State> state) : state_(std::move(state)) {}
 ViewPage::~ViewPage() = default;
 
-Result<std::unique_ptr<ViewPage>> ViewPage::open(const std::string& file) {
-    std::string reason = "the folder of the program is unknown";
+tl::expected<std::unique_ptr<ViewPage>, std::string> ViewPage::open(const std::string& file) {
+    std::string reason = "it is not known where the program lies";
     for (const auto& folder : os::data_folders(os::program_folder())) {
         const std::string page = folder / kPageFile;
         auto text = os::read_input(page, os::NameSource::in_file, kMaxPageBytes);
         if (text && text->find(kRunPlaceholder) != std::string::npos)
             return std::unique_ptr<ViewPage>(new ViewPage(std::make_unique<State>(file, *std::move(text))));
-        reason = text ? fmt::format("'{}' has no placeholder for a run", page) : text.error().message;
+        reason = text ? fmt::format("'{}' has no place for a run", page) : text.error();
     }
-    return Unexpected(fmt::format(
-        "--view requires the Studio page, which is not installed ({}); `make studio` builds it", reason));
+    return tl::unexpected(fmt::format(
+        "--view needs the page of the studio, which is not there ({}); `make studio` makes it", reason));
 }
 
-Result<void> ViewPage::attach(engine::Run& run) {
+tl::expected<void, std::string> ViewPage::attach(engine::Run& run) {
     return state_->begin().and_then(
-        [&] { return with_message(studio::send_run(run, state_->series(), state_->post())); });
+        [&] { return with_message(studio::post_run(run, state_->series(), state_->post())); });
 }
 
 // Input from a pipe can be read only once, so such a run is shown without its source. The text is that of the
 // file after the run, as far as the run may still read it.
-Result<void> ViewPage::finish(const engine::Run& run, const engine::Report& report) {
+tl::expected<void, std::string> ViewPage::finish(const engine::Run& run, const engine::Report& report) {
     std::vector<std::string> sources;
     for (std::size_t robot = 0; robot < run.robots().size(); ++robot) {
         for (const std::string& name : run.files(robot)) {
@@ -122,12 +122,12 @@ Result<void> ViewPage::finish(const engine::Run& run, const engine::Report& repo
         message.add("text", *text);
         state_->post()(message.bytes());
     }
-    return with_message(studio::send_end(run, state_->series(), report, state_->post())).and_then([&] {
+    return with_message(studio::post_end(run, state_->series(), report, state_->post())).and_then([&] {
         return state_->end();
     });
 }
 
-Result<void> ViewPage::commit() {
+tl::expected<void, std::string> ViewPage::commit() {
     return state_->commit();
 }
 

@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
 
 namespace gsim::os {
 
 /// Runs a program (found by PATH; no shell in between) from `input` to `output`, both files, and waits for
 /// its end. The error is a message: the program cannot be started, or how it failed, with the first line that
 /// it wrote to standard error.
-Result<void> run_child(const std::vector<std::string>& command, std::FILE* input, std::FILE* output);
+tl::expected<void, std::string> run_child(const std::vector<std::string>& command, std::FILE* input,
+                                          std::FILE* output);
 
 }  // namespace gsim::os

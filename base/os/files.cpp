@@ -11,12 +11,12 @@ namespace {
 
 class DiskFiles final : public Files {
   public:
-    Result<std::string> read(const std::filesystem::path& path, NameSource name_source,
-                             std::size_t max_bytes) const override {
+    tl::expected<std::string, std::string> read(const std::filesystem::path& path, NameSource name_source,
+                                                std::size_t max_bytes) const override {
         return read_input(path, name_source, max_bytes);
     }
 
-    std::optional<Error> find_error(const std::filesystem::path& path) const override {
+    std::optional<std::string> find_error(const std::filesystem::path& path) const override {
         std::error_code error;
         static_cast<void>(std::filesystem::file_size(path, error));
         return error ? std::optional(error.message()) : std::nullopt;
@@ -51,7 +51,8 @@ class DiskFiles final : public Files {
 
 }  // namespace
 
-Result<std::string> Files::read_text(const std::filesystem::path& path, NameSource name_source) const {
+tl::expected<std::string, std::string> Files::read_text(const std::filesystem::path& path,
+                                                        NameSource name_source) const {
     return read(path, name_source, kMaxTextFileBytes);
 }
 
@@ -60,15 +61,16 @@ const Files& disk() {
     return files;
 }
 
-Result<std::string> CallbackFiles::read(const std::filesystem::path& path, NameSource /*name_source*/,
-                                        std::size_t max_bytes) const {
+tl::expected<std::string, std::string> CallbackFiles::read(const std::filesystem::path& path,
+                                                           NameSource /*name_source*/,
+                                                           std::size_t max_bytes) const {
     std::optional<std::string> bytes = provider_(path.lexically_normal().string());
-    if (!bytes) return Unexpected("cannot read '" + path.string() + "': file not found");
+    if (!bytes) return tl::unexpected("cannot read '" + path.string() + "': there is no such file");
     if (bytes->size() > max_bytes) return tl::unexpected(too_large(path, max_bytes));
     return *std::move(bytes);
 }
 
-std::optional<Error> CallbackFiles::find_error(const std::filesystem::path& /*path*/) const {
+std::optional<std::string> CallbackFiles::find_error(const std::filesystem::path& /*path*/) const {
     return std::nullopt;
 }
 

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "batch/pages/nightly_report.h"
 #include "batch/pages/run_history.h"
 
@@ -21,7 +22,7 @@ struct Changes {
 };
 
 /// Finds the changes; empty if no previous batch exists.
-Result<Changes> find_changes(const NightlyReport& report, RunHistory& run_history);
+tl::expected<Changes, std::string> find_changes(const NightlyReport& report, RunHistory& run_history);
 
 /// Returns the time now minus that before, if both have one.
 double time_difference_s(const Case& of);

@@ -7,13 +7,14 @@
 #include <unordered_map>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "batch/store/sqlite.h"
 
 namespace gsim::batch {
 
 /// Data of a batch from its database row and its runs.
-struct BatchSummary {
+struct BatchFacts {
     std::int64_t id = 0;
     std::string plan, version;
     std::string started_at, ended_at;  ///< UTC, as of ISO 8601; empty: it has not ended, or was cut off.
@@ -23,7 +24,7 @@ struct BatchSummary {
 };
 
 /// Results of a run that are compared between runs.
-struct RunSummary {
+struct RunFacts {
     std::int64_t id = 0;
     std::string status, cause, message, file;
     std::int64_t line = 0;
@@ -39,14 +40,14 @@ struct RunSummary {
 /// Run of a case in a batch.
 struct HistoryEntry {
     std::size_t batch = 0;  ///< Index in NightlyReport::batches.
-    const RunSummary* run = nullptr;
+    const RunFacts* run = nullptr;
 };
 
 /// Program on a machine in one variant of the settings: the unit by which two batches are compared.
 struct Case {
     std::string program, machine, settings;  ///< Settings as JSON.
-    const RunSummary* now = nullptr;         ///< Null: the case is gone.
-    const RunSummary* before = nullptr;      ///< Null: the case is new.
+    const RunFacts* now = nullptr;           ///< Null: the case is gone.
+    const RunFacts* before = nullptr;        ///< Null: the case is new.
     bool is_reused = false;
     std::size_t position = 0;                ///< Among those of its program, from 0.
     bool has_details = false;                ///< On its program's page, which has space for some.
@@ -62,15 +63,15 @@ struct ProgramCases {
 
 /// Comparison of the latest batch with an earlier one, and its history.
 struct NightlyReport {
-    BatchSummary latest;
-    std::optional<BatchSummary> before = std::nullopt;
-    std::vector<BatchSummary> batches = {};   ///< The last ones with the latest, in the order of time.
+    BatchFacts latest;
+    std::optional<BatchFacts> before = std::nullopt;
+    std::vector<BatchFacts> batches = {};     ///< The last ones with the latest, in the order of time.
     std::int64_t older_batches = 0;           ///< That are left out of these.
     std::vector<Case> cases = {};             ///< In the order of the jobs, followed by those that are gone.
     std::vector<ProgramCases> programs = {};  ///< For the latest batch, in the order of the jobs.
-    std::unordered_map<std::int64_t, RunSummary> runs = {};  ///< To which cases point.
+    std::unordered_map<std::int64_t, RunFacts> runs = {};  ///< To which cases point.
 
-    explicit NightlyReport(BatchSummary of) : latest(std::move(of)) {}
+    explicit NightlyReport(BatchFacts of) : latest(std::move(of)) {}
     NightlyReport(const NightlyReport&) = delete;
     NightlyReport(NightlyReport&&) = default;
     NightlyReport& operator=(const NightlyReport&) = delete;
@@ -80,6 +81,6 @@ struct NightlyReport {
 
 /// Reads the nightly report; `since` is the number of the previous batch, 0: the last one before, if any. The
 /// error is a message: no batch, or none of that number before the latest.
-Result<NightlyReport> read_nightly_report(Database& results, std::int64_t since);
+tl::expected<NightlyReport, std::string> read_nightly_report(Database& results, std::int64_t since);
 
 }  // namespace gsim::batch

@@ -5,14 +5,15 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "batch/store/sqlite.h"
 #include "batch/work/run_commands.h"
 #include "batch/work/run_row.h"
 
 namespace gsim::batch {
 
-/// Stored data of a run in addition to its RunSummary.
+/// Stored data of a run in addition to its RunFacts.
 struct RunDetails {
     std::string key = {};  ///< By which it is found again.
     std::string program = {}, machine = {};
@@ -34,9 +35,9 @@ inline RunInputs run_inputs(const RunDetails& run) {
 /// Reader of complete runs, one by one. It must be destroyed before its database.
 class RunHistory {
   public:
-    static Result<RunHistory> open(Database& results);
+    static tl::expected<RunHistory, std::string> open(Database& results);
 
-    Result<RunDetails> read(std::int64_t run);
+    tl::expected<RunDetails, std::string> read(std::int64_t run);
 
   private:
     RunHistory(Statement run, Statement files, Statement picture)

@@ -5,7 +5,8 @@
 #include <unordered_set>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "batch/pages/nightly_report.h"
 #include "batch/pages/run_history.h"
 #include "batch/work/input_files.h"
@@ -13,7 +14,7 @@
 namespace gsim::batch {
 
 /// Tool that makes the pages with finished runs.
-struct ViewGenerator {
+struct ViewMaker {
     std::string program;  ///< gsim.
     std::string version;  ///< As runs have it: those of another one would come out otherwise.
 };
@@ -22,24 +23,25 @@ struct ViewGenerator {
 /// one; an existing page of the same run is not made again.
 class Views {
   public:
-    Views(const std::string& folder, ViewGenerator maker);
+    Views(const std::string& folder, ViewMaker maker);
 
     /// Returns the address of a run's page, relative to the folder of the other pages. The error says why it
     /// does not exist.
-    Result<std::string> make(const RunSummary& facts, const RunDetails& run);
+    tl::expected<std::string, std::string> make(const RunFacts& facts, const RunDetails& run);
 
   private:
-    Result<std::vector<std::string>> make_command(const RunSummary& facts, const RunDetails& run);
+    tl::expected<std::vector<std::string>, std::string> make_command(const RunFacts& facts,
+                                                                     const RunDetails& run);
 
     std::filesystem::path folder_;
-    ViewGenerator generator_;
+    ViewMaker maker_;
     InputFiles files_;
     std::unordered_set<std::string> names_;
 
-    friend Result<void> remove_views(const std::string& folder, const Views* current);
+    friend tl::expected<void, std::string> remove_views(const std::string& folder, const Views* current);
 };
 
-/// Removes pages of runs that were not requested from `kept`, if it is given.
-Result<void> remove_views(const std::string& folder, const Views* current);
+/// Removes pages of runs that were not requested from `kept`, if it is given. The error is a message.
+tl::expected<void, std::string> remove_views(const std::string& folder, const Views* current);
 
 }  // namespace gsim::batch

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "base/text/json.h"
 #include "batch/plan/design.h"
 #include "batch/plan/setting.h"
@@ -45,8 +46,8 @@ class Jobs {
 /// They are recognised by their extensions (.nc, .ngc, .tap, .cnc, .gcode, .lua, .path.json and others, in
 /// any case), and sorted by name. A file matches itself, whatever its extension. Names are relative to
 /// `folder`. The error: no match, or a name is not UTF-8.
-Result<std::vector<std::string>> find_programs(const std::string& name,
-                                               const std::filesystem::path& folder = {});
+tl::expected<std::vector<std::string>, std::string> find_programs(const std::string& name,
+                                                                  const std::filesystem::path& folder = {});
 
 /// Adds those files that are not in the plan yet.
 void add_programs(Plan& plan, const std::vector<std::string>& files);
@@ -56,7 +57,7 @@ enum class PlanUse : std::uint8_t { batch, search };
 
 /// Reads a plan (docs/batch.md), without its search part. File names are relative to its folder. The error
 /// begins with its source location.
-Result<Plan> read_plan(std::string_view toml_text, const std::string& file_name,
-                       PlanUse use = PlanUse::batch);
+tl::expected<Plan, std::string> read_plan(std::string_view toml_text, const std::string& file_name,
+                                          PlanUse use = PlanUse::batch);
 
 }  // namespace gsim::batch

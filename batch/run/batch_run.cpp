@@ -16,6 +16,7 @@ namespace gsim::batch {
 
 namespace {
 
+using Unexpected = tl::unexpected<std::string>;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kPollInterval(200);
@@ -39,7 +40,7 @@ class BatchRun {
                  .workers = options.workers,
                  .timeout_s = options.timeout_s}) {}
 
-    Result<BatchTally> run() {
+    tl::expected<BatchTally, std::string> run() {
         auto lock = os::FileLock::get(options_.results, options_.lock_timeout);
         if (!lock) return Unexpected(lock.error());
         auto results = Results::open(options_.results, options_.journal);
@@ -61,7 +62,7 @@ class BatchRun {
     }
 
   private:
-    Result<void> run_jobs() {
+    SqlResult run_jobs() {
         std::uint64_t next = 0;
         while (true) {
             while (!stop_ && next < tally_.jobs && pool_.has_capacity()) {
@@ -79,7 +80,7 @@ class BatchRun {
         }
     }
 
-    Result<void> collect_rows(std::chrono::milliseconds max_wait) {
+    SqlResult collect_rows(std::chrono::milliseconds max_wait) {
         if (pool_.pending_count() == 0) return {};
         auto rows = pool_.collect(max_wait);
         if (!rows) return Unexpected(rows.error());
@@ -94,9 +95,9 @@ class BatchRun {
     }
 
     /// Records a job that was done before, or gives it to a worker.
-    Result<void> begin(Job job) {
+    SqlResult begin(Job job) {
         RunKey key = run_cache_.run_key(job);
-        using LookupResult = Result<std::optional<Results::StoredRun>>;
+        using LookupResult = tl::expected<std::optional<Results::StoredRun>, std::string>;
         const LookupResult found =
             options_.rerun ? LookupResult() : run_cache_.find(*results_, key, job, options_.retry);
         if (!found) return Unexpected(found.error());
@@ -114,31 +115,31 @@ class BatchRun {
         return pool_.submit(std::move(job));
     }
 
-    Result<void> collect(const RunRow& row) {
+    SqlResult collect(const RunRow& row) {
         const auto pending = pending_jobs_.find(row.number);
-        if (pending == pending_jobs_.end()) return Unexpected("a result row without a job");
+        if (pending == pending_jobs_.end()) return Unexpected("a row of no job");
         const auto run = results_->add(pending->second.job, pending->second.key, row, run_cache_.version());
         const std::vector<std::uint64_t> others = std::move(pending->second.others);
         jobs_in_progress_.erase(pending->second.key.key);
         pending_jobs_.erase(pending);
         if (!run) return Unexpected(run.error());
         ++tally_.ran;
-        if (!row.documents.picture_error.empty() && tally_.missing_pictures++ == 0)
-            tally_.first_picture_error = row.documents.picture_error;
+        if (!row.picture_error.empty() && tally_.missing_pictures++ == 0)
+            tally_.first_picture_error = row.picture_error;
         for (const std::uint64_t other : others) {
             ++tally_.reused;
-            if (auto recorded = record(other, *run, row.outcome.is_clean(), true); !recorded) return recorded;
+            if (auto recorded = record(other, *run, row.is_clean(), true); !recorded) return recorded;
         }
-        return record(row.number, *run, row.outcome.is_clean(), false);
+        return record(row.number, *run, row.is_clean(), false);
     }
 
-    Result<void> record(std::uint64_t job, std::int64_t run, bool is_clean, bool reused) {
+    SqlResult record(std::uint64_t job, std::int64_t run, bool is_clean, bool reused) {
         tally_.failed += is_clean ? 0 : 1;
         return results_->record(job, run, reused);
     }
 
     /// Commits and reports new results from time to time, so that others see them.
-    Result<void> commit_if_due() {
+    SqlResult commit_if_due() {
         const auto now = Clock::now();
         if (now < next_commit_) return {};
         next_commit_ = now + kCommitInterval;
@@ -147,7 +148,7 @@ class BatchRun {
     }
 
     void report_progress() {
-        tally_.wall_time_s = std::chrono::duration<double>(Clock::now() - start_).count();
+        tally_.wall_s = std::chrono::duration<double>(Clock::now() - start_).count();
         progress_(tally_);
     }
 
@@ -174,8 +175,9 @@ class BatchRun {
 
 }  // namespace
 
-Result<BatchTally> run_batch(const Plan& plan, const BatchOptions& options, const std::atomic<bool>& stop,
-                             const std::function<void(const BatchTally&)>& progress) {
+tl::expected<BatchTally, std::string> run_batch(const Plan& plan, const BatchOptions& options,
+                                                const std::atomic<bool>& stop,
+                                                const std::function<void(const BatchTally&)>& progress) {
     return BatchRun(plan, options, stop, progress).run();
 }
 

@@ -4,7 +4,8 @@
 #include <string>
 #include <unordered_map>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "batch/store/results.h"
 #include "batch/work/input_files.h"
 #include "batch/work/job.h"
@@ -23,8 +24,8 @@ class RunCache {
     /// Other files that the run reads are checked when the run is found again.
     RunKey run_key(const Job& job);
     /// Same as Results::find().
-    Result<std::optional<Results::StoredRun>> find(Results& results, const RunKey& key, const Job& job,
-                                                   bool retry);
+    tl::expected<std::optional<Results::StoredRun>, std::string> find(Results& results, const RunKey& key,
+                                                                      const Job& job, bool retry);
 
   private:
     std::string machine_hash(const std::string& name);

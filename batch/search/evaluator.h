@@ -4,7 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "batch/plan/plan.h"
 
 namespace gsim::batch {
@@ -16,7 +17,7 @@ struct EvaluatedBatch {
 };
 
 /// Function that runs all jobs of a plan into the results, on any computer; `anew`: existing runs are
-/// repeated.
-using Evaluate = std::function<Result<EvaluatedBatch>(const Plan& plan, bool rerun)>;
+/// repeated. The error is a message.
+using Evaluate = std::function<tl::expected<EvaluatedBatch, std::string>(const Plan& plan, bool rerun)>;
 
 }  // namespace gsim::batch

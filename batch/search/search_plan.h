@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "batch/plan/plan.h"
 
 namespace gsim::batch {
@@ -36,6 +37,6 @@ struct SearchPlan {
 };
 
 /// Reads a plan with its search part (docs/optimise.md). The error begins with its source location.
-Result<SearchPlan> read_search(std::string_view toml_text, const std::string& file_name);
+tl::expected<SearchPlan, std::string> read_search(std::string_view toml_text, const std::string& file_name);
 
 }  // namespace gsim::batch

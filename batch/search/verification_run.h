@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "batch/search/best_files.h"
 #include "batch/search/search.h"
 
@@ -23,8 +24,8 @@ struct VerificationRun {
 /// Runs the start and the best variant once more: the latter from the files that are written into `folder`,
 /// if it is given. The error: a metric of a run differs from that in the search, a file cannot be written, or
 /// the verification was cut off.
-Result<VerificationRun> verify_best(const SearchPlan& search, const SearchState& state,
-                                    const std::string& results, const std::string& folder,
-                                    const Evaluate& evaluate);
+tl::expected<VerificationRun, std::string> verify_best(const SearchPlan& search, const SearchState& state,
+                                                       const std::string& results, const std::string& folder,
+                                                       const Evaluate& evaluate);
 
 }  // namespace gsim::batch

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "batch/statistics/regression.h"
 #include "batch/statistics/sample.h"
 #include "batch/store/sqlite.h"
@@ -23,7 +24,7 @@ struct Study {
 };
 
 /// Returns a study for each program and machine with at least two runs.
-Result<std::vector<Study>> read_studies(Database& results);
+tl::expected<std::vector<Study>, std::string> read_studies(Database& results);
 
 /// Comparison of two machines, or two batches, by the runs that both have: of the same program with the same
 /// settings.
@@ -37,9 +38,9 @@ struct Comparison {
     double first_s = 0, second_s = 0;  ///< Sums over those.
 };
 /// Compares each machine of the latest batch with the first one.
-Result<std::vector<Comparison>> compare_machines(Database& results);
+tl::expected<std::vector<Comparison>, std::string> compare_machines(Database& results);
 /// Compares the latest batch with the one of that number before it; 0: with the last one before.
-Result<Comparison> compare_batches(Database& results, std::int64_t before);
+tl::expected<Comparison, std::string> compare_batches(Database& results, std::int64_t before);
 
 std::string to_text(const Study& study);
 std::string to_text(const Comparison& comparison);

@@ -17,13 +17,14 @@ namespace gsim::batch {
 
 namespace {
 
+using Unexpected = tl::unexpected<std::string>;
 using nlohmann::json;
 
 constexpr std::size_t kMaxCauseLength = 60;  // characters of a message in the summary
 
 /// Calls `take` with the statement at each row of a query.
 template <typename Visitor>
-Result<void> for_each_row(Database& results, std::string_view query, const Visitor& on_row) {
+SqlResult for_each_row(Database& results, std::string_view query, const Visitor& on_row) {
     auto rows = results.prepare(query);
     if (!rows) return Unexpected(rows.error());
     while (true) {
@@ -110,7 +111,7 @@ std::string truncated(std::string_view message) {
 
 }  // namespace
 
-Result<void> write_csv(Database& results, std::string_view query, const Sink& sink) {
+SqlResult write_csv(Database& results, std::string_view query, const Sink& sink) {
     const auto columns = results.prepare(query);
     if (!columns) return Unexpected(columns.error());
     std::vector<std::string> names;
@@ -130,7 +131,7 @@ Result<void> write_csv(Database& results, std::string_view query, const Sink& si
     });
 }
 
-Result<void> write_json_lines(Database& results, std::string_view query, const Sink& sink) {
+SqlResult write_json_lines(Database& results, std::string_view query, const Sink& sink) {
     return for_each_row(results, query, [&](const Statement& row) {
         nlohmann::ordered_json line;
         for (int column = 0; column < row.columns(); ++column)
@@ -139,14 +140,14 @@ Result<void> write_json_lines(Database& results, std::string_view query, const S
     });
 }
 
-Result<void> write_junit(Database& results, const Sink& sink) {
+SqlResult write_junit(Database& results, const Sink& sink) {
     if (!sink("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"gsim-batch\">\n"))
         return Unexpected("it cannot be written");
-    struct JunitSuite {
+    struct Suite {
         std::string machine;
         std::int64_t runs = 0, failed = 0;
     };
-    std::vector<JunitSuite> suites;
+    std::vector<Suite> suites;
     auto count_text = for_each_row(
         results,
         "SELECT machine, count(*), sum(status <> 'completed' OR cause <> '') FROM latest GROUP BY machine",
@@ -159,7 +160,7 @@ Result<void> write_junit(Database& results, const Sink& sink) {
         "SELECT machine, program, status, cause, message, cpu_s, settings, file, line FROM latest WHERE "
         "machine = ?");
     if (!cases) return Unexpected(cases.error());
-    for (const JunitSuite& suite : suites) {
+    for (const Suite& suite : suites) {
         if (!sink(fmt::format("  <testsuite name=\"{}\" tests=\"{}\" failures=\"{}\">\n",
                               text::xml_text(machine_name(suite.machine)), suite.runs, suite.failed)))
             return Unexpected("it cannot be written");
@@ -172,10 +173,10 @@ Result<void> write_junit(Database& results, const Sink& sink) {
         }
         sink("  </testsuite>\n");
     }
-    return sink("</testsuites>\n") ? Result<void>() : Unexpected("it cannot be written");
+    return sink("</testsuites>\n") ? SqlResult() : Unexpected("it cannot be written");
 }
 
-Result<void> write_sarif(Database& results, const Sink& sink) {
+SqlResult write_sarif(Database& results, const Sink& sink) {
     std::vector<engine::Diagnostic> diagnostics;
     std::set<std::tuple<std::string, std::uint32_t, std::uint32_t, std::string, std::string>> known;
     auto gathered = for_each_row(
@@ -191,10 +192,10 @@ Result<void> write_sarif(Database& results, const Sink& sink) {
             return true;
         });
     if (!gathered) return gathered;
-    return sink(engine::findings_sarif(diagnostics)) ? Result<void>() : Unexpected("it cannot be written");
+    return sink(engine::findings_sarif(diagnostics)) ? SqlResult() : Unexpected("it cannot be written");
 }
 
-Result<std::string> summary(Database& results) {
+tl::expected<std::string, std::string> summary(Database& results) {
     std::string text;
     const auto machines =
         for_each_row(results, "SELECT machine, controller, runs, failed, cycle_time_s FROM machines",

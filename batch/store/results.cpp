@@ -15,6 +15,8 @@ namespace gsim::batch {
 
 namespace {
 
+using Unexpected = tl::unexpected<std::string>;
+
 std::string now_utc() {
     return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
@@ -28,7 +30,7 @@ std::int64_t as_int64(std::uint64_t number) {
     return static_cast<std::int64_t>(number);
 }
 
-Result<std::int64_t> query_number(Database& database, const char* query) {
+tl::expected<std::int64_t, std::string> query_number(Database& database, const char* query) {
     auto prepared_query = database.prepare(query);
     if (!prepared_query) return Unexpected(prepared_query.error());
     const auto row = prepared_query->step();
@@ -44,24 +46,24 @@ std::string version_2_sql() {
     return sql + fmt::format("PRAGMA user_version = {};", kSchemaVersion);
 }
 
-Result<void> create_tables(Database& database) {
+SqlResult create_tables(Database& database) {
     return database.execute(fmt::format("BEGIN; {} PRAGMA application_id = {}; {} COMMIT;", kSchema,
                                         kApplicationId, version_2_sql()));
 }
 
 /// A new file gets its tables, an existing one must have them.
-Result<void> check_or_create_tables(Database& database) {
+SqlResult check_or_create_tables(Database& database) {
     const auto tables = query_number(database, "SELECT count(*) FROM sqlite_schema");
     if (!tables) return Unexpected(tables.error());
     if (*tables == 0) return create_tables(database);
     const auto application = query_number(database, "PRAGMA application_id");
     const auto version = query_number(database, "PRAGMA user_version");
     if (!application || *application != kApplicationId)
-        return Unexpected(fmt::format("'{}' is not a results file", database.file()));
+        return Unexpected(fmt::format("'{}' is no file of results", database.file()));
     if (version && *version == 1) return database.execute(fmt::format("BEGIN; {} COMMIT;", version_2_sql()));
     if (!version || *version != kSchemaVersion)
         return Unexpected(
-            fmt::format("'{}' is of another version of this program; use a new file", database.file()));
+            fmt::format("'{}' is of another version of this program; take a new file", database.file()));
     return {};
 }
 
@@ -73,7 +75,7 @@ bool has_version(Database& database, std::int64_t version) {
 }
 
 /// Returns the number of a statement that gives one row with one number.
-Result<std::int64_t> read_integer(Statement& statement) {
+tl::expected<std::int64_t, std::string> read_integer(Statement& statement) {
     const auto row = statement.step();
     if (!row) return Unexpected(row.error());
     const std::int64_t number = *row ? statement.integer(0) : 0;
@@ -108,7 +110,7 @@ Results::~Results() {
     statements_.reset();
 }
 
-Result<Results> Results::open(const std::string& file, Journal journal) {
+tl::expected<Results, std::string> Results::open(const std::string& file, Journal journal) {
     auto database = Database::open(file);
     if (!database) return Unexpected(database.error());
     const char* mode = journal == Journal::write_ahead
@@ -118,9 +120,7 @@ Result<Results> Results::open(const std::string& file, Journal journal) {
     if (const auto created = check_or_create_tables(*database); !created) return Unexpected(created.error());
     const auto prepared = [&](std::string_view sql) {
         auto statement = database->prepare(sql);
-        if (!statement)
-            throw std::runtime_error("internal error, an SQL statement is not valid: " +
-                                     statement.error().message);
+        if (!statement) throw std::runtime_error("a statement of ours is wrong: " + statement.error());
         return *std::move(statement);
     };
     auto statements = std::make_unique<Statements>(Statements{
@@ -152,7 +152,7 @@ Result<Results> Results::open(const std::string& file, Journal journal) {
     return Results(*std::move(database), std::move(statements));
 }
 
-Result<void> Results::begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version) {
+SqlResult Results::begin_batch(const std::string& plan, std::uint64_t jobs, const std::string& version) {
     if (auto begun = database_.execute("BEGIN IMMEDIATE"); !begun) return begun;
     Statement& add = statements_->begin_batch;
     token_ = new_token();
@@ -160,7 +160,7 @@ Result<void> Results::begin_batch(const std::string& plan, std::uint64_t jobs, c
     return read_integer(add).map([&](std::int64_t batch) { batch_ = batch; });
 }
 
-Result<void> Results::resume_batch(std::int64_t batch, const std::string& token) {
+SqlResult Results::resume_batch(std::int64_t batch, const std::string& token) {
     auto known = database_.prepare("SELECT count(*) FROM batch WHERE id = ? AND token = ?");
     if (!known) return Unexpected(known.error());
     known->bind(1, batch).bind(2, token);
@@ -172,23 +172,23 @@ Result<void> Results::resume_batch(std::int64_t batch, const std::string& token)
     return database_.execute("BEGIN IMMEDIATE");
 }
 
-Result<std::uint64_t> Results::recorded() {
+tl::expected<std::uint64_t, std::string> Results::recorded() {
     auto count = database_.prepare("SELECT count(*) FROM batch_run WHERE batch = ?");
     if (!count) return Unexpected(count.error());
     count->bind(1, batch_);
     return read_integer(*count).map([](std::int64_t number) { return static_cast<std::uint64_t>(number); });
 }
 
-Result<void> Results::end_batch(bool complete) {
+SqlResult Results::end_batch(bool complete) {
     statements_->end_batch.bind(1, now_utc()).bind(2, std::int64_t{complete}).bind(3, batch_);
     return statements_->end_batch.run().and_then([&] { return database_.execute("COMMIT"); });
 }
 
-Result<void> Results::commit() {
+SqlResult Results::commit() {
     return database_.execute("COMMIT; BEGIN IMMEDIATE");
 }
 
-Result<bool> Results::is_current(std::int64_t run, const FileHash& file_hash) {
+tl::expected<bool, std::string> Results::is_current(std::int64_t run, const FileHash& file_hash) {
     Statement& inputs = statements_->inputs;
     inputs.bind(1, run);
     bool current = true;
@@ -200,8 +200,10 @@ Result<bool> Results::is_current(std::int64_t run, const FileHash& file_hash) {
     }
 }
 
-Result<std::optional<Results::StoredRun>> Results::find(const std::string& key, const FileHash& file_hash,
-                                                        StoredDocuments requested, bool retry) {
+tl::expected<std::optional<Results::StoredRun>, std::string> Results::find(const std::string& key,
+                                                                           const FileHash& file_hash,
+                                                                           StoredDocuments requested,
+                                                                           bool retry) {
     std::vector<StoredRun> candidates, lost_runs;
     Statement& find = statements_->find;
     find.bind(1, key);
@@ -228,32 +230,30 @@ Result<std::optional<Results::StoredRun>> Results::find(const std::string& key, 
     return std::nullopt;
 }
 
-Result<std::int64_t> Results::add(const Job& job, const RunKey& key, const RunRow& row,
-                                  const std::string& version) {
+tl::expected<std::int64_t, std::string> Results::add(const Job& job, const RunKey& key, const RunRow& row,
+                                                     const std::string& version) {
     Statement& add = statements_->add;
     int at = 0;
     const auto bind_next = [&](const auto& value) { add.bind(++at, value); };
     for (const std::string& text :
          {key.key, job.program, key.program_sha256, job.machine, key.machine_sha256, row.machine,
           row.controller, job.options.dump(), settings_json(job.settings).dump(), version, now_utc(),
-          row.outcome.status, row.outcome.cause, row.outcome.message, row.outcome.file})
+          row.status, row.cause, row.message, row.file})
         bind_next(std::string_view(text));
-    bind_next(std::int64_t{row.outcome.line});
+    bind_next(std::int64_t{row.line});
     for (const std::optional<double> metric :
-         {std::optional(row.times.cycle_s), row.times.min_s, row.times.max_s,
-          std::optional(row.times.rapid_s), std::optional(row.times.feed_s), std::optional(row.times.dwell_s),
-          std::optional(row.distances.rapid_mm), std::optional(row.distances.feed_mm),
-          std::optional(row.distances.process_on_mm)})
+         {std::optional(row.cycle_time_s), row.min_s, row.max_s, std::optional(row.rapid_s),
+          std::optional(row.feed_s), std::optional(row.dwell_s), std::optional(row.rapid_mm),
+          std::optional(row.feed_mm), std::optional(row.process_on_mm)})
         bind_next(metric);
     for (const std::uint64_t count :
-         {row.counts.blocks, row.counts.moves, row.counts.violations, row.counts.collisions,
-          row.counts.process_findings, row.counts.warnings})
+         {row.blocks, row.moves, row.violations, row.collisions, row.process_findings, row.warnings})
         bind_next(as_int64(count));
     bind_next(row.energy_j);
     bind_next(std::string_view(row.extents));
     bind_next(std::string_view(row.findings));
     for (const std::optional<double> metric : {std::optional(row.cpu_s), row.clearance_mm, row.deviation_mm,
-                                               row.joint_speed_share, row.times.lower_bound_s})
+                                               row.joint_speed_share, row.lower_bound_s})
         bind_next(metric);
     auto run = read_integer(add);
     if (!run) return run;
@@ -268,18 +268,18 @@ Result<std::int64_t> Results::add(const Job& job, const RunKey& key, const RunRo
         if (const auto done = statements_->setting.run(); !done) return Unexpected(done.error());
     }
     if (const auto done = add_inputs(*run, row); !done) return Unexpected(done.error());
-    if (!row.documents.report.empty()) {
-        statements_->report.bind(1, *run).bind(2, row.documents.report);
+    if (!row.report.empty()) {
+        statements_->report.bind(1, *run).bind(2, row.report);
         if (const auto done = statements_->report.run(); !done) return Unexpected(done.error());
     }
-    if (!row.documents.picture.empty()) {
-        statements_->picture.bind(1, *run).bind(2, row.documents.picture);
+    if (!row.picture.empty()) {
+        statements_->picture.bind(1, *run).bind(2, row.picture);
         if (const auto done = statements_->picture.run(); !done) return Unexpected(done.error());
     }
     return run;
 }
 
-Result<void> Results::add_inputs(std::int64_t run, const RunRow& row) {
+SqlResult Results::add_inputs(std::int64_t run, const RunRow& row) {
     for (const ReadFile& file : row.files) {
         statements_->input.bind(1, file.name).bind(2, file.sha256);
         const auto input = read_integer(statements_->input);
@@ -290,7 +290,7 @@ Result<void> Results::add_inputs(std::int64_t run, const RunRow& row) {
     return {};
 }
 
-Result<void> Results::record(std::uint64_t job, std::int64_t run, bool reused) {
+SqlResult Results::record(std::uint64_t job, std::int64_t run, bool reused) {
     statements_->record.bind(1, batch_).bind(2, as_int64(job)).bind(3, run).bind(4, std::int64_t{reused});
     return statements_->record.run();
 }

@@ -4,12 +4,14 @@ namespace gsim::batch {
 
 namespace {
 
+using Unexpected = tl::unexpected<std::string>;
+
 constexpr const char* kSqlNow = "strftime('%Y-%m-%dT%H:%M:%SZ', 'now')";
 
 }  // namespace
 
-Result<std::int64_t> begin_search(Database& results, const std::string& plan, const std::string& objective,
-                                  std::uint64_t seed) {
+tl::expected<std::int64_t, std::string> begin_search(Database& results, const std::string& plan,
+                                                     const std::string& objective, std::uint64_t seed) {
     auto add = results.prepare(
         std::string("INSERT INTO search (plan, objective, seed, began_at) VALUES (?, ?, ?, ") + kSqlNow +
         ") RETURNING id");
@@ -21,7 +23,7 @@ Result<std::int64_t> begin_search(Database& results, const std::string& plan, co
     return add->run().map([&] { return search; });
 }
 
-Result<void> add_trials(Database& results, std::int64_t search, std::span<const TrialRow> rows) {
+SqlResult add_trials(Database& results, std::int64_t search, std::span<const TrialRow> rows) {
     auto add = results.prepare(
         "INSERT OR IGNORE INTO search_run (search, number, run, generation, value, violation) VALUES (?, ?, "
         "?, ?, ?, "
@@ -43,7 +45,7 @@ Result<void> add_trials(Database& results, std::int64_t search, std::span<const 
     return results.execute("COMMIT");
 }
 
-Result<void> end_search(Database& results, std::int64_t search, std::uint64_t best) {
+SqlResult end_search(Database& results, std::int64_t search, std::uint64_t best) {
     auto end =
         results.prepare(std::string("UPDATE search SET ended_at = ") + kSqlNow + ", best = ? WHERE id = ?");
     if (!end) return Unexpected(end.error());

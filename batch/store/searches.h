@@ -5,7 +5,8 @@
 #include <span>
 #include <string>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "batch/store/sqlite.h"
 
 namespace gsim::batch {
@@ -20,10 +21,10 @@ struct TrialRow {
 };
 
 /// Begins a search in a file of results that has its tables. No other process writes meanwhile.
-Result<std::int64_t> begin_search(Database& results, const std::string& plan, const std::string& objective,
-                                  std::uint64_t seed);
-Result<void> add_trials(Database& results, std::int64_t search, std::span<const TrialRow> rows);
+tl::expected<std::int64_t, std::string> begin_search(Database& results, const std::string& plan,
+                                                     const std::string& objective, std::uint64_t seed);
+SqlResult add_trials(Database& results, std::int64_t search, std::span<const TrialRow> rows);
 /// Ends a search, with the number of the best trial.
-Result<void> end_search(Database& results, std::int64_t search, std::uint64_t best);
+SqlResult end_search(Database& results, std::int64_t search, std::uint64_t best);
 
 }  // namespace gsim::batch

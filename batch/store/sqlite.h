@@ -7,15 +7,17 @@
 #include <string>
 #include <string_view>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
 
 struct sqlite3;
 struct sqlite3_stmt;
 
 namespace gsim::batch {
 
-/// One SQL statement with its parameters, to be stepped through. Errors have the message of SQLite after the
-/// file's name. Creating it again for the same SQL costs no
+/// Result of an SQL statement; the error is a message of SQLite after the file's name.
+using SqlResult = tl::expected<void, std::string>;
+
+/// One SQL statement with its parameters, to be stepped through. Creating it again for the same SQL costs no
 /// more than its steps. It must be destroyed before its database.
 class Statement {
   public:
@@ -28,9 +30,9 @@ class Statement {
     /// Reads the next row; returns true if one exists. After the last row the statement may be bound again.
     /// Reports also a parameter that was not accepted (longer than SQLite's 1,000,000,000 bytes, or out of
     /// memory).
-    Result<bool> step();
+    tl::expected<bool, std::string> step();
     /// Runs a statement without rows to its end; it may then be bound again.
-    Result<void> run();
+    SqlResult run();
 
     /// Returns the number of columns of the current row of step(). Columns count from 0.
     int columns() const;
@@ -62,15 +64,15 @@ class Database {
   public:
     /// Opens a file, or creates it; `read_only`: an existing one, which is not changed. The error is a
     /// message with the file's name.
-    static Result<Database> open(const std::string& file, bool read_only = false);
+    static tl::expected<Database, std::string> open(const std::string& file, bool read_only = false);
 
     /// Returns the name with which it was opened.
     const std::string& file() const { return *file_; }
 
     /// Executes statements without parameters and rows, separated by semicolons.
-    Result<void> execute(const std::string& sql);
+    SqlResult execute(const std::string& sql);
     /// Prepares one statement. The error: invalid SQL, or a name in it does not exist.
-    Result<Statement> prepare(std::string_view sql);
+    tl::expected<Statement, std::string> prepare(std::string_view sql);
 
   private:
     struct Close {
@@ -78,7 +80,8 @@ class Database {
     };
     Database(sqlite3* database, const std::string& file)
         : file_(std::make_shared<const std::string>(file)), database_(database) {}
-    static Result<Database> open_with_flags(const std::string& file, const std::string& name, int flags);
+    static tl::expected<Database, std::string> open_with_flags(const std::string& file,
+                                                               const std::string& name, int flags);
 
     std::shared_ptr<const std::string> file_;
     std::unique_ptr<sqlite3, Close> database_;

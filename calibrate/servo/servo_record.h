@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
 
 namespace gsim::calibrate {
 
@@ -29,6 +29,7 @@ struct ServoFormat {
 ///   --following writes it;
 /// - output of LinuxCNC's halsampler: numbers in columns, with or without its -t.
 /// Samples with a time that does not rise are left out. The error names the line and what it lacks.
-Result<std::vector<AxisRecord>> read_servo_record(std::string_view text, const ServoFormat& columns_format);
+tl::expected<std::vector<AxisRecord>, std::string> read_servo_record(std::string_view text,
+                                                                     const ServoFormat& columns_format);
 
 }  // namespace gsim::calibrate

@@ -23,12 +23,12 @@ bool is_halsampler(std::string_view line) {
     });
 }
 
-Result<void> read_halsampler(std::string_view text, std::size_t columns, double period_s,
-                             const SampleHandler& on_sample) {
+tl::expected<void, std::string> read_halsampler(std::string_view text, std::size_t columns, double period_s,
+                                                const SampleHandler& on_sample) {
     if (!(period_s > 0)) {
-        return Unexpected(
-            "columns of numbers without times, as halsampler prints them: --sample-period sets the time "
-            "between them");
+        return tl::unexpected<std::string>(
+            "columns of numbers without times, as halsampler prints them: --sample-period says how far apart "
+            "they are");
     }
     double count = 0;
     for (int line = 1; !text.empty(); ++line) {

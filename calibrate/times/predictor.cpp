@@ -42,7 +42,7 @@ engine::Files files_with_machine(const std::string& machine) {
 std::string failure_text(const engine::Report& report) {
     if (report.alarm) return report.alarm->message;
     if (!report.violations.empty()) return report.violations.front().message;
-    return "it did not run to its end";
+    return "it did not come to its end";
 }
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
@@ -56,10 +56,11 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
     work();
 }
 
-Result<double> total_time_s(const Result<std::vector<simulation::ReplayedMove>>& moves) {
+tl::expected<double, std::string> total_time_s(
+    const tl::expected<std::vector<simulation::ReplayedMove>, std::string>& moves) {
     if (!moves) return tl::unexpected(moves.error());
     const auto span = replay_span(*moves);
-    if (!span) return Unexpected("no motion");
+    if (!span) return tl::unexpected<std::string>("nothing moves");
     return span->end_s - span->start_s;
 }
 
@@ -91,13 +92,14 @@ void add_words(const simulation::MotionLog& log, std::set<std::string>& keys) {
 
 }  // namespace
 
-Result<Predictor> Predictor::of(std::span<const RecordedRun> runs, const ReadingOptions& reading_options,
-                                const machine::Machine& machine) {
+tl::expected<Predictor, std::string> Predictor::of(std::span<const RecordedRun> runs,
+                                                   const ReadingOptions& reading_options,
+                                                   const machine::Machine& machine) {
     Predictor predictor;
     predictor.reading_options_ = reading_options;
     std::vector<std::shared_ptr<Program>> programs;
     for (const RecordedRun& run : runs) {
-        if (!read_bytes(run.program)) return Unexpected(fmt::format("cannot read {}", run.program));
+        if (!read_bytes(run.program)) return tl::unexpected(fmt::format("cannot read {}", run.program));
         programs.push_back(std::make_shared<Program>());
         programs.back()->file = run.program;
     }
@@ -106,8 +108,8 @@ Result<Predictor> Predictor::of(std::span<const RecordedRun> runs, const Reading
         Program& program = *programs[i];
         predictor.run(program, text);
         const bool is_total = runs[i].samples.empty() || !program.log.incomplete_reason().empty();
-        program.data = is_total ? std::vector<TimedInterval>{{.time_s = runs[i].time_s}}
-                                : timed_intervals(runs[i], program.log, machine);
+        program.data = is_total ? std::vector<Datum>{{.time_s = runs[i].time_s}}
+                                : timing_data(runs[i], program.log, machine);
     });
     predictor.programs_.assign(programs.begin(), programs.end());
     return predictor;
@@ -115,7 +117,7 @@ Result<Predictor> Predictor::of(std::span<const RecordedRun> runs, const Reading
 
 void Predictor::run(Program& program, const std::string& machine) const {
     if (const auto time_s = run_time_s(program.file, machine, &program.log); !time_s)
-        program.error_text = time_s.error().message;
+        program.error_text = time_s.error();
 }
 
 std::vector<std::string> Predictor::words() const {
@@ -131,8 +133,9 @@ Predictor Predictor::part(std::span<const std::size_t> indices) const {
     return selected;
 }
 
-Result<double> Predictor::run_time_s(const std::string& program, const std::string& machine,
-                                     simulation::MotionLog* log) const {
+tl::expected<double, std::string> Predictor::run_time_s(const std::string& program,
+                                                        const std::string& machine,
+                                                        simulation::MotionLog* log) const {
     engine::Request request;
     request.program = program;
     request.machine = kMachineFile;
@@ -151,18 +154,19 @@ Result<double> Predictor::run_time_s(const std::string& program, const std::stri
     const auto report = run->go();
     if (!report) return tl::unexpected(report.error().message);
     if (report->status != engine::RunStatus::completed) return tl::unexpected(failure_text(*report));
-    if (!(report->cycle_time_s > first_s)) return Unexpected("no motion");
+    if (!(report->cycle_time_s > first_s)) return tl::unexpected<std::string>("nothing moves");
     return report->cycle_time_s - first_s;
 }
 
-std::vector<Result<Predictor::Moves>> Predictor::moves(const machine::Machine& machine) const {
+std::vector<tl::expected<Predictor::Moves, std::string>> Predictor::moves(
+    const machine::Machine& machine) const {
     motion::PlannerSetup setup = simulation::make_planner_setup(machine);
     setup.overtravel_log.reset();
-    std::vector<Result<Moves>> moves(programs_.size());
+    std::vector<tl::expected<Moves, std::string>> moves(programs_.size());
     parallel_for(programs_.size(), [&](std::size_t i) {
         const Program& program = *programs_[i];
         if (!program.error_text.empty()) {
-            moves[i] = Unexpected(program.error_text);
+            moves[i] = tl::unexpected(program.error_text);
         } else if (program.log.incomplete_reason().empty()) {
             moves[i] = simulation::replay(program.log, setup, machine.times);
         } else {
@@ -175,16 +179,16 @@ std::vector<Result<Predictor::Moves>> Predictor::moves(const machine::Machine& m
     return moves;
 }
 
-std::vector<Result<double>> Predictor::times_s(const machine::Machine& machine) const {
-    std::vector<Result<double>> times;
+std::vector<tl::expected<double, std::string>> Predictor::times_s(const machine::Machine& machine) const {
+    std::vector<tl::expected<double, std::string>> times;
     for (const auto& each : moves(machine)) times.push_back(total_time_s(each));
     return times;
 }
 
-std::vector<TimedInterval> Predictor::data() const {
-    std::vector<TimedInterval> all;
+std::vector<Datum> Predictor::data() const {
+    std::vector<Datum> all;
     for (std::size_t i = 0; i < programs_.size(); ++i) {
-        for (TimedInterval datum : programs_[i]->data) {
+        for (Datum datum : programs_[i]->data) {
             datum.run = i;
             all.push_back(datum);
         }
@@ -192,16 +196,16 @@ std::vector<TimedInterval> Predictor::data() const {
     return all;
 }
 
-Result<std::vector<double>> Predictor::times_s(std::span<const TimedInterval> data,
-                                               const machine::Machine& machine) const {
+tl::expected<std::vector<double>, std::string> Predictor::times_s(std::span<const Datum> data,
+                                                                  const machine::Machine& machine) const {
     const auto all = moves(machine);
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (const auto is_total = total_time_s(all[i]); !is_total)
-            return Unexpected(fmt::format("{}: {}", programs_[i]->file, is_total.error().message));
+            return tl::unexpected(fmt::format("{}: {}", programs_[i]->file, is_total.error()));
     }
     std::vector<double> times;
-    for (const TimedInterval& datum : data)
-        times.push_back(interval_time_s(datum, programs_[datum.run]->log, *all[datum.run]));
+    for (const Datum& datum : data)
+        times.push_back(datum_time_s(datum, programs_[datum.run]->log, *all[datum.run]));
     return times;
 }
 

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "cam/cutting/cut_program.h"
 #include "cam/cutting/layout.h"
 
@@ -42,6 +43,7 @@ struct Autopath {
 };
 
 /// Returns the path that cuts a drawing, or an error message that names entities and positions.
-Result<Autopath> autopath(drawing::Drawing drawing, const CutRules& rules, const AutopathOptions& options);
+tl::expected<Autopath, std::string> autopath(drawing::Drawing drawing, const CutRules& rules,
+                                             const AutopathOptions& options);
 
 }  // namespace gsim::cutting

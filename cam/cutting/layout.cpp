@@ -22,6 +22,8 @@ namespace {
 constexpr std::size_t kMaxListedErrors = 5;
 constexpr double kMinArea_mm2 = 1e-6;
 
+using Unexpected = tl::unexpected<std::string>;
+
 std::string location(Point point) {
     return fmt::format("({:.6g}, {:.6g})", text::unsigned_zero(point.x), text::unsigned_zero(point.y));
 }
@@ -52,7 +54,7 @@ class LayoutBuilder {
     LayoutBuilder(Drawing drawing, const LayoutOptions& options)
         : drawing_(std::move(drawing)), options_(options) {}
 
-    Result<Layout> run() {
+    tl::expected<Layout, std::string> run() {
         for (const auto step : {&LayoutBuilder::close, &LayoutBuilder::check,
                                 &LayoutBuilder::find_outline_nesting, &LayoutBuilder::offset_outlines}) {
             if (auto done = (this->*step)(); !done) return Unexpected(std::move(done.error()));
@@ -63,14 +65,16 @@ class LayoutBuilder {
     }
 
   private:
-    Result<void> close() {
+    using VoidResult = tl::expected<void, std::string>;
+
+    VoidResult close() {
         geometry::ChainResult chains = geometry::chain(std::move(drawing_.drawn_contours), options_.gap_mm);
         if (chains.is_ambiguous)
-            return Unexpected("too many lines end at one position: no contour can be identified");
+            return Unexpected("the ends of too many lines lie in one place: no contour can be seen in them");
         if (!chains.open.empty())
             return Unexpected(open_ends_message(drawing_, chains.open, options_.gap_mm));
         contours_ = std::move(chains.closed);
-        if (contours_.empty()) return Unexpected("the drawing contains no contour");
+        if (contours_.empty()) return Unexpected("there is no contour in the drawing");
         const auto is_empty = [](const Contour& contour) { return contour.vertices.empty(); };
         if (std::any_of(contours_.begin(), contours_.end(), is_empty)) {
             return Unexpected(fmt::format("a contour is smaller than {} mm", options_.gap_mm));
@@ -78,25 +82,25 @@ class LayoutBuilder {
         return {};
     }
 
-    Result<void> check() {
+    VoidResult check() {
         const std::optional<Crossing> crossing = geometry::find_crossing(contours_, options_.gap_mm / 10);
         if (crossing) {
-            return Unexpected(
-                fmt::format("{} and {} meet at {}; a contour must not cross or touch itself or another one",
-                            edge_label(drawing_, contours_[crossing->contour_a], crossing->edge_a),
-                            edge_label(drawing_, contours_[crossing->contour_b], crossing->edge_b),
-                            location(crossing->location)));
+            return Unexpected(fmt::format(
+                "{} and {} meet at {}; a contour may neither cross nor touch itself or another one",
+                edge_label(drawing_, contours_[crossing->contour_a], crossing->edge_a),
+                edge_label(drawing_, contours_[crossing->contour_b], crossing->edge_b),
+                location(crossing->location)));
         }
         for (const Contour& contour : contours_) {
             if (contour.vertices.size() > 1 && std::abs(area_mm2(contour)) > kMinArea_mm2) continue;
-            return Unexpected(fmt::format("the contour at {} ({}) encloses no area",
+            return Unexpected(fmt::format("the contour at {} ({}) encloses nothing",
                                           location(contour.vertices.front().position),
                                           edge_label(drawing_, contour, 0)));
         }
         return {};
     }
 
-    Result<void> find_outline_nesting() {
+    VoidResult find_outline_nesting() {
         const std::vector<geometry::NestingLevel> nestings = geometry::find_nesting(contours_);
         layout_.outlines.reserve(contours_.size());
         for (std::size_t i = 0; i < contours_.size(); ++i) {
@@ -108,7 +112,7 @@ class LayoutBuilder {
         return {};
     }
 
-    Result<void> offset_outlines() {
+    VoidResult offset_outlines() {
         for (std::size_t i = 0; i < layout_.outlines.size(); ++i) {
             if (auto done = offset_outline(i); !done) return done;
         }
@@ -122,13 +126,13 @@ class LayoutBuilder {
         }
         const std::optional<Crossing> crossing = geometry::find_crossing_between(contours, groups);
         if (!crossing) return {};
-        return Unexpected(fmt::format("{} and {} are closer to each other than the kerf of {:.4g} mm at {}",
+        return Unexpected(fmt::format("{} and {} are nearer to each other than the kerf of {:.4g} mm at {}",
                                       edge_label(drawing_, contours[crossing->contour_a], crossing->edge_a),
                                       edge_label(drawing_, contours[crossing->contour_b], crossing->edge_b),
                                       options_.kerf_mm, location(crossing->location)));
     }
 
-    Result<void> offset_outline(std::size_t outline) {
+    VoidResult offset_outline(std::size_t outline) {
         const Contour& contour = layout_.outlines[outline].contour;
         auto loops = geometry::offset(contour, options_.kerf_mm / 2);
         const auto where = [&] {
@@ -143,7 +147,7 @@ class LayoutBuilder {
                 fmt::format("{} is narrower than the kerf of {:.4g} mm", where(), options_.kerf_mm));
         if (loops->size() > 1) {
             notes_.push_back(
-                fmt::format("{} has sections that are narrower than the kerf; it is cut in {} loops", where(),
+                fmt::format("{} has places that are narrower than the kerf; it is cut in {} loops", where(),
                             loops->size()));
         }
         std::sort(loops->begin(), loops->end(), [](const Contour& a, const Contour& b) {
@@ -162,7 +166,7 @@ class LayoutBuilder {
 
 }  // namespace
 
-Result<Layout> make_layout(Drawing drawing, const LayoutOptions& options) {
+tl::expected<Layout, std::string> make_layout(Drawing drawing, const LayoutOptions& options) {
     return LayoutBuilder(std::move(drawing), options).run();
 }
 

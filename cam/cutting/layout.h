@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "cam/drawing/drawing.h"
 
 namespace gsim::cutting {
@@ -39,6 +40,6 @@ struct LayoutOptions {
 
 /// Closes the contours of a drawing, nests and offsets them. The error message names entities and positions:
 /// ends that stay open, contours that cross or touch, holes that are narrower than the kerf.
-Result<Layout> make_layout(drawing::Drawing drawing, const LayoutOptions& options);
+tl::expected<Layout, std::string> make_layout(drawing::Drawing drawing, const LayoutOptions& options);
 
 }  // namespace gsim::cutting

@@ -14,16 +14,16 @@ constexpr std::size_t kMaxBytes = std::size_t{512} << 20;
 
 }  // namespace
 
-Result<Drawing> read_drawing(const std::filesystem::path& path, const ReadOptions& options,
-                             os::NameSource name_source, const os::Files& files) {
+tl::expected<Drawing, std::string> read_drawing(const std::filesystem::path& path, const ReadOptions& options,
+                                                os::NameSource name_source, const os::Files& files) {
     const std::string extension = text::lower(path.extension().string());
     if (extension != ".dxf" && extension != ".svg") {
-        return Unexpected(fmt::format("'{}' is neither a .dxf nor an .svg file", path.string()));
+        return tl::unexpected(fmt::format("'{}' is neither a .dxf nor an .svg file", path.string()));
     }
-    const Result<std::string> text = files.read(path, name_source, kMaxBytes);
+    const tl::expected<std::string, std::string> text = files.read(path, name_source, kMaxBytes);
     if (!text) return tl::unexpected(text.error());
     auto drawing = extension == ".dxf" ? read_dxf(*text, options) : read_svg(*text, options);
-    if (!drawing) return Unexpected(fmt::format("{}: {}", path.string(), drawing.error().message));
+    if (!drawing) return tl::unexpected(fmt::format("{}: {}", path.string(), drawing.error()));
     return drawing;
 }
 

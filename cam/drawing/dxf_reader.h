@@ -3,7 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "cam/drawing/drawing.h"
 
 namespace gsim::drawing {
@@ -13,6 +14,6 @@ namespace gsim::drawing {
 /// that of $INSUNITS, mm if it is missing. The error message begins with the line.
 ///
 /// Source: Autodesk, "DXF Reference" (AutoCAD 2012).
-Result<Drawing> read_dxf(std::string_view text, const ReadOptions& options);
+tl::expected<Drawing, std::string> read_dxf(std::string_view text, const ReadOptions& options);
 
 }  // namespace gsim::drawing

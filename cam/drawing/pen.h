@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
 #include "cam/drawing/affine.h"
 #include "cam/drawing/nurbs.h"
 #include "geometry/planar/contour.h"
@@ -40,7 +39,7 @@ class Pen {
     void lift();
 
     /// Returns the error since take(), as the end of a message.
-    const std::optional<Error>& error() const { return error_; }
+    const std::optional<std::string>& error() const { return error_; }
 
   private:
     void add(const geometry::Edge& edge);
@@ -53,7 +52,7 @@ class Pen {
     geometry::Contour contour_;
     geometry::Point start_, current_;  // as the entity has them
     std::size_t edges_ = 0;
-    std::optional<Error> error_;
+    std::optional<std::string> error_;
 };
 
 }  // namespace gsim::drawing

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
 
 namespace gsim::solid {
 
@@ -76,6 +76,7 @@ struct WallContours {
 
 /// Reads contours of a STEP or IGES file that contains bodies; docs/autopath.md describes the supported
 /// elements. The error message names the file, faces and positions.
-Result<WallContours> read_contours(const std::filesystem::path& file, const ContourOptions& options);
+tl::expected<WallContours, std::string> read_contours(const std::filesystem::path& file,
+                                                      const ContourOptions& options);
 
 }  // namespace gsim::solid

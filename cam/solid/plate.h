@@ -3,7 +3,8 @@
 #include <filesystem>
 #include <string>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "cam/drawing/drawing.h"
 
 namespace gsim::solid {
@@ -26,6 +27,6 @@ struct Plate {
 
 /// Reads the outlines of a STEP or IGES file; docs/autopath.md describes the supported elements. The error is
 /// a message that names the file, entities and positions.
-Result<Plate> read_plate(const std::filesystem::path& file, const PlateOptions& options);
+tl::expected<Plate, std::string> read_plate(const std::filesystem::path& file, const PlateOptions& options);
 
 }  // namespace gsim::solid

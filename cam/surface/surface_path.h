@@ -3,7 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "cam/cutting/autopath.h"
 #include "cam/cutting/cut_rules.h"
 #include "cam/solid/contours.h"
@@ -26,7 +27,8 @@ struct SurfaceOptions {
 
 /// Returns the path that cuts the contours of a part, which may be curved: holes first, then the nearest
 /// next. The error is a message that names edge, position and reason.
-Result<cutting::Autopath> surface_path(const solid::WallContours& part, const cutting::CutRules& rules,
-                                       const SurfaceOptions& options);
+tl::expected<cutting::Autopath, std::string> surface_path(const solid::WallContours& part,
+                                                          const cutting::CutRules& rules,
+                                                          const SurfaceOptions& options);
 
 }  // namespace gsim::surface

@@ -32,10 +32,10 @@ std::optional<Value> value_at(std::string_view text) {
 
 }  // namespace
 
-Result<void> write_print(const grammar::Block& block, std::string& out) {
+std::optional<std::string> write_print(const grammar::Block& block, std::string& out) {
     if (block.print != lexer::Print::text) {
         out += block.print == lexer::Print::open ? "POPEN() " : "PCLOS() ";
-        return {};
+        return std::nullopt;
     }
     std::string format;
     std::string values;
@@ -49,9 +49,9 @@ Result<void> write_print(const grammar::Block& block, std::string& out) {
         }
         const std::optional<Value> value = value_at(text);
         if (!value) {
-            return Unexpected(
-                "DPRNT requires the digits before and after the decimal point in brackets after a variable, "
-                "as in #100[53]");
+            return "behind a variable DPRNT has the digits before and behind the decimal point in brackets, "
+                   "as in "
+                   "#100[53]";
         }
         format += fmt::format("%.{}f", value->decimals);
         values += fmt::format(", v[{}]", value->variable);
@@ -61,7 +61,7 @@ Result<void> write_print(const grammar::Block& block, std::string& out) {
     write_lua_string(format, out);
     out += values;
     out += ") ";
-    return {};
+    return std::nullopt;
 }
 
 }  // namespace gsim::codegen

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-using RigidBodyResult = Result<RigidBody>;
+using RigidBodyResult = tl::expected<RigidBody, std::string>;
 
 constexpr double kMetresPerMm = 1e-3;
 constexpr double kPi = std::numbers::pi;
@@ -132,9 +132,10 @@ RigidBodyResult make(const machine::MeshShape& shape, double density, const Mesh
     const auto mesh = load_mesh(shape.file, shape.scale, shape.tolerance_mm, files);
     if (!mesh) return tl::unexpected(mesh.error());
     if (const auto open = find_open_edge(**mesh)) {
-        return Unexpected(
-            fmt::format("{}: the surface is not closed, so it encloses no mass: an edge at {:.6g} {:.6g} "
-                        "{:.6g} has a triangle on one side only",
+        return tl::unexpected(
+            fmt::format("{}: the surface is not closed, so that it encloses no mass: an edge at {:.6g} "
+                        "{:.6g} {:.6g} has a "
+                        "triangle on one side alone",
                         shape.file.string(), open->x(), open->y(), open->z()));
     }
     return integrate_rigid_body(**mesh, density);
@@ -142,8 +143,8 @@ RigidBodyResult make(const machine::MeshShape& shape, double density, const Mesh
 
 }  // namespace
 
-Result<RigidBody> compute_rigid_body(const machine::ShapeForm& form, double density_kg_m3,
-                                     const MeshFiles& files) {
+tl::expected<RigidBody, std::string> compute_rigid_body(const machine::ShapeForm& form, double density_kg_m3,
+                                                        const MeshFiles& files) {
     return std::visit([&](const auto& of) { return make(of, density_kg_m3, files); }, form);
 }
 

@@ -2,17 +2,19 @@
 
 #include <string>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "collision/cell/cell.h"
 #include "geometry/mesh/mesh_file.h"
 
 namespace gsim::cell {
 
 /// Returns the shape that a file describes; reads its mesh. The error is a message that names the mesh file.
-Result<Shape> make_shape(const machine::ShapeForm& form, const MeshFiles& files = {});
+tl::expected<Shape, std::string> make_shape(const machine::ShapeForm& form, const MeshFiles& files = {});
 
 /// Returns a cell with only the machine's own shapes so far. The error is a message that names the shape with
 /// the mesh that cannot be read.
-Result<Cell> make_machine_cell(const machine::Machine& machine, const MeshFiles& files = {});
+tl::expected<Cell, std::string> make_machine_cell(const machine::Machine& machine,
+                                                  const MeshFiles& files = {});
 
 }  // namespace gsim::cell

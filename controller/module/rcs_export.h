@@ -4,7 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "controller/module/rcs_module.h"
 #include "controller/services/shell.h"
 
@@ -13,7 +14,7 @@ namespace gsim::rrs {
 /// Adapter of any Shell to a controller module: a library's functions of rcs_module.h call these.
 
 /// Function that creates a Shell; the error is a message.
-using ShellFactory = Result<std::unique_ptr<Shell>> (*)(const gsim_rcs_machine& machine);
+using ShellFactory = tl::expected<std::unique_ptr<Shell>, std::string> (*)(const gsim_rcs_machine& machine);
 
 /// Works as gsim_rcs_create(); an exception of the factory is an error with its text.
 gsim_rcs_module* create_exported(ShellFactory make, const gsim_rcs_machine* machine,

@@ -4,7 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "controller/module/rcs_host.h"
 
 namespace gsim::rrs {
@@ -24,7 +25,9 @@ struct RcsProcessLimits {
 /// delivered.
 ///
 /// The error is a message, that of RcsLibrary::load() if it is the module's.
-Result<RcsModule> start_rcs_process(const std::filesystem::path& program, const std::string& path,
-                                    const gsim_rcs_machine& machine, RcsProcessLimits limits = {});
+tl::expected<RcsModule, std::string> start_rcs_process(const std::filesystem::path& program,
+                                                       const std::string& path,
+                                                       const gsim_rcs_machine& machine,
+                                                       RcsProcessLimits limits = {});
 
 }  // namespace gsim::rrs

@@ -2,7 +2,8 @@
 
 namespace gsim::engine {
 
-Result<std::string> resolve_name(const Host& host, NameKind kind, const std::string& name) {
+tl::expected<std::string, std::string> resolve_name(const Host& host, NameKind kind,
+                                                    const std::string& name) {
     if (name.empty() || !host.find) return name;
     return host.find(kind, name);
 }

@@ -2,12 +2,13 @@
 
 #include <string>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "engine/host.h"
 
 namespace gsim::engine {
 
 /// Returns the file that a name means: Host::find, or the name itself. An empty name stays empty.
-Result<std::string> resolve_name(const Host& host, NameKind kind, const std::string& name);
+tl::expected<std::string, std::string> resolve_name(const Host& host, NameKind kind, const std::string& name);
 
 }  // namespace gsim::engine

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <tl/expected.hpp>
 
-#include "base/error.h"
 #include "geometry/mesh/packet.h"
 
 namespace gsim::solid {
@@ -20,20 +19,21 @@ namespace gsim::solid {
 ///
 /// The error is a message that names the file: it does not exist, is too large, gsim-solid reports an error
 /// in it or crashed, or this build has no gsim-solid.
-Result<std::string> query_reader(const std::string& request, const std::filesystem::path& file,
-                                 const std::vector<std::string>& settings);
+tl::expected<std::string, std::string> query_reader(const std::string& request,
+                                                    const std::filesystem::path& file,
+                                                    const std::vector<std::string>& settings);
 
 /// Returns the result of `take` for the packet (PacketReader), which it must consume completely.
 template <typename MeshHandler>
 auto query_reader_as(const std::string& request, const std::filesystem::path& file,
                      const std::vector<std::string>& settings, MeshHandler visit)
-    -> Result<std::invoke_result_t<MeshHandler, PacketReader&>> {
+    -> tl::expected<std::invoke_result_t<MeshHandler, PacketReader&>, std::string> {
     const auto response = query_reader(request, file, settings);
     if (!response) return tl::unexpected(response.error());
     PacketReader packet(*response);
     auto result = visit(packet);
     if (packet.is_complete()) return result;
-    return Unexpected(fmt::format("'{}' cannot be read: gsim-solid did not finish", file.string()));
+    return tl::unexpected(fmt::format("'{}' cannot be read: gsim-solid did not finish", file.string()));
 }
 
 }  // namespace gsim::solid

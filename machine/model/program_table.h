@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
 
 namespace gsim::machine {
 
@@ -25,6 +25,7 @@ struct ProgramTable {
 
 /// Reads only that table; of the remaining file it only checks that it is TOML. The error is
 /// "file:line:column: message".
-Result<ProgramTable> read_program_table(std::string_view toml_text, std::string_view file_name);
+tl::expected<ProgramTable, std::string> read_program_table(std::string_view toml_text,
+                                                           std::string_view file_name);
 
 }  // namespace gsim::machine

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "machine/model/machine.h"
 #include "motion/planner/planner.h"
 #include "runtime/motion_sources/motion_log.h"
@@ -28,7 +29,8 @@ struct ReplayedMove {
 /// Replays a log without a gap, on a machine that differs from its own in parameters only, with our planner.
 /// Returns the moves that take time, in order. Zones, cells and tables of the machine are not checked. The
 /// error names the entry that cannot be planned, and the reason.
-Result<std::vector<ReplayedMove>> replay(const MotionLog& log, const motion::PlannerSetup& machine,
-                                         const machine::WordTimes& times);
+tl::expected<std::vector<ReplayedMove>, std::string> replay(const MotionLog& log,
+                                                            const motion::PlannerSetup& machine,
+                                                            const machine::WordTimes& times);
 
 }  // namespace gsim::simulation

@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "controller/module/rcs_module.h"
 #include "motion/planner/planner_setup.h"
 
@@ -32,7 +33,7 @@ class RcsMachine {
     gsim_rcs_machine machine_{};
 };
 
-/// Converts it back, for modules with our own planner.
-Result<motion::PlannerSetup> setup_from_rcs_machine(const gsim_rcs_machine& machine);
+/// Converts it back, for modules with our own planner. The error is a message.
+tl::expected<motion::PlannerSetup, std::string> setup_from_rcs_machine(const gsim_rcs_machine& machine);
 
 }  // namespace gsim::rcs

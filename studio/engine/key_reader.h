@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "base/text/json.h"
 
 namespace gsim::studio {
@@ -49,7 +50,7 @@ class KeyReader {
     void add_error(std::string message);
 
     /// Returns the first error of all, or that of an unexpected key.
-    Result<void> end();
+    tl::expected<void, std::string> end();
 
   private:
     const nlohmann::json* value_of_type(const char* key, const char* expected_type,

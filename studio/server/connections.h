@@ -37,12 +37,12 @@ class Connections {
 
       private:
         Connections& all_;
-        std::list<Waiting>::iterator entry_position_;
+        std::list<Waiting>::iterator place_;
         bool accepted_ = false;
     };
 
     /// Waits until a further connection fits. False: end() has been called.
-    bool wait_for_capacity();
+    bool make_room();
     /// Counts a further connection; each needs gone() at its end.
     void on_open();
     void on_close();

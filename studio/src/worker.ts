@@ -43,9 +43,9 @@ async function handleRequest(ask: EngineRequest): Promise<void> {
 }
 
 /** Reports a fatal error of the engine as an error of the worker: the page starts another one. */
-function fail(error: unknown): void {
+function fail(fault: unknown): void {
   setTimeout(() => {
-    throw error;
+    throw fault;
   });
 }
 

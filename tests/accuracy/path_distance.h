@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "tests/accuracy/blocks.h"
 #include "tests/accuracy/trajectory.h"
 
@@ -28,6 +29,6 @@ struct Distance {
 /// Returns the largest distance of X, Y and Z at equal times since the start of each block, at the samples of
 /// `recorded`. A block of `found` that ends earlier stays at its end. The error names the first block that
 /// the runs do not share, or says that no data can be compared.
-Result<Distance> largest_distance(const TimedPath& recorded, const TimedPath& found);
+tl::expected<Distance, std::string> largest_distance(const TimedPath& recorded, const TimedPath& found);
 
 }  // namespace gsim::accuracy

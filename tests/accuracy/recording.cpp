@@ -20,10 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-Result<std::string> read_file(const fs::path& file) {
+tl::expected<std::string, std::string> read_file(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-    if (!in) return Unexpected(fmt::format("cannot read {}", file.string()));
+    if (!in) return tl::unexpected(fmt::format("cannot read {}", file.string()));
     return text;
 }
 
@@ -70,20 +70,21 @@ fs::path times_file_of(const fs::path& program) {
 }
 
 // A program with values of its own does not need the table.
-Result<std::map<std::string, double>> listed_times(const fs::path& folder, const Controller& controller) {
+tl::expected<std::map<std::string, double>, std::string> listed_times(const fs::path& folder,
+                                                                      const Controller& controller) {
     const fs::path table = folder / "table.tsv";
     if (!fs::is_regular_file(table)) return {};
     auto times =
         read_file(table).and_then([&](const std::string& text) { return read_times(text, controller); });
-    if (!times) return Unexpected(fmt::format("{}: {}", table.string(), times.error().message));
+    if (!times) return tl::unexpected(fmt::format("{}: {}", table.string(), times.error()));
     std::erase_if(*times, [&](const auto& listed) {
         return fs::is_regular_file(times_file_of(folder / (listed.first + ".ngc")));
     });
     return times;
 }
 
-Result<Recording> read_recording(const fs::path& program, const Controller& controller,
-                                 const std::map<std::string, double>& times) {
+tl::expected<Recording, std::string> read_recording(const fs::path& program, const Controller& controller,
+                                                    const std::map<std::string, double>& times) {
     Recording recording;
     recording.name = program.stem().string();
     recording.program = program;
@@ -99,7 +100,7 @@ Result<Recording> read_recording(const fs::path& program, const Controller& cont
         const auto json_text = read_file(times_file);
         if (!json_text) return tl::unexpected(json_text.error());
         if (const auto read = read_recorded_values(*json_text, controller, recording); !read)
-            return Unexpected(fmt::format("{}: {}", times_file.string(), read.error().message));
+            return tl::unexpected(fmt::format("{}: {}", times_file.string(), read.error()));
     }
     recording.from_first_move = controller.from_first_move;
     recording.tools = controller.tools;
@@ -107,7 +108,8 @@ Result<Recording> read_recording(const fs::path& program, const Controller& cont
     return recording;
 }
 
-Result<std::vector<Recording>> runs_of_table(const fs::path& folder, const Controller& controller) {
+tl::expected<std::vector<Recording>, std::string> runs_of_table(const fs::path& folder,
+                                                                const Controller& controller) {
     return read_file(folder / "table.tsv").and_then([&](const std::string& text) {
         return listed_runs(folder, read_rows(text), controller);
     });
@@ -115,7 +117,8 @@ Result<std::vector<Recording>> runs_of_table(const fs::path& folder, const Contr
 
 }  // namespace
 
-Result<std::vector<Recording>> find_recordings(const fs::path& folder, const Controller& controller) {
+tl::expected<std::vector<Recording>, std::string> find_recordings(const fs::path& folder,
+                                                                  const Controller& controller) {
     if (controller.runs != nullptr) return runs_of_table(folder, controller);
     std::error_code error;
     const auto times = listed_times(folder, controller);
@@ -128,7 +131,7 @@ Result<std::vector<Recording>> find_recordings(const fs::path& folder, const Con
         if (times->contains(file.stem().string()) || fs::is_regular_file(times_file_of(file)))
             programs.push_back(file);
     }
-    if (error) return Unexpected(fmt::format("cannot read {}: {}", folder.string(), error.message()));
+    if (error) return tl::unexpected(fmt::format("cannot read {}: {}", folder.string(), error.message()));
     std::sort(programs.begin(), programs.end());
     std::vector<Recording> recordings;
     for (const fs::path& program : programs) {
@@ -139,8 +142,8 @@ Result<std::vector<Recording>> find_recordings(const fs::path& folder, const Con
     return recordings;
 }
 
-Result<void> read_recorded_values(const std::string& json_text, const Controller& controller,
-                                  Recording& recording) {
+tl::expected<void, std::string> read_recorded_values(const std::string& json_text,
+                                                     const Controller& controller, Recording& recording) {
     try {
         const json times_file = text::parse_json<json>(json_text);
         recording.cycle_time_s = time_in(times_file.at(std::string(controller.time_key)));
@@ -148,17 +151,18 @@ Result<void> read_recorded_values(const std::string& json_text, const Controller
         recording.exact_stop = times_file.value("mode", "") == "G61.1";
         if (times_file.contains("time_per_line")) recording.blocks = blocks_in(times_file["time_per_line"]);
     } catch (const std::exception& error) {  // those of nlohmann and our own
-        return Unexpected(error.what());
+        return tl::unexpected<std::string>(error.what());
     }
     return {};
 }
 
-Result<std::map<std::string, double>> read_times(const std::string& table, const Controller& controller) {
+tl::expected<std::map<std::string, double>, std::string> read_times(const std::string& table,
+                                                                    const Controller& controller) {
     const std::vector<TableRow> rows = read_rows(table);
     std::map<std::string, double> times;
     for (const TableRow& row : rows) {
         const auto name = row.find("name");
-        if (name == row.end()) return Unexpected("there is no column 'name'");
+        if (name == row.end()) return tl::unexpected<std::string>("there is no column 'name'");
         const auto time_s = column_s(row, controller.time_key);
         if (!time_s) return tl::unexpected(time_s.error());
         times[name->second] = *time_s;

@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "tests/accuracy/blocks.h"
 #include "tests/accuracy/controller.h"
 
@@ -32,17 +33,18 @@ struct Recording {
 /// Returns the recordings in a folder, sorted by name: programs with a JSON of the same name, or with a line
 /// in the folder's table.tsv. If the controller has a RunTable, they are the runs that the table lists. The
 /// error names the folder or file that cannot be read.
-Result<std::vector<Recording>> find_recordings(const std::filesystem::path& folder,
-                                               const Controller& controller);
+tl::expected<std::vector<Recording>, std::string> find_recordings(const std::filesystem::path& folder,
+                                                                  const Controller& controller);
 
 /// Stores the values from the JSON of a recording in it; the error names the missing value.
-Result<void> read_recorded_values(const std::string& json_text, const Controller& controller,
-                                  Recording& recording);
+tl::expected<void, std::string> read_recorded_values(const std::string& json_text,
+                                                     const Controller& controller, Recording& recording);
 
 /// The times of a table by the names of the programs: lines of columns with tabs between, under a line that
 /// names them
 /// ("name", and the controller's time key). The error says what it lacks.
-Result<std::map<std::string, double>> read_times(const std::string& table, const Controller& controller);
+tl::expected<std::map<std::string, double>, std::string> read_times(const std::string& table,
+                                                                    const Controller& controller);
 
 /// Returns true if a program has G4 outside its comments.
 bool has_dwell(std::string_view program);

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "tests/conformance/move.h"
 
 namespace gsim::conformance {
@@ -21,6 +22,6 @@ struct ExpectedMove {
 /// Reads canonical output as LinuxCNC's stand-alone interpreter prints it. It applies units, work offsets,
 /// the offset of G92, the rotation about Z and the tool's offset. The moves are therefore in mm, deg and
 /// machine coordinates. The error names the line that cannot be parsed.
-Result<std::vector<ExpectedMove>> read_canon(std::istream& text);
+tl::expected<std::vector<ExpectedMove>, std::string> read_canon(std::istream& text);
 
 }  // namespace gsim::conformance

@@ -4,13 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "tests/conformance/move.h"
 
 namespace gsim::conformance {
 
 /// Reads what `gsim-run --moves` writes: JSON Lines, docs/report.md. Axes that the machine lacks are at 0.
 /// The error says which line cannot be understood.
-Result<std::vector<Move>> read_moves(std::istream& text);
+tl::expected<std::vector<Move>, std::string> read_moves(std::istream& text);
 
 }  // namespace gsim::conformance

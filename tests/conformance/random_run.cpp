@@ -24,14 +24,14 @@ void print_difference(std::size_t seed, const std::string& what) {
 }
 
 Outcome judge(std::size_t seed, const std::optional<std::vector<ExpectedMove>>& expected,
-              const Result<std::vector<Move>>& found) {
+              const tl::expected<std::vector<Move>, std::string>& found) {
     if (!expected && !found) return Outcome::rejected;
     if (!expected) {
         print_difference(seed, "only the reference refuses it");
         return Outcome::differ;
     }
     if (!found) {
-        print_difference(seed, "only gsim refuses it: " + found.error().message);
+        print_difference(seed, "only gsim refuses it: " + found.error());
         return Outcome::differ;
     }
     const Verdict verdict = compare(*expected, *found);
@@ -59,10 +59,10 @@ void count(Outcome outcome, RandomTally& tally) {
 
 }  // namespace
 
-Result<RandomTally> compare_random(const RandomRun& run, const GsimOptions& gsim) {
+tl::expected<RandomTally, std::string> compare_random(const RandomRun& run, const GsimOptions& gsim) {
     const ReferenceInterpreter reference(run.reference, random_program_tools());
     if (!reference.is_installed())
-        return Unexpected(fmt::format("'{}' of LinuxCNC is not installed", run.reference));
+        return tl::unexpected(fmt::format("'{}' of LinuxCNC is not installed", run.reference));
     const GsimRuns runs(gsim, random_program_tools());
     const ScratchFolder scratch;
     RandomTally tally;

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <string>
 
-#include "base/error.h"
 #include "tests/conformance/programs.h"
 
 namespace gsim::conformance {
@@ -25,6 +24,6 @@ struct RandomTally {
 
 /// Runs random programs with gsim and with the reference, prints each that differs with its seed, and counts.
 /// The error says that the reference is not there.
-Result<RandomTally> compare_random(const RandomRun& run, const GsimOptions& gsim);
+tl::expected<RandomTally, std::string> compare_random(const RandomRun& run, const GsimOptions& gsim);
 
 }  // namespace gsim::conformance

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "grammar/dialect.h"
 #include "lexer/lexer.h"
 
 namespace gsim::lexer {
@@ -23,9 +22,8 @@ struct Scan {
     std::string messages;               ///< "line:column: text" of the errors, one a line.
 };
 
-/// As the writer does it, a block with M2 or M30 ends the main program if the dialect has it so.
-inline Scan scan(std::string_view text, const Aliases& aliases = {},
-                 const grammar::Dialect& dialect = grammar::dialect_ab9()) {
+/// RS274/NGC: as the writer does it, a block with M2 or M30 ends the main program.
+inline Scan scan(std::string_view text, const Aliases& aliases = {}, Style style = Style::ab9) {
     Scan result;
     Source source = Source::from_text(std::string(text), "t");
     Diagnostics diagnostics(source, 1000, [&](const text::Diagnostic& reported) {
@@ -33,7 +31,7 @@ inline Scan scan(std::string_view text, const Aliases& aliases = {},
         const std::string_view line = std::string_view(message).substr(0, message.find('\n'));
         result.messages += std::string(line.substr(2)) + "\n";  // without "t:"
     });
-    Lexer lexer(source, diagnostics, aliases, dialect.text());
+    Lexer lexer(source, diagnostics, aliases, style);
     while (true) {
         Value value{};
         const Token token = lexer.next(value);
@@ -47,7 +45,7 @@ inline Scan scan(std::string_view text, const Aliases& aliases = {},
         if (token != kEob && token != kTape) continue;
         for (const Word& word : block.words) {
             const bool ends = word.address == 'M' && (word.code_x10 == 20 || word.code_x10 == 300);
-            if (ends && dialect.rules().end_code_ends_text) lexer.extent().end_main_program();
+            if (ends && style == Style::rs274ngc) lexer.end_main_program();
             result.words.push_back(fmt::format("{}={}", address_name(word.address), block.view(word.number)));
         }
         for (const Slice comment : block.comments) result.comments.emplace_back(block.view(comment));
@@ -56,7 +54,7 @@ inline Scan scan(std::string_view text, const Aliases& aliases = {},
 }
 
 inline Scan scan_ngc(std::string_view text) {
-    return scan(text, {}, grammar::dialect_rs274ngc());
+    return scan(text, {}, Style::rs274ngc);
 }
 
 }  // namespace gsim::lexer

@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "toolpath/json/keys.h"
 #include "toolpath/model/path.h"
 
@@ -18,19 +19,19 @@ class PathDraft {
     enum class ValueKind { other, text, number, vector, touches };
     static ValueKind value_kind(PathKey key);
 
-    Result<void> set_text(PathKey key, std::string_view value);
-    Result<void> set_number(PathKey key, double value);
+    tl::expected<void, std::string> set_text(PathKey key, std::string_view value);
+    tl::expected<void, std::string> set_number(PathKey key, double value);
     /// Sets a vector, which needs its exact number of values.
-    Result<void> set_vector(PathKey key, const std::vector<double>& values);
+    tl::expected<void, std::string> set_vector(PathKey key, const std::vector<double>& values);
 
     /// Adds one of the list of `probe_offset`; end_touches() follows the last one.
     void add_touch(const Touch& touch) { frame_.touches.push_back(touch); }
-    Result<void> end_touches() const;
+    tl::expected<void, std::string> end_touches() const;
 
     /// Sets both in the path, once all keys are read.
-    Result<void> finish(Path& path) const;
+    tl::expected<void, std::string> finish(Path& path) const;
     /// Returns the frame for a use of a path, which has no tool.
-    Result<WorkFrame> finish_frame() const;
+    tl::expected<WorkFrame, std::string> finish_frame() const;
 
   private:
     WorkFrame frame_;

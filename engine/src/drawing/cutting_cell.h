@@ -6,7 +6,6 @@
 
 #include <tl/expected.hpp>
 
-#include "base/error.h"
 #include "cam/cutting/autopath.h"
 #include "engine/diagnostic.h"
 #include "engine/drawing_path.h"
@@ -27,7 +26,8 @@ class CuttingCell {
     const std::vector<std::string>& notes() const;
     /// Reroutes the moves between cuts past the surroundings, and counts them. The error is a message, or
     /// several lines: cuts that the machine does not reach, cuts with obstacles, paths that were not found.
-    Result<void> avoid_collisions(cutting::Autopath& autopath_result, CuttingMetrics& metrics) const;
+    tl::expected<void, std::string> avoid_collisions(cutting::Autopath& autopath_result,
+                                                     CuttingMetrics& metrics) const;
 
   private:
     struct Parts;

@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "cam/solid/plate.h"
 #include "engine/drawing_path.h"
 
@@ -10,7 +11,7 @@ namespace gsim::engine {
 
 /// Reads a drawing, or a flat part through the host. The error is a message: why it cannot be read, or which
 /// option is not for such a file.
-Result<solid::Plate> read_drawing_input(const Host& host, const std::string& file,
-                                        const DrawingOptions& drawing_options);
+tl::expected<solid::Plate, std::string> read_drawing_input(const Host& host, const std::string& file,
+                                                           const DrawingOptions& drawing_options);
 
 }  // namespace gsim::engine

@@ -4,7 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "base/text/json.h"
 #include "machine/data/machine_data_document.h"
 
@@ -19,7 +20,8 @@ nlohmann::ordered_json row_to_json(const machine::SectionRules& rules, const mac
 nlohmann::ordered_json data_to_json(const machine::MachineDataDocument& document);
 
 /// Returns the inverse conversion, as a separate file. The error is a message that begins with `file_name`.
-Result<machine::MachineDataDocument> data_from_json(std::string_view text, const std::string& file_name,
-                                                    std::span<const machine::Axis> axes);
+tl::expected<machine::MachineDataDocument, std::string> data_from_json(std::string_view text,
+                                                                       const std::string& file_name,
+                                                                       std::span<const machine::Axis> axes);
 
 }  // namespace gsim::engine

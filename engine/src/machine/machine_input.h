@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "base/os/input_file.h"
 #include "engine/host.h"
 #include "machine/data/machine_data.h"
@@ -22,10 +23,12 @@ struct MachineInput {
 
 /// Reads it; an empty name is the built-in machine. The error is a message; `faults`, if given, receives all
 /// errors, the first one first.
-Result<MachineInput> read_machine_input(const Host& host, const std::string& name, os::NameSource name_source,
-                                        std::vector<std::string>* errors = nullptr);
+tl::expected<MachineInput, std::string> read_machine_input(const Host& host, const std::string& name,
+                                                           os::NameSource name_source,
+                                                           std::vector<std::string>* errors = nullptr);
 
 /// Reads only its data about programs: a machine file is not read any further.
-Result<machine::ProgramTable> read_program_input(const Host& host, const std::string& name);
+tl::expected<machine::ProgramTable, std::string> read_program_input(const Host& host,
+                                                                    const std::string& name);
 
 }  // namespace gsim::engine

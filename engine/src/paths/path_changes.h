@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "codegen/post/post.h"
 #include "engine/path_translation.h"
 #include "machine/data/machine_data.h"
@@ -20,6 +21,7 @@ struct PathContext {
 
 /// Applies the changes of a request to a path that has been read, with complete frames and points. The error
 /// names the source location in its file.
-Result<void> change_path(path::PathFile& file, const PathContext& context, const PathChanges& changes);
+tl::expected<void, std::string> change_path(path::PathFile& file, const PathContext& context,
+                                            const PathChanges& changes);
 
 }  // namespace gsim::engine

@@ -5,8 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/error.h"
-#include "codegen/post/action_blocks.h"
+#include <tl/expected.hpp>
+
+#include "codegen/post/action_words.h"
 #include "codegen/post/post.h"
 #include "toolpath/rotary/axis_moves.h"
 
@@ -44,17 +45,17 @@ class PathCheck final : public path::MoveSink {
 
     /// Completes the check, once after all moves. The error is a message: elements for which the post has no
     /// words.
-    Result<PathSummary> finish();
+    tl::expected<PathSummary, std::string> finish();
 
   private:
-    void add_feed_notes();
+    void note_feeds();
     std::string error() const;
 
     const path::PathFile& file_;
     const codegen::Post& post_;
     bool uses_machine_coordinates_;
     bool keep_going_;
-    codegen::ActionBlocks words_;
+    codegen::ActionWords words_;
     std::vector<std::string> notes_;
     std::size_t count_ = 0;  ///< Number of notes on moves, listed or not.
     std::size_t accelerations_ = 0, retracts_ = 0;

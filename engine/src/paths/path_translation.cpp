@@ -22,7 +22,13 @@ namespace {
 
 constexpr const char* kPostExtension = ".toml";
 
-Result<codegen::Post> read_post(const Host& host, const std::string& name) {
+Error path_error(std::string message) {
+    Error error = make_error(DiagnosticKind::path, std::move(message));
+    error.in_program = true;
+    return error;
+}
+
+tl::expected<codegen::Post, std::string> read_post(const Host& host, const std::string& name) {
     if (!std::filesystem::path(name).has_extension()) return codegen::find_post(name);
     const auto file = resolve_name(host, NameKind::sample, name);
     if (!file) return tl::unexpected(file.error());
@@ -33,7 +39,7 @@ Result<codegen::Post> read_post(const Host& host, const std::string& name) {
 }
 
 // Uses those of the machine's settings, unless the request names others.
-Result<void> read_data(const PathRequest& request, MachineInput& input) {
+tl::expected<void, std::string> read_data(const PathRequest& request, MachineInput& input) {
     if (request.machine_data.empty()) return {};
     const auto file = resolve_name(request.host, NameKind::sample, request.machine_data);
     if (!file) return tl::unexpected(file.error());
@@ -70,14 +76,14 @@ class PathTranslation::State {
           file_(std::move(file)),
           post_(std::move(post)),
           machine_(std::move(machine)),
-          cpu_limit_(request_.cpu_s) {
-        cpu_limit_.set_cancel_flag(request_.cancel.flag());
+          cpu_(request_.cpu_s) {
+        cpu_.cancel_when(request_.cancel.flag());
     }
     State(const State&) = delete;
     State& operator=(const State&) = delete;
 
     const std::string& file() const { return file_; }
-    const os::CpuLimit& cpu() const { return cpu_limit_; }
+    const os::CpuLimit& cpu() const { return cpu_; }
     const PathProgram& program() const { return *program_; }
     const std::vector<std::string>& notes() const { return notes_; }
 
@@ -85,8 +91,9 @@ class PathTranslation::State {
         const script::LuaState::Limits limits{.memory_bytes =
                                                   static_cast<std::size_t>(request_.memory_bytes)};
         auto path = request_.bytes ? read_path_bytes(request_.bytes, file_)
-                                   : read_path(request_.host.files.impl(), file_, limits, &cpu_limit_);
-        if (!path) return tl::unexpected(path.error());
+                                   : read_path(request_.host.files.impl(), file_, limits, &cpu_);
+        if (!path && path.error().in_path) return tl::unexpected(path_error(path.error().message));
+        if (!path) return tl::unexpected(make_error(DiagnosticKind::file, path.error().message));
         path_ = *std::move(path);
         return {};
     }
@@ -117,7 +124,7 @@ class PathTranslation::State {
     std::string file_;
     codegen::Post post_;
     MachineInput machine_;
-    os::CpuLimit cpu_limit_;
+    os::CpuLimit cpu_;
     std::optional<path::PathFile> path_;
     std::optional<PathProgram> program_;
     std::vector<std::string> notes_;
@@ -125,15 +132,15 @@ class PathTranslation::State {
 
 tl::expected<PathTranslation, Error> PathTranslation::open(PathRequest request) {
     return guard_exceptions([&]() -> tl::expected<PathTranslation, Error> {
-        const auto unexpected_error = [](const gsim::Error& error) {
-            return tl::unexpected(make_error(DiagnosticKind::input_file, error));
+        const auto unexpected_error = [](const std::string& message) {
+            return tl::unexpected(make_error(DiagnosticKind::input_file, message));
         };
         auto post = read_post(request.host, request.post);
         if (!post) return unexpected_error(post.error());
         auto input = read_machine_input(request.host, request.machine, os::NameSource::command_line);
         if (!input) return unexpected_error(input.error());
         if (auto read = read_data(request, *input); !read) return unexpected_error(read.error());
-        auto file = request.bytes ? Result<std::string>(request.path)
+        auto file = request.bytes ? tl::expected<std::string, std::string>(request.path)
                                   : resolve_name(request.host, NameKind::sample, request.path);
         if (!file) return tl::unexpected(make_error(DiagnosticKind::file, file.error()));
         return PathTranslation(std::make_unique<State>(std::move(request), *std::move(file), *std::move(post),

@@ -7,7 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "engine/run.h"
 #include "runtime/monitors/path_bound.h"
 #include "runtime/outputs/dxf_writer.h"
@@ -24,11 +25,11 @@ namespace gsim::engine {
 
 /// Message if no output can contain forces.
 inline constexpr std::string_view kNoMassesError =
-    "forces are requested, but the machine file has no [dynamics] with masses";
+    "forces are asked for, and the machine file has no [dynamics] that tells of masses";
 
 /// Message for following errors.
 inline constexpr std::string_view kNoServosError =
-    "following errors are requested, but no [[axis]] of the machine file defines its servo loop "
+    "following errors are asked for, and no [[axis]] of the machine file tells of its servo loop "
     "(position_gain_1_s)";
 
 /// The outputs and results of a run of one machine, attached to its simulator.
@@ -40,7 +41,7 @@ class OutputSet {
     OutputSet& operator=(const OutputSet&) = delete;
 
     /// Adds an output. The error is a message: this machine has no such output.
-    Result<void> add(OutputKind output_kind, TextSink sink, const OutputOptions& options);
+    tl::expected<void, std::string> add(OutputKind output_kind, TextSink sink, const OutputOptions& options);
     /// Makes the report explain the time consumption.
     void explain();
     void add_output(std::unique_ptr<simulation::RunOutput> output);
@@ -51,12 +52,12 @@ class OutputSet {
     std::vector<Error> finish(const simulation::Report& report);
 
   private:
-    Result<void> add_trajectory(simulation::TextStream& out, const OutputOptions& options);
-    Result<void> add_plot(TextSink sink, const OutputOptions& options);
+    tl::expected<void, std::string> add_trajectory(simulation::TextStream& out, const OutputOptions& options);
+    tl::expected<void, std::string> add_plot(TextSink sink, const OutputOptions& options);
     void add_path(TextSink sink);
     simulation::TextStream& stream(TextSink sink);
     std::optional<Error> check_output_size() const;
-    Result<void> write_path(const std::string& program);
+    tl::expected<void, std::string> write_path(const std::string& program);
     void write_plot(const simulation::Report& report);
 
     /// The inputs of an explanation.

@@ -3,7 +3,8 @@
 #include <string>
 #include <string_view>
 
-#include "base/error.h"
+#include <tl/expected.hpp>
+
 #include "runtime/script/lua/lua_state.h"
 #include "toolpath/model/source_location.h"
 
@@ -13,7 +14,8 @@ namespace gsim::script {
 /// with the keys of path files, and the script returns the root path. It runs in the sandbox, without a
 /// machine, until `cpu`, if given, is used up. The error is "file:line: message"; errors of validate() are
 /// included.
-Result<path::PathFile> run_path_script(std::string_view lua, std::string file_name,
-                                       const LuaState::Limits& limits = {}, os::CpuLimit* cpu = nullptr);
+tl::expected<path::PathFile, std::string> run_path_script(std::string_view lua, std::string file_name,
+                                                          const LuaState::Limits& limits = {},
+                                                          os::CpuLimit* cpu = nullptr);
 
 }  // namespace gsim::script

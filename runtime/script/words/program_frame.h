@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "runtime/simulator/commands.h"
+#include "runtime/simulator/simulator.h"
 
 namespace gsim::script {
 

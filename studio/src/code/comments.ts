@@ -4,24 +4,24 @@
 
 import type { EditorState, Line, StateCommand } from "@codemirror/state";
 
-const parenthesizedLine = /^(\s*)\((.*)\)\s*$/;
+const wrapped = /^(\s*)\((.*)\)\s*$/;
 
-const isComment = (text: string, semicolonComments: boolean) => (semicolonComments ? /^\s*;/.test(text) : isSingleComment(text));
+const isComment = (text: string, isNgc: boolean) => (isNgc ? /^\s*;/.test(text) : isSingleComment(text));
 
 // "(A) G1 (B)" begins and ends like a comment, but is none.
 function isSingleComment(text: string): boolean {
-  const found = parenthesizedLine.exec(text);
+  const found = wrapped.exec(text);
   return found !== null && !found[2].includes("(") && !found[2].includes(")");
 }
 
-function toComment(text: string, semicolonComments: boolean): string {
-  if (semicolonComments) return `; ${text}`;
+function toComment(text: string, isNgc: boolean): string {
+  if (isNgc) return `; ${text}`;
   return `(${text.replaceAll("(", "{").replaceAll(")", "}")})`;
 }
 
-function removeComment(text: string, semicolonComments: boolean): string {
-  if (semicolonComments) return text.replace(/^(\s*); ?/, "$1");
-  const [, indent, inside] = parenthesizedLine.exec(text)!;
+function toBlock(text: string, isNgc: boolean): string {
+  if (isNgc) return text.replace(/^(\s*); ?/, "$1");
+  const [, indent, inside] = wrapped.exec(text)!;
   return indent + inside.replaceAll("{", "(").replaceAll("}", ")");
 }
 
@@ -42,14 +42,14 @@ function selectedLines(state: EditorState): Line[] {
  * Turns all lines of the selection that are no comments into comments; if all are comments, they become
  * blocks again.
  */
-export function toggleLineComment(semicolonComments: boolean): StateCommand {
+export function toggleLineComment(isNgc: boolean): StateCommand {
   return ({ state, dispatch }) => {
     const lines = selectedLines(state);
     if (state.readOnly || lines.length === 0) return false;
-    const off = lines.every(({ text }) => isComment(text, semicolonComments));
+    const off = lines.every(({ text }) => isComment(text, isNgc));
     const changes = lines
-      .filter(({ text }) => off || !isComment(text, semicolonComments))
-      .map(({ from, to, text }) => ({ from, to, insert: off ? removeComment(text, semicolonComments) : toComment(text, semicolonComments) }));
+      .filter(({ text }) => off || !isComment(text, isNgc))
+      .map(({ from, to, text }) => ({ from, to, insert: off ? toBlock(text, isNgc) : toComment(text, isNgc) }));
     dispatch(state.update({ changes, userEvent: "input.comment" }));
     return true;
   };

@@ -42,7 +42,7 @@ export class Status {
   }
 
   /** Shows line and column of the cursor, from 1 on. */
-  showLocation(line: number, column: number): void {
+  showPlace(line: number, column: number): void {
     this.place.textContent = words.place(line, column);
   }
 

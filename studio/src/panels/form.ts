@@ -1,9 +1,8 @@
 // Form in the side panel of the page.
 
+/** `shown` is called each time that the form becomes visible, `hidden` when it no longer is. */
 export interface PanelForm {
   element: HTMLElement;
-  /** Called each time that the form becomes visible. */
-  onDisplayed?(): void;
-  /** Called each time that the form is no longer visible. */
-  onHidden?(): void;
+  displayed?(): void;
+  hidden?(): void;
 }

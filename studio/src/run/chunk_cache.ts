@@ -16,11 +16,11 @@ export class ChunkCache {
   private readonly here = new Map<RunSection, Chunk>();
   private readonly pendingFetch = new Map<RunSection, Promise<boolean>>();
   private requested: RunSection[] = [];
-  private isFetching = false;
-  private lastFailure_ms = -Infinity;
+  private works = false;
+  private failed_ms = -Infinity;
   private last: [RunSection, Chunk] | null = null;
   /** Called when some have been loaded, and why some have not. */
-  onLoaded: () => void = () => {};
+  come: () => void = () => {};
   failed: (why: string) => void = () => {};
 
   constructor(
@@ -51,40 +51,40 @@ export class ChunkCache {
   }
 
   /** Fetches these one by one; earlier requests that are not in progress are dropped. */
-  prefetch(sections: RunSection[]): void {
+  want(sections: RunSection[]): void {
     this.requested = sections;
-    if (!this.isFetching && performance.now() - this.lastFailure_ms > RETRY_PAUSE_MS) void this.work();
+    if (!this.works && performance.now() - this.failed_ms > RETRY_PAUSE_MS) void this.work();
   }
 
   private async work(): Promise<void> {
-    this.isFetching = true;
+    this.works = true;
     for (let next = this.requested.shift(); next; next = this.requested.shift()) {
-      if (!(await this.fetchNow(next))) this.requested = [];
+      if (!(await this.need(next))) this.requested = [];
     }
-    this.isFetching = false;
+    this.works = false;
   }
 
   /** Fetches one at once; returns true if it is then loaded. */
-  async fetchNow(section: RunSection): Promise<boolean> {
+  async need(section: RunSection): Promise<boolean> {
     if (section.whole || this.here.has(section)) return true;
-    const pendingFetch = this.pendingFetch.get(section) ?? this.fetchSection(section);
+    const pendingFetch = this.pendingFetch.get(section) ?? this.bring(section);
     this.pendingFetch.set(section, pendingFetch);
     return pendingFetch;
   }
 
-  private async fetchSection(section: RunSection): Promise<boolean> {
+  private async bring(section: RunSection): Promise<boolean> {
     try {
       const chunk = readChunk(await this.fetch(section.number));
       // Data of another run would be joints of another motion.
       if (chunk.first !== section.first || chunk.count !== section.count || chunk.start_s[0] !== section.start_s) {
-        throw new Error(`message ${section.number} belongs to another run`);
+        throw new Error(`message ${section.number} is of another run`);
       }
       this.put(section, chunk);
-      this.onLoaded();
+      this.come();
       return true;
-    } catch (error) {
-      this.lastFailure_ms = performance.now();
-      this.failed(error instanceof Error ? error.message : String(error));
+    } catch (fault) {
+      this.failed_ms = performance.now();
+      this.failed(fault instanceof Error ? fault.message : String(fault));
       return false;
     } finally {
       this.pendingFetch.delete(section);

@@ -1,7 +1,8 @@
+#include "cam/surface/vertical_axis.h"
+
 #include <gtest/gtest.h>
 
 #include "base/units.h"
-#include "cam/surface/vertical_points.h"
 
 namespace gsim::surface::upright_test {
 

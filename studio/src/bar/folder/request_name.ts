@@ -13,12 +13,12 @@ const isValidName = (name: string): boolean =>
 export function requestName(name: string, proposal: string): Promise<string | null> {
   return new Promise((resolve) => {
     let chosen: string | null = null;
-    const error = element("p", { class: "fault", role: "alert" });
+    const fault = element("p", { class: "fault", role: "alert" });
     const input = element("input", { type: "text", value: proposal, required: true, "aria-label": words.nameLabel, spellcheck: "false" });
     const submit = (event: Event) => {
       event.preventDefault();
       const given = input.value.trim();
-      error.textContent = isValidName(given) ? "" : words.invalidName;
+      fault.textContent = isValidName(given) ? "" : words.nameWrong;
       if (!isValidName(given)) return input.focus();
       chosen = given;
       dialog.close();
@@ -27,7 +27,7 @@ export function requestName(name: string, proposal: string): Promise<string | nu
       "form",
       { class: "asked", onsubmit: submit },
       element("label", {}, element("span", {}, words.nameLabel), input),
-      error,
+      fault,
       element(
         "div",
         { class: "answers" },

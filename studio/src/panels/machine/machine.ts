@@ -18,7 +18,7 @@ const words = texts.machine;
 
 /** Form that also shows the results of the check for its files. */
 export interface FileForm extends Section {
-  setDiagnostics(errors: EngineDiagnostic[]): void;
+  told(faults: EngineDiagnostic[]): void;
 }
 
 function joinSections(...sections: Section[]): Section {
@@ -66,6 +66,6 @@ export function createMachine(context: Context, chosen: ItemSelection, check: Ch
       made ??= make();
       draw();
     },
-    setDiagnostics: (errors) => row.setDiagnostics(errors),
+    told: (faults) => row.tell(faults),
   };
 }

@@ -5,14 +5,14 @@ import type { Toml } from "../file/toml";
 
 /** Range of numbers that a key accepts. */
 export interface Range {
-  min?: number;
+  least?: number;
   /** Lower limit that is itself excluded. */
   above?: number;
-  max?: number;
+  most?: number;
   below?: number;
   /** Other values that it also accepts. */
   or?: (number | string)[];
-  integer?: boolean;
+  whole?: boolean;
 }
 
 export interface Key extends Range {

@@ -15,7 +15,7 @@ export class CheckRunner {
   readonly result = new CheckResult(this.button);
   private readonly updateTimer = new Debounced(() => void this.check());
   private asked = 0;
-  private duration_ms = 0;
+  private took_ms = 0;
   private checked = "";
 
   constructor(
@@ -30,15 +30,15 @@ export class CheckRunner {
 
   /** Called after the files have been read again. */
   refresh(): void {
-    const now = this.currentTexts();
+    const now = this.textsNow();
     if (now === this.checked) return;
     this.checked = now;
-    const isQuick = this.duration_ms < MAX_AUTO_CHECK_MS;
+    const isQuick = this.took_ms < MAX_AUTO_CHECK_MS;
     this.button.hidden = isQuick;
     if (isQuick) this.updateTimer.after(PAUSE_MS);
   }
 
-  private currentTexts(): string {
+  private textsNow(): string {
     const { model, session } = this.context;
     return [...model.parts].map(([part, { file }]) => `${part} ${file}\n${session.documents.text(file)}`).join("\n");
   }
@@ -47,10 +47,10 @@ export class CheckRunner {
     const { model, session } = this.context;
     const asked = ++this.asked;
     this.button.hidden = true;
-    const start_ms = performance.now();
+    const began_ms = performance.now();
     this.result.wait();
     const checked = await checkMachine(session, model.file("machine"), model.file("cell"));
-    this.duration_ms = performance.now() - start_ms;
+    this.took_ms = performance.now() - began_ms;
     if (asked !== this.asked) return;
     this.result.show(checked);
     this.told(checked);

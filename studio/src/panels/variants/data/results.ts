@@ -40,10 +40,10 @@ export class Results {
     }
     this.runs.set(key, run);
     this.dropped.delete(key);
-    this.dropOldRuns();
+    this.makeRoom();
   }
 
-  private dropOldRuns(): void {
+  private makeRoom(): void {
     let blocks = [...this.runs.values()].reduce((sum, run) => sum + segmentTotal(run), 0);
     for (const [key, run] of this.runs) {
       if (blocks <= this.mostBlocks || this.runs.size === 1) return;
